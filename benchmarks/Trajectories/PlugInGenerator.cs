@@ -18,10 +18,17 @@ internal sealed class PlugInGenerator
 
     private double Length => _ends[^1];
 
+    /// <summary>Samples that were looked at in search of the next points.</summary>
+    private long _scanned;
+
     /// <summary>Dynamic density; empty for a curve shorter than the error.</summary>
     /// <exception cref="OverflowException">The error is 0: the number of samples is without limit.</exception>
-    public static List<Point2D> Dynamic(IReadOnlyList<Segment> segments, double error)
+    public static List<Point2D> Dynamic(IReadOnlyList<Segment> segments, double error) => Dynamic(segments, error, out _);
+
+    /// <param name="scanned">Samples that were looked at in search of the next points, again for every point.</param>
+    public static List<Point2D> Dynamic(IReadOnlyList<Segment> segments, double error, out long scanned)
     {
+        scanned = 0;
         var curve = new PlugInGenerator(segments);
         var (spacing, length) = (error / 2.0, curve.Length);
         var count = checked((int)Math.Ceiling(length / spacing));
@@ -32,7 +39,7 @@ internal sealed class PlugInGenerator
         {
             var step = isFirst ? (length - s) / 2.0 : length - s;
             isFirst = false;
-            while (step >= error && !Fits(bends, nextCorner, count, length, s, step, error)) step /= 2.0;
+            while (step >= error && !curve.Fits(bends, nextCorner, count, length, s, step, error)) step /= 2.0;
             if (step >= error || length - s < error)
             {
                 s = s + step > length - 1e-9 ? length : s + step;
@@ -45,6 +52,7 @@ internal sealed class PlugInGenerator
             for (var i = 0; i < 16 && s < length; i++) lines.Add(curve.At(s = Math.Min(length, s + (error / 8.0))));
         }
 
+        scanned = curve._scanned;
         return curve.Ended(lines);
     }
 
@@ -85,9 +93,10 @@ internal sealed class PlugInGenerator
         return (bends, next);
     }
 
-    private static bool Fits(double[] bends, int[] nextCorner, int count, double length, double from, double step, double error)
+    private bool Fits(double[] bends, int[] nextCorner, int count, double length, double from, double step, double error)
     {
         var (first, last) = ((int)Math.Ceiling(from / length * count), (int)Math.Floor((from + step) / length * count));
+        _scanned += Math.Max(0, Math.Min(last, count) - first + 1); // it takes the largest curvature of all of them; here the first that is too large will do
         if (nextCorner[Math.Min(first, count + 1)] <= last) return false;
         for (var i = first; i <= Math.Min(last, count); i++)
         {

@@ -78,7 +78,7 @@ public sealed class CommandWindowModel : Observable
         var input = Line;
         _inputs.Add(input);
         Line = "";
-        _ = _desk.EnterAsync(input);
+        _ = _desk.TypeAsync(input);
     }
 
     /// <summary>Pasted text of several lines: the whole ones go to the command session behind what was typed, what follows the last line's end stays to be typed on.</summary>
@@ -96,7 +96,7 @@ public sealed class CommandWindowModel : Observable
         var input = Named(suggestion);
         Line = "";
         _inputs.Add(input);
-        _ = _desk.EnterAsync(input);
+        _ = _desk.TypeAsync(input);
     }
 
     /// <summary>Tab: the line becomes the next suggestion.</summary>

@@ -111,7 +111,7 @@ public sealed class CanvasSource
         var place = _machineLeads ? status.WorkPosition : _desk.Derived.Moment?.Position;
         _canvas.ToolPosition = place is { } at && _drawing is { } drawing ? new Point2D(at.X / drawing.Unit.ToMillimetres, at.Y / drawing.Unit.ToMillimetres) : null;
         _canvas.Highlight = _machineLeads ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
-        _canvas.EngravedMoves = MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
+        _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
     }
 
     /// <summary>A row of the table is one move of the job, a segment of the controller a part of one.</summary>

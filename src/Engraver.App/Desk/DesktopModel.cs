@@ -21,7 +21,8 @@ public sealed class DesktopModel : IAsyncDisposable
 
     private readonly ConcurrentQueue<CommandMessage> _said = new();
     private readonly CancellationTokenSource _closing = new();
-    private Task _feeding = Task.CompletedTask;
+    private Task<InputResult> _feeding = Task.FromResult<InputResult>(new InputResult.Done());
+    private int _kept;
     private Task _working = Task.CompletedTask;
     private int _posted;
 
@@ -38,6 +39,7 @@ public sealed class DesktopModel : IAsyncDisposable
         session.Settings.Changed += (_, _) => Post();
         session.Progress.Changed += (_, _) => Post();
         session.Playback.Changed += (_, _) => Post();
+        session.Walk.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
         session.Certificates.Changed += (_, _) => Post();
         session.History.Changed += (_, _) => Post();
@@ -98,6 +100,23 @@ public sealed class DesktopModel : IAsyncDisposable
         return Enqueue(() => Session.EnterAsync(input, _closing.Token));
     }
 
+    /// <summary>Takes one input from the command line. While a command is at work it is heard beside it, or kept and run when that has ended as it should (<see cref="TypedAhead"/>).</summary>
+    public Task<InputResult> TypeAsync(string input)
+    {
+        if (_kept == 0 && !(IsBusy && Session.IsBusy)) return EnterAsync(input);
+        if (Session.IsBusy && Session.Hears(input)) return Watched(Task.Run(() => Session.EnterAsync(input, _closing.Token)));
+        if (Session.Ahead.WhyNot(input) is { } refused)
+        {
+            Tell(MessageKind.Error, refused);
+            return Task.FromResult<InputResult>(new InputResult.NotUnderstood(refused));
+        }
+
+        Tell(MessageKind.Note, Texts.Text.Get("Command.Kept", input.Trim()));
+        var (before, typedAt) = (_feeding, Session.Ahead.Flushed);
+        _kept++;
+        return Enqueue(() => KeptAsync(input, typedAt, before));
+    }
+
     /// <summary>Takes pasted lines.</summary>
     public Task<InputResult> EnterLinesAsync(string lines) =>
         IsBusy && Session.IsBusy ? Watched(Task.Run(() => Session.EnterLinesAsync(lines, _closing.Token))) : Enqueue(() => Session.EnterLinesAsync(lines, _closing.Token));
@@ -143,10 +162,18 @@ public sealed class DesktopModel : IAsyncDisposable
     public Task Cancelled { get; private set; } = Task.CompletedTask;
 
     /// <summary>Esc.</summary>
-    public Task CancelAsync() => Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
+    public Task CancelAsync()
+    {
+        Session.Ahead.Flush();
+        return Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
+    }
 
     /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
-    public void StopNow() => Session.Machine.Stop();
+    public void StopNow()
+    {
+        Session.Machine.Stop();
+        Session.Ahead.Flush();
+    }
 
     /// <summary>Holds the job under way. From any thread; waits for nothing.</summary>
     public void HoldNow() => Session.Machine.HoldJob();
@@ -163,6 +190,12 @@ public sealed class DesktopModel : IAsyncDisposable
         await _closing.CancelAsync().ConfigureAwait(false);
         await _working.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
         await Session.DisposeAsync().ConfigureAwait(false);
+    }
+
+    private async Task<InputResult> KeptAsync(string input, int typedAt, Task<InputResult> before)
+    {
+        Interlocked.Decrement(ref _kept);
+        return await Session.Ahead.EnterAsync(input, typedAt, before.IsCompletedSuccessfully ? await before.ConfigureAwait(false) : new InputResult.Cancelled(), _closing.Token).ConfigureAwait(false);
     }
 
     private async Task<InputResult> RunNowAsync(string[] inputs)

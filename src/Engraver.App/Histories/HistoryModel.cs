@@ -36,6 +36,8 @@ public sealed class HistoryModel : Observable
     /// <summary>What could not be read of the index; empty for nothing.</summary>
     public string Findings { get; private set; } = "";
 
+    public bool HasFindings => Findings.Length > 0;
+
     /// <summary>Only jobs that hold this text are shown.</summary>
     public string Search
     {

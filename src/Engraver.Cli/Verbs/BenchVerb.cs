@@ -3,9 +3,11 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Benchmarks.Offsets;
 using Engraver.Benchmarks.Pockets;
+using Engraver.Benchmarks.Posts;
 using Engraver.Benchmarks.Stages;
 using Engraver.Benchmarks.Stops;
 using Engraver.Benchmarks.Trajectories;
+using Engraver.Cli.Options;
 using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Verbs;
@@ -13,6 +15,10 @@ namespace Engraver.Cli.Verbs;
 /// <summary><c>engraver bench</c>: the tables of docs/benchmarks.md.</summary>
 internal static class BenchVerb
 {
+    /// <summary>Bytes of a drawing that is posted for every target.</summary>
+    private const long LargestPosted = 100_000;
+    private const int PostSeed = 15;
+
     public static Command Build(VerbHost host)
     {
         var sizes = new Argument<int[]>("ENTITIES")
@@ -28,6 +34,7 @@ internal static class BenchVerb
         command.Subcommands.Add(Trajectories(host));
         command.Subcommands.Add(Offsets(host));
         command.Subcommands.Add(Pockets(host));
+        command.Subcommands.Add(Posts(host));
         return command;
     }
 
@@ -82,6 +89,26 @@ internal static class BenchVerb
         {
             await SayAsync(host, PocketBenchmark.Head, stop).ConfigureAwait(false);
             foreach (var row in PocketBenchmark.Rows(stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    /// <summary><c>engraver bench posts</c>: every target of real drawings, posted and verified.</summary>
+    private static Command Posts(VerbHost host)
+    {
+        var folders = new Argument<string[]>("FOLDER") { Description = Wording.Get("Bench.PostFolders"), Arity = ArgumentArity.OneOrMore };
+        folders.Validators.Add(result =>
+        {
+            foreach (var folder in result.Tokens.Where(token => !Directory.Exists(token.Value))) result.AddError(Wording.Get("Bench.NoFolder", folder.Value));
+        });
+        var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMost"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 60.0 };
+        var command = new Command("posts", Wording.Get("Bench.Posts")) { folders, most };
+        command.SetAction(async (parsed, stop) =>
+        {
+            var files = PostBenchmark.Choose(parsed.GetRequiredValue(folders), (int)parsed.GetValue(most), LargestPosted, PostSeed);
+            await SayAsync(host, PostBenchmark.Head, stop).ConfigureAwait(false);
+            await foreach (var row in PostBenchmark.RowsAsync(files, stop).ConfigureAwait(false)) await SayAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;

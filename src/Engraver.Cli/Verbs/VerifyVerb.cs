@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Posts;
@@ -16,13 +17,15 @@ internal sealed class VerifyVerb
     private readonly Argument<string> _program = new("PROGRAM") { Description = Wording.Get("Verify.ProgramPostedAllChunks") };
     private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.DrawingMadeFromDxf") };
     private readonly Option<string> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram"), DefaultValueFactory = _ => PostTable.All[0].Post.Name };
+    private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Verify.Dialect") };
     private readonly Option<bool> _json = JsonOption.New();
     private readonly DrawingOptions _drawing = new();
 
     private VerifyVerb(VerbHost host)
     {
         _host = host;
-        _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name), .. TrajectoryFormatName.All]);
+        _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name).Union(TrajectoryFormatName.All)]);
+        _dialect.AcceptOnlyFromAmong([.. PostTable.All.SelectMany(entry => entry.Dialects.Keys)]);
     }
 
     public static Command Build(VerbHost host)
@@ -30,8 +33,9 @@ internal sealed class VerifyVerb
         var verb = new VerifyVerb(host);
         var command = new Command("verify", Wording.Get("Verify.ReplaysPostedProgramCompares"));
         command.Arguments.Add(verb._program);
-        foreach (var option in (Option[])[verb._against, verb._target, verb._json]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json]) command.Options.Add(option);
         verb._drawing.AddOptionsTo(command);
+        command.Validators.Add(verb.CheckDialect);
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -40,7 +44,7 @@ internal sealed class VerifyVerb
     {
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
-        var (program, reader) = ReadBack(parsed.GetRequiredValue(_program), parsed.GetRequiredValue(_target));
+        var (program, reader) = ReadBack(parsed.GetRequiredValue(_program), parsed.GetRequiredValue(_target), parsed.GetValue(_dialect));
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
@@ -50,7 +54,15 @@ internal sealed class VerifyVerb
         return report.Ok ? ExitCode.Done : ExitCode.DrawingError;
     }
 
-    private static (ReadBackFile Program, IProgramReader Reader) ReadBack(string path, string target) => TrajectoryFormatName.All.Contains(target)
+    private static (ReadBackFile Program, IProgramReader Reader) ReadBack(string path, string target, string? dialect) => TrajectoryFormatName.All.Contains(target)
         ? (TrajectoryReadBack.Open(path), TrajectoryReadBack.ReaderOf(TrajectoryFormatName.Parse(target)))
-        : (ReadBackFile.Open(path), PostTable.Find(target).Reader!);
+        : (ReadBackFile.Open(path), dialect is null ? PostTable.Find(target).Reader! : PostTable.Find(target).Dialects[dialect]);
+
+    /// <summary>Refuses a dialect that the target does not have, instead of ignoring it.</summary>
+    private void CheckDialect(CommandResult result)
+    {
+        if (result.GetResult(_dialect) is not { Tokens: [var dialect] }) return;
+        var target = result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.All[0].Post.Name;
+        if (PostTable.All.FirstOrDefault(entry => entry.Post.Name == target)?.Dialects.ContainsKey(dialect.Value) != true) result.AddError(Wording.Get("Post.NoOptionTarget", _dialect.Name, target));
+    }
 }

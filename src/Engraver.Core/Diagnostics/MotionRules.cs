@@ -43,11 +43,15 @@ public static class MotionRules
 
     public static readonly DiagnosticRule ProfileContradiction = new("MOT0023", Severity.Warning, "setting", "value", "other");
 
+    public static readonly DiagnosticRule UnattendedInParts = new("MOT0024", Severity.Warning, "programs", "lines");
+
+    public static readonly DiagnosticRule MemoryTooSmall = new("MOT0025", Severity.Error, "lines", "needed");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
         StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, TooManyChords, RisingCurve, AboveRetract, HeightOutsideCounts, NoDepth, WireTooSlow,
-        StopHandleReopened, StopHandleLost, ProfileContradiction,
+        StopHandleReopened, StopHandleLost, ProfileContradiction, UnattendedInParts, MemoryTooSmall,
     ];
 }

@@ -15,6 +15,14 @@ public static class PostRules
 
     public static readonly DiagnosticRule NothingToMove = new("PST0006", Severity.Error);
 
+    public static readonly DiagnosticRule NotInDialect = new("PST0010", Severity.Error, "dialect", "option");
+
+    public static readonly DiagnosticRule PlaceNotWritable = new("PST0011", Severity.Error, "x", "y", "largest");
+
+    public static readonly DiagnosticRule Rounded = new("PST0012", Severity.Info, "unit", "error", "x", "y");
+
+    public static readonly DiagnosticRule ToolAndSpindle = new("PST0013", Severity.Error);
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [BlockUnreadable, ProgramParted, TooManyBlocks, ContourError, RadiusNotWritable, NothingToMove];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [BlockUnreadable, ProgramParted, TooManyBlocks, ContourError, RadiusNotWritable, NothingToMove, NotInDialect, PlaceNotWritable, Rounded, ToolAndSpindle];
 }

@@ -21,6 +21,8 @@ public static class VerificationRules
 
     public static readonly DiagnosticRule NotCut = new("VER0009", Severity.Error, "length", "x", "y");
 
+    public static readonly DiagnosticRule OtherFeed = new("VER0010", Severity.Error, "feed", "line", "least", "most");
+
     public static readonly DiagnosticRule ToolpathBeside = new("VER0020", Severity.Error, "deviation", "x", "y", "tolerance");
 
     public static readonly DiagnosticRule ToolpathMissing = new("VER0021", Severity.Error, "length", "x", "y");
@@ -29,5 +31,5 @@ public static class VerificationRules
 
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, ToolpathBeside, ToolpathMissing, ToolpathExtra];
+        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, OtherFeed, ToolpathBeside, ToolpathMissing, ToolpathExtra];
 }

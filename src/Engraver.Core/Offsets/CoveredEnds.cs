@@ -46,7 +46,15 @@ internal sealed class CoveredEnds
     }
 
     /// <summary>What is left, in the same order.</summary>
-    public IReadOnlyList<RawPiece> Pieces => [.. _pieces.Where((_, i) => !_gone[i])];
+    public IReadOnlyList<RawPiece> Pieces
+    {
+        get
+        {
+            var (left, count) = (new RawPiece[_gone.Count(isGone => !isGone)], 0);
+            for (var i = 0; i < _pieces.Length; i++) if (!_gone[i]) left[count++] = _pieces[i];
+            return left;
+        }
+    }
 
     public IReadOnlyList<Point2D> Nodes => _nodes;
 

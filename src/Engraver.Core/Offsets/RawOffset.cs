@@ -54,6 +54,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
     public void Add(RawChain chain)
     {
         var pieces = chain.Pieces;
+        Reserve(pieces.Length);
         Smoothness = Math.Max(Smoothness, chain.Smoothness);
         var shifted = new ShiftedPiece[pieces.Length];
         for (var i = 0; i < pieces.Length; i++) shifted[i] = ShiftedPiece.LeftOf(pieces[i], distance, tolerance);
@@ -73,6 +74,14 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
             AddTip(shifted[i].EndNode, shifted[i].TipBehind, side, join);
             if (joins[i].To >= 0) AddJoin(pieces[i], pieces[i + 1 == pieces.Length ? 0 : i + 1], joins[i], chain.IsCapBehind(i) ? RawSides.Cap : side, join);
         }
+    }
+
+    /// <summary>Room for a chain: each piece with one join, and a node at each of its ends.</summary>
+    private void Reserve(int count)
+    {
+        _pieces.EnsureCapacity(_pieces.Count + (2 * count));
+        _drawn.EnsureCapacity(_drawn.Count + count);
+        _nodes.EnsureCapacity(_nodes.Count + (2 * count));
     }
 
     private int NewNode(Point2D place)

@@ -57,6 +57,12 @@ public sealed record PostOption(string Name, string Argument, string Summary, st
 /// <param name="Options">By name, each one that its option takes; those left out have their default.</param>
 public sealed record PostRequest(Toolpath Path, MotionProgram? Program, Func<int, SourceRef>? SourceOf, IReadOnlyDictionary<string, string> Options)
 {
+    /// <summary>The machine that runs it: feeds, tool drive, spindle. A post that is written from a motion program finds it there too.</summary>
+    public MachineProfile Machine { get; init; } = MachineProfile.Default;
+
+    /// <summary>How far a post may leave what is drawn where its form has no such curve, millimetres, above 0.</summary>
+    public double MaxErrorMm { get; init; } = 0.001;
+
     /// <summary>The value of an option.</summary>
     public string Value(PostOption option)
     {

@@ -8,6 +8,12 @@ namespace Engraver.Core.Posts;
 /// <summary>Reads a posted text back and does what it says, by an interpreter that shares no code with what wrote it.</summary>
 public interface IProgramReader
 {
+    /// <summary>False for a form without heights: what it cuts is compared in plan, whatever drives the tool of the machine.</summary>
+    bool TellsHeights => true;
+
+    /// <summary>How far the form itself may move a place by rounding it, millimetres: what is allowed grows by it.</summary>
+    double Rounding => 0.0;
+
     /// <summary>Tells the judges every motion from the first command to the end of the program.</summary>
     /// <returns>Why the text is no program or did not run to its end, with its lines; empty when it did.</returns>
     /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
@@ -24,6 +30,9 @@ public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, Ti
 {
     /// <summary>Where the first stroke begins, drawing millimetres: the place of the machine for a program that counts from there. Null: nothing is cut.</summary>
     public Point2D? Entry { get; init; }
+
+    /// <summary>Told how fast the program cuts, by a reader whose form says so; null: nobody asks.</summary>
+    public FeedJudge? Feeds { get; init; }
 }
 
 /// <summary>How far a replay has come.</summary>

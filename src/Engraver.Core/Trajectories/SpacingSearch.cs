@@ -41,6 +41,9 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     /// <summary>Steps measured so far.</summary>
     private long _measured;
 
+    /// <summary>What the search has cost: knots that were placed and steps that were measured.</summary>
+    public long Work { get; private set; }
+
     public SplineCandidate? Find()
     {
         if (chain.Pieces.Count == 1 && chain.Pieces[0].IsLine) return Straight();
@@ -101,7 +104,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         bool IsEnough(double scale)
         {
             _profile.Fill(scale * maxError, growth, soft);
-            return KnotPlacement.Place(chain, _profile).Count <= points;
+            return Placed().Count <= points;
         }
     }
 
@@ -112,11 +115,12 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         _profile.Fill(scale * maxError, growth, soft);
         for (var round = 0; round < Rounds && MayGoOn; round++)
         {
-            var knots = KnotPlacement.Place(chain, _profile);
+            var knots = Placed();
             if (knots.Count >= below) return false;
             var fit = new SplineFit(chain, knots);
             fit.Centre(0.9 * maxError, Hopeless * maxError);
             _measured += fit.Measured;
+            Work += fit.Measured;
             if (!fit.RunsBack && fit.LargestError <= SampleShare * maxError && fit.Spline.SpacingRatio(chain.Closed) <= MostRatio)
             {
                 var bound = SplineBound.Measure(fit.Spline, chain, knots, maxError);
@@ -131,6 +135,13 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         }
 
         return false;
+    }
+
+    private List<double> Placed()
+    {
+        var knots = KnotPlacement.Place(chain, _profile);
+        Work += knots.Count;
+        return knots;
     }
 
     /// <summary>Makes points denser where the error is too large, and where a step is too long for its neighbour.</summary>

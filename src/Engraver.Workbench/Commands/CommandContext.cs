@@ -33,6 +33,12 @@ public sealed class CommandContext
 
     public PlaybackSession Playback => _session.Playback;
 
+    /// <summary>Where AUTOSEQUENCE shows how far it has walked.</summary>
+    internal SequenceWalk Walk => _session.Walk;
+
+    /// <summary>A person sits at a desktop and has typed or clicked the command.</summary>
+    internal bool IsWatched => _session.Environment.RunNeedsArming && !IsScripted;
+
     /// <summary>Every run and every program that was written.</summary>
     public JobHistory History => _session.History;
 

@@ -31,6 +31,7 @@ public sealed class CommandSession : IAsyncDisposable
         Derivation = new DerivationSession(Document);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
+        Ahead = new TypedAhead(this);
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
@@ -62,6 +63,9 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>Plays the planned motion of the document that was derived last.</summary>
     public PlaybackSession Playback { get; }
 
+    /// <summary>How far AUTOSEQUENCE has walked.</summary>
+    public SequenceWalk Walk { get; } = new();
+
     /// <summary>The progress of the command at work.</summary>
     public CommandProgress Progress { get; } = new();
 
@@ -69,6 +73,9 @@ public sealed class CommandSession : IAsyncDisposable
     public CommissioningCourse Commissioning { get; } = new(() => CncCommissionCommand.StepNames);
 
     public CommandCatalog Catalog { get; }
+
+    /// <summary>What becomes of inputs that are typed while a command works.</summary>
+    public TypedAhead Ahead { get; }
 
     public AliasTable Aliases { get; private set; }
 
@@ -104,6 +111,13 @@ public sealed class CommandSession : IAsyncDisposable
         var result = await EnterOneAsync(input.Trim(), cancellation).ConfigureAwait(false);
         if (_scripts.IsRunnable && !IsBusy) result = await RunScriptsAsync(cancellation).ConfigureAwait(false);
         return Told(result);
+    }
+
+    /// <summary>While a command is at work: this input is taken at once, beside it, for it is a command that is heard then or the answer to one.</summary>
+    public bool Hears(string input)
+    {
+        ArgumentNullException.ThrowIfNull(input);
+        return _aside is { Pending: not null } || (input.Split(' ', StringSplitOptions.RemoveEmptyEntries) is [var word, ..] && Find(word) is { Info.HeardDuringJob: true });
     }
 
     /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is a letter. With nothing asked it begins by itself.</summary>

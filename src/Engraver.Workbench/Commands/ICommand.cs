@@ -37,6 +37,9 @@ public sealed record CommandInfo(string Name, CommandGroup Group)
     /// <summary>True when machine parts may move: Enter never repeats it and no alias under 3 letters may stand for it.</summary>
     public bool StartsMotion { get; init; }
 
+    /// <summary>True when it runs other commands, whatever they do.</summary>
+    public bool RunsOthers { get; init; }
+
     /// <summary>True when it is heard while a job runs; it must not ask anything.</summary>
     public bool HeardDuringJob { get; init; }
 }

@@ -3,6 +3,14 @@ using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Core.Posts.Agie;
 using Engraver.Core.Posts.AgieReading;
+using Engraver.Core.Posts.ClDataReading;
+using Engraver.Core.Posts.Gcode;
+using Engraver.Core.Posts.GcodeReading;
+using Engraver.Core.Posts.Hpgl;
+using Engraver.Core.Posts.HpglReading;
+using Engraver.Core.Trajectories.Formats;
+using Engraver.Core.Trajectories.Posting;
+using Engraver.Core.Trajectories.Reading;
 using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Composition;
@@ -14,8 +22,13 @@ public static class PostTable
     [
         new(GalilPost.Sequences, "Galil", new DmcReader()),
         new(GalilPost.Calls, "galil-Calls", new DmcReader()),
-        new(new ClDataPost(), "cLdata"),
+        new(new ClDataPost(), "cLdata", new ClDataReader()),
         new(new AgiePost(), "Agie", new AgieReader()),
+        new(new GcodePost(), "gcoDe", new GcodeReader()) { Dialects = new Dictionary<string, IProgramReader> { ["linuxcnc"] = new GcodeReader(GcodeController.LinuxCnc), ["grbl"] = new GcodeReader(GcodeController.Grbl) } },
+        new(new HpglPost(), "Hpgl", new HpglReader()),
+        new(new XpsPost(TrajectoryFormat.XpsLineArc, "xps-linearc", ".xpslinearc"), "Xps-linearc", new TrajectoryReader(ControllerLanguage.LineArc)),
+        new(new XpsPost(TrajectoryFormat.XpsSpline, "xps-spline", ".xpsspline"), "xps-Spline", new TrajectoryReader(ControllerLanguage.RelativeSpline)),
+        new(new XpsPost(TrajectoryFormat.XpsPvt, "xps-pvt", ".xpspvt"), "xps-Pvt", new TrajectoryReader(ControllerLanguage.Pvt)),
     ];
 
     /// <summary>Every option of every post, each once.</summary>
@@ -62,4 +75,8 @@ public static class PostTable
 /// <summary>One format.</summary>
 /// <param name="Keyword">As POST offers it; the capitals are its short form.</param>
 /// <param name="Reader">What <c>verify</c> reads it back with; null when nothing does.</param>
-public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reader = null);
+public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reader = null)
+{
+    /// <summary>Readers by the rules of one kind of controller, by its name; empty where there is only one kind.</summary>
+    public IReadOnlyDictionary<string, IProgramReader> Dialects { get; init; } = new Dictionary<string, IProgramReader>();
+}

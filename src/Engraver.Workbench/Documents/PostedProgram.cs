@@ -43,7 +43,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = job.WithoutProgram };
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { WithoutProgram = job.WithoutProgram };
-        var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options));
+        var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm });
         return Written(written, job.Diagnostics);
     }
 
@@ -58,7 +58,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         if (sequence.Contours == 0) return NothingCut(drawing, settings, found);
         var path = post.Geometry == PostGeometry.LinesAndArcs ? JobPreparation.PathOf(sequence, settings) : new Toolpath(settings.Start, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
         if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.NotAsDrawn(faults) };
-        var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options));
+        var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.Machine, MaxErrorMm = settings.MaxErrorMm });
         return Written(written, found);
     }
 

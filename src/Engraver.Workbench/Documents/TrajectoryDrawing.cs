@@ -3,7 +3,6 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 using Engraver.Core.Offsets;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Trajectories;
@@ -33,36 +32,10 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         return new TrajectoryDrawing(work.Made, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. cut.FindingsBeside(sequence), .. work.Findings]);
     }
 
-    /// <summary>Feed and acceleration of a machine, along the path.</summary>
-    public static TrajectoryMotion MotionOf(MachineProfile machine)
-    {
-        ArgumentNullException.ThrowIfNull(machine);
-        return new TrajectoryMotion(machine.FeedMmPerMinute / 60.0, machine.AccelerationCounts / Math.Max(Math.Abs(machine.Scale.X), Math.Abs(machine.Scale.Y)))
-        {
-            TravelX = ReachOf(machine.Axes.X),
-            TravelY = ReachOf(machine.Axes.Y),
-        };
-    }
-
-    /// <summary>What is to be said of a file for a machine.</summary>
-    internal static IEnumerable<Diagnostic> LimitsOf(TrajectoryFile file, string name, TrajectoryMotion motion)
-    {
-        foreach (var limit in file.BrokenLimits) yield return TrajectoryRules.LimitBroken.At(default, name, limit);
-        if (file.MaxSpeed is not { } speed || speed >= motion.Velocity) yield break;
-        var needed = motion.Acceleration * motion.Velocity * motion.Velocity / (speed * speed);
-        yield return TrajectoryRules.TooFast.At(default, name, FactText.Of(motion.Velocity), FactText.Of(Math.Ceiling(needed)), FactText.Of(motion.Acceleration), FactText.Of(Math.Floor(speed * 1000.0) / 1000.0));
-    }
-
-    /// <summary>What is to be said of runs for which no spline was proven to keep the error.</summary>
-    internal static IEnumerable<Diagnostic> NotKept(IEnumerable<IReadOnlyList<Segment>> unproven, double maxErrorMm) =>
-        unproven.Select(run => TrajectoryRules.ErrorNotKept.At(default, FactText.Of(maxErrorMm), FactText.Of(run.Sum(segment => segment.Length)), FactText.Of(run[0].Start.X), FactText.Of(run[0].Start.Y)));
-
-    private static double? ReachOf(MachineAxis axis) => axis.Travel is { } travel ? travel.Most - travel.Least : null;
-
     private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)
     {
         private readonly TrajectoryOptions _options = new(settings.MaxErrorMm) { SegmentLength = request.SegmentLength, Corners = request.Corners, Z = request.Z };
-        private readonly TrajectoryMotion _motion = MotionOf(settings.Machine);
+        private readonly TrajectoryMotion _motion = TrajectoryMotion.Of(settings.Machine);
 
         public List<NamedTrajectory> Made { get; } = [];
 
@@ -97,11 +70,11 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
             {
                 var named = new NamedTrajectory(name(Made.Count) + ".txt", file, HandleOf(file.Source[0], moves), seconds);
                 Made.Add(named);
-                Findings.AddRange(LimitsOf(file, named.FileName, _motion));
+                Findings.AddRange(TrajectoryFindings.LimitsOf(file, named.FileName, _motion));
                 if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsTooLong.At(default, named.FileName, FactText.Of(file.VerifiedBound), FactText.Of(settings.MaxErrorMm)));
             }
 
-            Findings.AddRange(NotKept(result.Unproven, settings.MaxErrorMm));
+            Findings.AddRange(TrajectoryFindings.NotKept(result.Unproven, settings.MaxErrorMm));
         }
 
         /// <summary>The entity that the first segment of a trajectory was drawn as; of an offset null.</summary>

@@ -13,7 +13,7 @@ public static class TrajectoryExport
     public static IReadOnlyList<TrajectoryFile> Files(DocumentTrajectory one, TrajectoryFormat format, MachineProfile machine)
     {
         ArgumentNullException.ThrowIfNull(one);
-        var motion = TrajectoryDrawing.MotionOf(machine);
+        var motion = TrajectoryMotion.Of(machine);
         if (format == TrajectoryFormat.Sace) return [SplineText.Sace(one.Curve)];
         if (format == TrajectoryFormat.XpsSpline) return [SplineText.Xps(one.Curve, motion)];
         if (one.IsHelix) return [];

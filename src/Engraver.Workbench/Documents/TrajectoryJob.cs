@@ -6,6 +6,7 @@ using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
 
@@ -96,7 +97,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         {
             var planned = TrajectoryPlanner.Plan([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed, new TrajectoryOptions(settings.MaxErrorMm));
             made.AddRange(planned.Trajectories.Select((one, i) => new DocumentTrajectory($"traj{made.Count + i}_path", one, settings.MaxErrorMm)));
-            findings.AddRange(TrajectoryDrawing.NotKept(planned.Unproven, settings.MaxErrorMm));
+            findings.AddRange(TrajectoryFindings.NotKept(planned.Unproven, settings.MaxErrorMm));
         }
 
         return made;

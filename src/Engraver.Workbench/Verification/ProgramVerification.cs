@@ -26,20 +26,31 @@ public static class ProgramVerification
     public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
-        var bridges = BridgedGaps.Beyond(job.Toolpath, RunJudge.Tolerances(job).Deviation);
-        ITraceJudge[] judges = bridges.Count == 0 ? [RunJudge.JudgeOf(job)] : [RunJudge.JudgeOf(job), RunJudge.JudgeOf(job, bridges)];
+        var tolerances = TolerancesOf(job, reader);
+        var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
+        ITraceJudge JudgeOf(IReadOnlyList<StrokeMove> besides) => reader.TellsHeights && job.Settings.Machine.Height is not null ? RunJudge.JudgeOf(job, besides) : RunJudge.PlanJudgeOf(job, besides, tolerances);
+        ITraceJudge[] judges = bridges.Count == 0 ? [JudgeOf([])] : [JudgeOf([]), JudgeOf(bridges)];
         var machine = job.Settings.Machine;
+        var feeds = new FeedJudge(machine.FeedMmPerMinute, reader.TellsHeights ? machine.Height?.PlungeMmPerMinute : null);
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
-        var request = new ReplayRequest(machine, machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null };
+        var request = new ReplayRequest(machine, machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null, Feeds = feeds };
         var faults = program.Text is { } text ? await reader.ReplayAsync(text, request, progress, cancellation).ConfigureAwait(false) : program.Diagnostics;
-        return Report(job, faults, [.. judges.Select(judge => judge.Verdict())], bridges);
+        var report = Report(job, tolerances, faults.Count > 0 || feeds.Finding is not { } other ? faults : [other], [.. judges.Select(judge => judge.Verdict())], bridges);
+        return report with { SlowestMmPerMinute = feeds.Slowest, FastestMmPerMinute = feeds.Fastest, LowestZMm = feeds.Lowest };
+    }
+
+    /// <summary>A form that rounds more coarsely than the machine counts is allowed what its rounding does.</summary>
+    private static TraceTolerances TolerancesOf(PreparedJob job, IProgramReader reader)
+    {
+        var usual = RunJudge.Tolerances(job);
+        return reader.Rounding <= usual.Deviation - usual.MaxError ? usual : usual with { Count = usual.Count * reader.Rounding / (usual.Deviation - usual.MaxError) };
     }
 
     /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its bridges.</summary>
     /// <param name="verdicts">On the drawing, and where there are bridges on the drawing with them.</param>
-    private static VerificationReport Report(PreparedJob job, IReadOnlyList<Diagnostic> faults, TraceVerdict[] verdicts, IReadOnlyList<StrokeMove> bridges)
+    private static VerificationReport Report(PreparedJob job, TraceTolerances tolerances, IReadOnlyList<Diagnostic> faults, TraceVerdict[] verdicts, IReadOnlyList<StrokeMove> bridges)
     {
-        var tolerance = RunJudge.Tolerances(job).Deviation;
+        var tolerance = tolerances.Deviation;
         var found = verdicts[0];
         var isBridged = bridges.Count > 0 && found.MaxDeviation > tolerance;
         var judged = isBridged ? verdicts[^1] : found;
@@ -69,4 +80,14 @@ public static class ProgramVerification
 /// <param name="Ok">The program runs to its end, cuts all of the drawing and nothing else.</param>
 /// <param name="Diagnostics">What is wrong with the program, by its lines.</param>
 public sealed record VerificationReport(
-    double? MaxDeviationMm, double ToleranceMm, double MissingLengthMm, double ExtraLengthMm, bool Ok, IReadOnlyList<Diagnostic> Diagnostics);
+    double? MaxDeviationMm, double ToleranceMm, double MissingLengthMm, double ExtraLengthMm, bool Ok, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    /// <summary>The slowest cut that the program says, mm/min; null where its form says no feed.</summary>
+    public double? SlowestMmPerMinute { get; init; }
+
+    /// <summary>The fastest cut, mm/min; null where its form says no feed.</summary>
+    public double? FastestMmPerMinute { get; init; }
+
+    /// <summary>The lowest height of a cut over the drawing's height 0; null where nothing is told of heights.</summary>
+    public double? LowestZMm { get; init; }
+}

@@ -22,6 +22,20 @@ public sealed class JobTests(DesktopFixture fixture)
         Assert.Contains(("✗", true, "No controller is connected; CNCCONNECT.", false), Lines(here));
     });
 
+    [Fact]
+    public Task What_the_job_costs_by_the_rates_of_the_profile_stands_in_its_palette() => fixture.WithOperator(here =>
+    {
+        var job = new JobModel(here.Desk);
+        here.Open("paper-001.dxf");
+        here.Rest();
+        Assert.DoesNotContain(job.Figures, figure => figure.Name == Text.Get("Job.Cost"));
+
+        here.Enter("CNCPROFILE", "machine-eroder.json");
+        here.Rest();
+        var cost = Assert.Single(job.Figures, figure => figure.Name == Text.Get("Job.Cost")).Value;
+        Assert.EndsWith(", length 5.48, starts 3.50)", cost, StringComparison.Ordinal);
+    });
+
     /// <summary>After a stop the machine stands elsewhere than the next job begins: nothing forbids it, but it is not one of the things that are as they should be.</summary>
     [Fact]
     public Task A_warning_is_told_from_what_has_passed_by_word_shape_and_colour() => fixture.WithOperator(here =>

@@ -45,6 +45,23 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task AUTOSEQUENCE_lights_up_one_contour_after_the_other() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        var seen = new SortedSet<int>();
+        here.Commands.Walk.Changed += (_, _) => seen.Add(here.Commands.Walk.Moves ?? 0);
+        here.Enter("AUTOWALK", "1", "AUTOSEQUENCE");
+
+        var lit = here.Window.Canvas.EngravedMoves; // it asks at the first discontinuity, and what was walked stays lit
+        Assert.Equal(here.Commands.Walk.Moves, lit);
+        Assert.True(lit > 0);
+        here.Enter("All");
+        Assert.Equal(0, here.Window.Canvas.EngravedMoves);
+        Assert.Equal(here.Desk.Derived.Job!.Toolpath.Strokes.Sum(stroke => stroke.Moves.Count), seen.Max);
+        Assert.True(seen.Count > 10);
+    });
+
+    [Fact]
     public Task The_thumb_stands_in_the_middle_of_its_bar() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");

@@ -57,7 +57,7 @@ internal sealed class ShownDesktop : IDisposable
         }
     }
 
-    /// <summary>Types words until the window is called so: what is typed while a command is at work is refused, and an operator types it again.</summary>
+    /// <summary>Types words until the window is called so: what acts on the machine is refused while a command is at work, and an operator types it again.</summary>
     public void EnterUntil(string beginning, params ReadOnlySpan<string> words)
     {
         for (var tries = 0; tries < 5; tries++)

@@ -75,8 +75,10 @@ public sealed class ShellTests(DesktopFixture fixture)
     [Fact]
     public Task The_title_names_the_file_that_was_saved_last() => fixture.WithOperator(here =>
     {
-        here.Enter("OPEN", "nameplate.dxf", "SAVEAS", "other.dxf");
+        var folder = Directory.CreateTempSubdirectory("desktop-");
+        here.Enter("OPEN", "nameplate.dxf", "SAVEAS", Path.Combine(folder.FullName, "other.dxf"));
         here.Step();
+        folder.Delete(recursive: true);
         Assert.Contains("other.dxf", here.Window.Title, StringComparison.Ordinal);
     });
 

@@ -18,7 +18,7 @@ public class PseudoLanguageTests
         "info {gasket}", "info {gasket} --twice --verbose", "info none.dxf", "info {folder}", "info {gasket} --layers nothing", "info {gasket} --units parsec", "info {gasket} --cut soup",
         "sequence {nameplate} --verbose", "sequence {gasket} --enter nothing", "sequence {gasket} --enter FFFF", "sequence {gasket} --start there",
         "plan {gasket}", "plan {gasket} --feed 0", "plan {gasket} --feed 1e9", "plan {gasket} --machine none.json", "plan {gasket} --connect nowhere",
-        "plot {gasket} -o {folder}/a.svg", "plot {gasket} -o {folder}/none/a.svg", "post {gasket} --target galil -o {folder}/a.dmc", "post {gasket} --target gcode",
+        "plot {gasket} -o {folder}/a.svg", "plot {gasket} -o {folder}/none/a.svg", "post {gasket} --target galil -o {folder}/a.dmc", "post {gasket} --target punched-tape", "post {gasket} --target gcode --dialect grbl --tool-switch m64",
         "verify {folder}/b.dmc --against {gasket}", "verify none.dmc --against {gasket}", "table {gasket} --format csv -o", "minimise {gasket} --keep DXF0001", "minimise {gasket} --keep soup", "minimise none.dxf --keep crash",
         "run {paper-001} --connect sim:", "run {paper-001} --connect sim: --dry-run --mode calls", "run {empty} --connect sim:", "run {paper-001} --connect tcp://127.0.0.1:1", "run {paper-001} --connect sim: --trace {folder}/none/t", "run {paper-001} --connect sim: --mode walk",
         "simulate --tcp 99999", "simulate --baud 9600", "simulate --speed slow", "simulate --numbers none", "simulate --faults none.json", "terminal --connect nowhere", "terminal --connect tcp://127.0.0.1:1",

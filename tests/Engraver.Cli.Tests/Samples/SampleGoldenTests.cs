@@ -39,6 +39,17 @@ public class SampleGoldenTests
 
     [Theory]
     [MemberData(nameof(Names))]
+    public async Task The_posted_text_of_every_other_target(string name)
+    {
+        Check(name, "gcode.ngc", (await RunAsync("post", name, "--target", "gcode")).Out);
+        Check(name, "grbl.ngc", (await RunAsync("post", name, "--target", "gcode", "--dialect", "grbl")).Out);
+        Check(name, "hpgl.plt", (await RunAsync("post", name, "--target", "hpgl")).Out);
+        Check(name, "cldata.dxf", (await RunAsync("post", name, "--target", "cldata")).Out);
+        foreach (var target in (string[])["xps-linearc", "xps-spline", "xps-pvt"]) Check(name, target.Replace("-", "", StringComparison.Ordinal), (await RunAsync("post", name, "--target", target)).Out);
+    }
+
+    [Theory]
+    [MemberData(nameof(Names))]
     public async Task The_picture_of_the_path(string name)
     {
         using var folder = new TemporaryFolder();

@@ -13,9 +13,36 @@ public class VerifyVerbTests
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok"], report.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok", "minFeed", "maxFeed", "lowestZ"], report.EnumerateObject().Select(field => field.Name));
         Assert.True(report.GetProperty("ok").GetBoolean());
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("tolerance").GetDouble());
+    }
+
+    [Theory]
+    [InlineData("gcode", "linuxcnc", 0)] // reads grbl's program too
+    [InlineData("gcode", "grbl", 0)]
+    [InlineData("xps-linearc", null, 0)]
+    [InlineData("galil", "grbl", 2)]
+    public async Task A_dialect_is_read_by_its_own_rules_and_for_a_target_that_has_one(string target, string? dialect, int exit)
+    {
+        using var folder = new TemporaryFolder();
+        string[] written = target == "gcode" ? ["--dialect", "grbl"] : [];
+        await CliRun.RunAsync(["post", SampleDrawing.PathOf("paper-001"), "--target", target, "-o", folder.PathOf("job.txt"), .. written]);
+        var run = await CliRun.RunAsync(["verify", folder.PathOf("job.txt"), "--against", SampleDrawing.PathOf("paper-001"), "--target", target, "--json", .. dialect is null ? (string[])[] : ["--dialect", dialect]]);
+
+        Assert.Equal(exit, run.ExitCode);
+        if (exit == 0 && target == "gcode") Assert.Equal(1200.0, JsonText.Of(run).GetProperty("maxFeed").GetDouble());
+    }
+
+    [Fact]
+    public async Task LinuxCNCs_marks_are_no_program_of_grbl()
+    {
+        using var folder = new TemporaryFolder();
+        await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "gcode", "-o", folder.PathOf("job.ngc"));
+        var run = await CliRun.RunAsync("verify", folder.PathOf("job.ngc"), "--against", SampleDrawing.PathOf("paper-001"), "--target", "gcode", "--dialect", "grbl");
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.Contains("job.ngc(1): error PST0001", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -60,6 +87,6 @@ public class VerifyVerbTests
     [Theory]
     [InlineData("verify")]
     [InlineData("verify", "job.dmc")]
-    [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "hpgl")]
+    [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "punched-tape")]
     public async Task What_is_not_built_or_not_given_is_a_usage_error(params string[] words) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync(words)).ExitCode);
 }

@@ -110,6 +110,41 @@ public class PlugInDefectTests
         Assert.Equal(40.0, ours.Sum(one => one.Length), precision: 9);
     }
 
+    /// <summary>"Every new point rescans to the end: scan work grew 62 x for 16 x length on a scaled ellipse." Ours is knots placed and steps measured, counted and not timed.</summary>
+    [Theory]
+    [InlineData(0.02)]
+    [InlineData(0.004)]
+    public void Sixteen_times_the_length_is_at_most_sixteen_times_the_work(double error)
+    {
+        var (small, large) = (Shapes.Ellipse(20.0, 5.0), Shapes.Ellipse(320.0, 80.0));
+        PlugInGenerator.Dynamic(small, error, out var theirs);
+        PlugInGenerator.Dynamic(large, error, out var theirsOfLarge);
+
+        Assert.InRange((double)theirsOfLarge / theirs, 40.0, 80.0);
+        Assert.InRange((double)WorkOn(large, closed: true, error) / WorkOn(small, closed: true, error), 0.1, 16.0);
+    }
+
+    /// <summary>The same features sixteen times, with 127 joints for 7: as many more points, and no more work for each of them.</summary>
+    [Fact]
+    public void The_work_grows_with_the_number_of_features()
+    {
+        var (few, many) = (Waves(8), Waves(128));
+        var (points, pointsOfMany) = (TrajectoryBoundTests.Plan(few, closed: false, 0.001).Trajectories.Sum(one => one.Points), TrajectoryBoundTests.Plan(many, closed: false, 0.001).Trajectories.Sum(one => one.Points));
+
+        Assert.InRange((double)pointsOfMany / points, 16.0, 127.0 / 7.0);
+        Assert.InRange((double)WorkOn(many, closed: false, 0.001) / WorkOn(few, closed: false, 0.001), 0.1, 127.0 / 7.0);
+    }
+
+    private static long WorkOn(IReadOnlyList<Segment> segments, bool closed, double error)
+    {
+        var search = new SpacingSearch(SmoothChain.From(segments, closed), error);
+        Assert.InRange(search.Find()!.Value.Bound, 0.0, error);
+        return search.Work;
+    }
+
+    /// <summary>Half circles of radius 3, up and down in turn.</summary>
+    private static IReadOnlyList<Segment> Waves(int count) => [.. Enumerable.Range(0, count).Select(i => Shapes.Arc(6.0 * i, 0.0, 3.0, 180.0, i % 2 == 0 ? -180.0 : 180.0))];
+
     /// <summary>"Uniform mode often appends the end point twice": in 7 of 14 runs.</summary>
     [Fact]
     public void No_step_of_the_uniform_density_is_without_length()

@@ -13,6 +13,8 @@ internal sealed class ControllerBench : IAsyncDisposable
 
     public ControllerBench() => _stream = _controller.OpenConnection();
 
+    public SimulatedController Controller => _controller;
+
     public ControllerStatus Status => _controller.Status;
 
     public IReadOnlyList<MotionSample> Record => _controller.Record.Snapshot();

@@ -136,7 +136,7 @@ public class PostInControllerTests
         [.. Enumerable.Range(0, 700).Select(i => i % 2 == 0 ? Toolpaths.Arc(i * 0.13333, 0, 0.13333 / Math.Sqrt(2), 135, -90) : Toolpaths.Arc(i * 0.13333, 0.13333, 0.13333 / Math.Sqrt(2), -135, 90))]);
 
     /// <summary>No cutting sample lies off the drawing, and no place of the drawing lies far from every cutting sample.</summary>
-    private static void AssertCutAsDrawn(Toolpath toolpath, CountsScale scale, IReadOnlyList<MotionSample> record)
+    internal static void AssertCutAsDrawn(Toolpath toolpath, CountsScale scale, IReadOnlyList<MotionSample> record)
     {
         var drawn = toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment).ToList();
         var cut = record.Where(row => (row.Outputs & Tool) != 0).Select(row => new Point2D(row.A / scale.X, row.B / scale.Y)).Distinct().ToList();

@@ -76,6 +76,20 @@ public class PocketCommandTests
         Assert.InRange(drawn[^1].Start.DistanceTo(new Point2D(20, 5)), 2.0 - 1e-9, 2.0 + 1e-9); // the last pass is that along the wall
     }
 
+    /// <summary>Passes of radius 2 and 1, inwards or outwards.</summary>
+    [Theory]
+    [InlineData("Wall", 2.0, 1.0)]
+    [InlineData("Centre", 1.0, 2.0)]
+    public async Task It_is_cleared_from_the_wall_or_from_the_centre(string from, double first, double last)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("POCKET", "H", "A3", "", "2", "0.5", "Contour", "From", from, "0");
+        var drawn = Outline(talk.State.Drawing!, talk.State.Previous.Single());
+
+        Assert.Equal(first, drawn[0].Start.DistanceTo(new Point2D(20, 5)), 3);
+        Assert.Equal(last, drawn[^1].End.DistanceTo(new Point2D(20, 5)), 3);
+    }
+
     [Fact]
     public async Task In_a_drawing_in_inches_the_passes_are_shown_where_they_will_be()
     {

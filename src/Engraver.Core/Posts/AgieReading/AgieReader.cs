@@ -11,6 +11,8 @@ public sealed class AgieReader : IProgramReader
 {
     private const int FieldsOfBlock = 8;
 
+    public bool TellsHeights => false;
+
     public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);

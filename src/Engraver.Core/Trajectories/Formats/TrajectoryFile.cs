@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 
 namespace Engraver.Core.Trajectories.Formats;
 
@@ -51,4 +52,17 @@ public sealed record TrajectoryMotion(double Velocity, double Acceleration)
     public double? TravelX { get; init; }
 
     public double? TravelY { get; init; }
+
+    /// <summary>Feed and acceleration of a machine, along the path.</summary>
+    public static TrajectoryMotion Of(MachineProfile machine)
+    {
+        ArgumentNullException.ThrowIfNull(machine);
+        return new TrajectoryMotion(machine.FeedMmPerMinute / 60.0, machine.AccelerationCounts / Math.Max(Math.Abs(machine.Scale.X), Math.Abs(machine.Scale.Y)))
+        {
+            TravelX = ReachOf(machine.Axes.X),
+            TravelY = ReachOf(machine.Axes.Y),
+        };
+    }
+
+    private static double? ReachOf(MachineAxis axis) => axis.Travel is { } travel ? travel.Most - travel.Least : null;
 }

@@ -18,6 +18,8 @@ public sealed class TrajectoryReader(ControllerLanguage language) : IProgramRead
 
     private const int MostChords = 1024;
 
+    public bool TellsHeights => false;
+
     public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 
@@ -25,19 +26,13 @@ internal static class DrawnHeights
         if (isAnyCut && !isAnyBelow) yield return MotionRules.NoDepth.At(default);
     }
 
-    /// <summary>How far above its depth each pass of a stroke runs, millimetres, the highest first; the last is 0. Whole multiples of the depth of a pass.</summary>
-    public static IEnumerable<double> Lifts(ToolpathStroke stroke, MachineProfile profile)
-    {
-        if (profile.Height is not { DepthPerPass: { } step } drive) return [0.0];
-        var passes = drive.Passes(stroke.Moves.Min(move => Math.Min(move.StartZ, move.EndZ)) - drive.CutDepth);
-        return Enumerable.Range(1, passes).Select(pass => (passes - pass) * step);
-    }
+    /// <summary>How far above its depth each pass of a stroke runs, millimetres, the highest first.</summary>
+    public static IEnumerable<double> Lifts(ToolpathStroke stroke, MachineProfile profile) => profile.Height is { } drive ? CutHeights.Lifts(stroke, drive) : [0.0];
 
     private static Diagnostic? Finding(in StrokeMove move, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
     {
-        if (double.IsNaN(move.StartZ)) return MotionRules.RisingCurve.At(source(move.EntityIndex));
         var (low, high) = (Math.Min(move.StartZ, move.EndZ) - drive.CutDepth, Math.Max(move.StartZ, move.EndZ) - drive.CutDepth);
-        if (!(Math.Max(Math.Abs(low), Math.Abs(high)) * Math.Abs(scale.Z) < int.MaxValue / 4.0)) return MotionRules.HeightOutsideCounts.At(source(move.EntityIndex), FactText.Of(Math.Abs(low) > Math.Abs(high) ? low : high), FactText.Of(scale.Z));
-        return high < drive.RetractHeight ? null : MotionRules.AboveRetract.At(source(move.EntityIndex), FactText.Of(high), FactText.Of(drive.CutDepth), FactText.Of(drive.RetractHeight));
+        if (Math.Max(Math.Abs(low), Math.Abs(high)) * Math.Abs(scale.Z) >= int.MaxValue / 4.0) return MotionRules.HeightOutsideCounts.At(source(move.EntityIndex), FactText.Of(Math.Abs(low) > Math.Abs(high) ? low : high), FactText.Of(scale.Z));
+        return CutHeights.Finding(move, drive, source(move.EntityIndex));
     }
 }

@@ -21,7 +21,7 @@ public static class DmcPost
     public static PostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
-        var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program));
+        var form = new PostForm(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program, options));
         return Posted(program, form, options, sourceOf);
     }
 
@@ -33,32 +33,41 @@ public static class DmcPost
         var spelling = new SequenceSpelling(
             string.Empty, "AMS", place => $"{TargetLine(program.Profile, Text($"ox{place.X:+0;-0}"), Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
-        var form = new PostForm(done => Opening(program, done, string.Empty), writer.Stroke, SequencesClosing(program));
+        var form = new PostForm(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options));
         return Posted(program, form, options, sourceOf);
     }
 
     private static PostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
+        if (ChunkPacker.FewestLines(form) is var needed && options.MemoryLines < needed) return new PostText([], [MotionRules.MemoryTooSmall.At(default, Text($"{options.MemoryLines}"), Text($"{needed}"))]);
         var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
-        return new PostText([.. packed.Chunks.Select(chunk => chunk.Text)], packed.Diagnostics);
+        IReadOnlyList<Diagnostic> parts = options.Unattended && packed.Chunks.Count > 1 ? [MotionRules.UnattendedInParts.At(default, Text($"{packed.Chunks.Count}"), Text($"{options.MemoryLines}"))] : [];
+        return new PostText([.. packed.Chunks.Select(chunk => chunk.Text)], [.. packed.Diagnostics, .. parts]);
     }
 
     /// <summary>Places relative to where the machine stands when the job starts.</summary>
     private static ControllerFrame FromStart(MotionProgram program) => new(program.Start, default);
 
     /// <param name="variables">Their first values; #UP counts as well, so that they are set before it and behind it.</param>
-    private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables)
+    private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables, DmcPostOptions options)
     {
-        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program.Profile.Axes) : string.Empty);
+        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program, options) : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
         if (program.Profile.Height is not null) lines.Line(variables).Line(Text($"{ClearanceHeight}=oz{program.Profile.ClearanceCounts:+0;-0};zr=oz{program.Profile.RetractCounts:+0;-0}"), "JS" + Up);
         if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle), spindle.SpinUpSeconds > 0.0 ? Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
-        return lines.Line(variables).Lines;
+        return lines.Line(variables).Line(options.Unattended ? UnattendedProgram.Start : string.Empty).Lines;
     }
 
-    private static string TakeOrigin(MachineAxes axes) => string.Join(';', "xyz".Zip(axes.All, (name, axis) => $"o{name}=_RP{axis.Letter}"));
+    /// <summary>Where the drawing's start point is by the controller's own zero: where the machine stands, or where the operator says that the drawing's zero is.</summary>
+    private static string TakeOrigin(MotionProgram program, DmcPostOptions options) => string.Join(';', "xyz".Zip(program.Profile.Axes.All, (name, axis) => (name, options.Origin) switch
+    {
+        ('x', { } origin) => Text($"ox={origin.X + program.Start.X}"),
+        ('y', { } origin) => Text($"oy={origin.Y + program.Start.Y}"),
+        ('z', { Z: { } height }) => Text($"oz={height}"),
+        _ => $"o{name}=_RP{axis.Letter}",
+    }));
 
-    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, done, Text($"f={program.Profile.VectorSpeed()};seq={done}"));
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done, DmcPostOptions options) => Opening(program, done, Text($"f={program.Profile.VectorSpeed()};seq={done}"), options);
 
     private static IReadOnlyList<string> CallsStroke(MotionProgram program, MotionStroke stroke, ControllerFrame frame)
     {
@@ -81,17 +90,18 @@ public static class DmcPost
         ? Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
         : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circ}");
 
-    private static IReadOnlyList<string> CallsClosing(MotionProgram program)
+    private static IReadOnlyList<string> CallsClosing(MotionProgram program, DmcPostOptions options)
     {
         var profile = program.Profile;
         return
         [
-            .. End(program),
+            .. End(program, options),
             .. LinearLines(profile, CountCall),
             .. CircLines(profile, CountCall),
             .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
             .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, string.Empty, CountCall), .. UpLines(profile, CountCall)],
-            .. CommandErrorEndsTheJob(program),
+            .. CommandErrorEndsTheJob(program, options),
+            .. options.Unattended ? UnattendedProgram.Lines(profile) : [],
         ];
     }
 
@@ -101,19 +111,20 @@ public static class DmcPost
         .. new ProgramLines().Line("#TOOLOFF").Line(ToolOff(profile), Settle(profile, on: false)).Line(CountCall).Line("EN").Lines,
     ];
 
-    private static IReadOnlyList<string> SequencesClosing(MotionProgram program) =>
+    private static IReadOnlyList<string> SequencesClosing(MotionProgram program, DmcPostOptions options) =>
     [
-        .. End(program),
+        .. End(program, options),
         .. program.Profile.Height is null ? [] : (IReadOnlyList<string>)[.. DownLines(program.Profile, string.Empty, string.Empty), .. UpLines(program.Profile, string.Empty)],
         .. SequenceWriter.RoomLines(string.Empty),
-        .. CommandErrorEndsTheJob(program),
+        .. CommandErrorEndsTheJob(program, options),
+        .. options.Unattended ? UnattendedProgram.Lines(program.Profile) : [],
     ];
 
-    private static IReadOnlyList<string> End(MotionProgram program) => new ProgramLines().Line(ToolOff(program.Profile)).Line(SpindleOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
+    private static IReadOnlyList<string> End(MotionProgram program, DmcPostOptions options) => new ProgramLines().Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line(ToolOff(program.Profile)).Line(SpindleOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
 
     /// <summary>Without HX0 the controller would go on behind the refused command, from a place the program does not expect (galil-dmc.md C.3).</summary>
-    private static IReadOnlyList<string> CommandErrorEndsTheJob(MotionProgram program) =>
-        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line(program.Profile.Height is null ? string.Empty : SpindleOff(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line("HX0").Line("EN").Lines;
+    private static IReadOnlyList<string> CommandErrorEndsTheJob(MotionProgram program, DmcPostOptions options) =>
+        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line(program.Profile.Height is null ? string.Empty : SpindleOff(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line("HX0").Line("EN").Lines;
 }
 
 /// <summary>What a post needs to know beside the motion program.</summary>
@@ -123,7 +134,17 @@ public sealed record DmcPostOptions
 
     /// <summary>Lines the controller's program memory holds, subprograms included; a longer job comes in chunks.</summary>
     public int MemoryLines { get; init; } = DmcLimits.ProgramLines;
+
+    /// <summary>The program watches itself and ends with the tool off whatever happens, with nobody connected (<see cref="UnattendedProgram"/>).</summary>
+    public bool Unattended { get; init; }
+
+    /// <summary>Counts of the drawing's zero by the controller's own zero; null: the drawing's start point is where the machine stands when the job starts.</summary>
+    public PostOrigin? Origin { get; init; }
 }
+
+/// <summary>A work origin that is written into a program, counts by the controller's own zero.</summary>
+/// <param name="Z">Of the drawing's height 0; null: where the tool stands when the job starts.</param>
+public sealed record PostOrigin(int X, int Y, int? Z);
 
 /// <summary>How one way of posting spells its parts; packing them into chunks is the same for all.</summary>
 /// <param name="Opening">From the label #JOB to before the first stroke; the argument is how many stroke lines earlier chunks have run.</param>

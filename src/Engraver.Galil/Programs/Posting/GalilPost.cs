@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Galil.Language;
@@ -19,6 +20,12 @@ public sealed class GalilPost : IPost
         Wording.Get("GalilPost.Lines", FewestLines, DmcLimits.ProgramLines),
         value => int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var lines) && lines is >= FewestLines and <= DmcLimits.ProgramLines);
 
+    private static PostOption Unattended => new("unattended", "ANSWER", Wording.Get("GalilPost.Unattended"), "no", Wording.Get("GalilPost.YesOrNo"), value => value is "yes" or "no");
+
+    private static PostOption Origin => new("origin", "PLACE", Wording.Get("GalilPost.Origin"), Here, Wording.Get("GalilPost.Place"), value => value == Here || Place(value) is not null);
+
+    private const string Here = "here";
+
     private readonly MotionStyle _style;
 
     private GalilPost(string name, MotionStyle style) => (Name, _style) = (name, style);
@@ -37,17 +44,43 @@ public sealed class GalilPost : IPost
 
     public MotionStyle? Motion => _style;
 
-    public IReadOnlyList<PostOption> Options => [Memory];
+    public IReadOnlyList<PostOption> Options => [Memory, Unattended, Origin];
 
     /// <exception cref="ArgumentException">The request has no program in this style.</exception>
     public PostText Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
         if (request.Program is not { } program || program.Style != _style) throw new ArgumentException($"{Name} is written from a motion program in the style {_style}.", nameof(request));
-        var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(Memory), CultureInfo.InvariantCulture) };
+        var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(Memory), CultureInfo.InvariantCulture), Unattended = request.Value(Unattended) == "yes" };
+        if (Place(request.Value(Origin)) is { } place)
+        {
+            if (OriginOf(program, place) is not { } origin) return new PostText([], [MotionRules.OutsideCounts.At(default, Number(place[0]), Number(place[1]), Number(program.Profile.Scale.X), Number(program.Profile.Scale.Y))]);
+            options = options with { Origin = origin };
+        }
+
         var text = _style == MotionStyle.Calls ? DmcPost.Calls(program, options, request.SourceOf) : DmcPost.Sequences(program, options, request.SourceOf);
         return text with { SegmentLines = Posting.SegmentLines.Map(text.Text, _style) };
     }
+
+    /// <summary>Two or three finite numbers apart by commas, mm; null for anything else.</summary>
+    private static double[]? Place(string text)
+    {
+        var words = text.Split(',');
+        var numbers = words.Select(word => double.TryParse(word, NumberStyles.AllowDecimalPoint | NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number) ? number : double.NaN).ToArray();
+        return words.Length is 2 or 3 && !numbers.Any(double.IsNaN) ? numbers : null;
+    }
+
+    /// <summary>The place in counts; null when the controller cannot count there.</summary>
+    private static PostOrigin? OriginOf(MotionProgram program, double[] place)
+    {
+        const double Room = int.MaxValue / 2;
+        var scale = program.Profile.Scale;
+        var (x, y, z) = (place[0] * scale.X, place[1] * scale.Y, place.Length == 3 ? place[2] * scale.Z : 0.0);
+        if (Math.Abs(x) > Room || Math.Abs(y) > Room || Math.Abs(z) > Room || Math.Abs((long)program.Start.X) > Room || Math.Abs((long)program.Start.Y) > Room) return null;
+        return new PostOrigin((int)Math.Round(x), (int)Math.Round(y), place.Length == 3 ? (int)Math.Round(z) : null);
+    }
+
+    private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
     private static string Text(int lines) => lines.ToString(CultureInfo.InvariantCulture);
 }

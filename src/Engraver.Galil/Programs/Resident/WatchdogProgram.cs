@@ -25,17 +25,16 @@ public static class WatchdogProgram
     {
         const string Heartbeat = ResidentProgram.Variables.Heartbeat;
         const string Still = ResidentProgram.Variables.Still;
-        var axes = profile.Axes.Letters.Select((letter, i) => (Operand: $"_RP{letter}", Kept: $"w{"abc"[i]}")).ToList();
         return new ProgramLines()
             .Line("#WDOG")
             .Line($"{ResidentProgram.Variables.WatchdogTripped}=0")
             .Line("#WLIVE")
-            .Line([$"{Still}=0", .. axes.Select(axis => $"{axis.Kept}={axis.Operand}"), "wl=_LMS"])
+            .Line(Keep(profile))
             .Line("#WLOOP")
             .Line("WT 50")
             .Line($"{Heartbeat}={Heartbeat}-1", $"{Still}={Still}+1")
             .Line($"JP#WLOST,{Heartbeat}<=0")
-            .Line(Subprograms.Text($"JP#WLIVE,{string.Concat(axes.Select(axis => $"({axis.Operand}<>{axis.Kept})|"))}(_LMS<>wl)|({ToolIsAway(profile)})"))
+            .Line($"JP#WLIVE,{Lives(profile)}")
             .Line($"JP#WLOOP,{Still}<{ResidentProgram.Variables.StillLimit}")
             .Line(Trip(profile, ToolForgotten))
             .Line(profile.Height is null ? Subprograms.SpindleOff(profile) : string.Empty)
@@ -48,6 +47,14 @@ public static class WatchdogProgram
             .Line(profile.Height is null ? "EN" : "JP#WUP")
             .Lines.Concat(RaiseLines(profile)).ToList();
     }
+
+    /// <summary>Keeps where the machine is and begins to count its standstill anew.</summary>
+    internal static string Keep(MachineProfile profile) => string.Join(';', [$"{ResidentProgram.Variables.Still}=0", .. Watched(profile).Select(axis => $"{axis.Kept}={axis.Operand}"), "wl=_LMS"]);
+
+    /// <summary>True while the machine moves, takes segments, or has its tool away from the work, as a condition of JP.</summary>
+    internal static string Lives(MachineProfile profile) => $"{string.Concat(Watched(profile).Select(axis => $"({axis.Operand}<>{axis.Kept})|"))}(_LMS<>wl)|({ToolIsAway(profile)})";
+
+    private static IEnumerable<(string Operand, string Kept)> Watched(MachineProfile profile) => profile.Axes.Letters.Select((letter, i) => ($"_RP{letter}", $"w{"abc"[i]}"));
 
     /// <summary>Where an axis holds the tool: when the machine has braked the tool is raised straight up, out of the cut it came by, and then the spindle stands (ADR 11). A sequence that ran dry is still open then, and only AB1 ends it (galil-dmc.md B.7).</summary>
     private static IReadOnlyList<string> RaiseLines(MachineProfile profile) => profile.Axes.Z is not { } z || profile.Height is null ? [] : new ProgramLines()

@@ -20,7 +20,7 @@ internal sealed class CertifyCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var file = context.Drawing.FileName;
-        if (context.Document.IsDrawingEdited) throw new CommandException(CommandFailure.Usage, Wording.Get("Certify.Edited"));
+        if (context.Document.IsDrawingEdited || context.Document.FilePath != file) throw new CommandException(CommandFailure.Usage, Wording.Get("Certify.Edited"));
         var usual = PostTable.ForMotion(JobPlan.StyleOf(context.Derivation.Mode)).Keyword;
         var keyword = await context.ChoiceAsync(Wording.Get("Certify.EnterTarget"), s_targets, context.Remembered(Name, usual)).ConfigureAwait(false);
         context.Remember(Name, keyword);

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Arming;
@@ -28,13 +29,17 @@ internal sealed class CncArmCommand : ICommand
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
         var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
-        var certificate = job.Motion.Program is { } certified ? await context.Certificates.LookAsync(job, context.Machine.FitToLink(certified, mode.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
+        var certificate = job.Motion.Program is { } certified ? await StandingAsync(context, job, context.Machine.FitToLink(certified, mode.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
         var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow(), certificate?.Check);
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
         context.Say(Wording.Get("CncArm.ArmedUntilStartOr", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Mode, mode.DryRun ? Wording.Get("CncArm.ToolOff") : ""));
     }
+
+    /// <summary>How the job stands to its certificate now; where it is the job of the document, the list that is always shown hears of it too.</summary>
+    private static Task<CertificateStanding> StandingAsync(CommandContext context, PreparedJob job, MotionProgram program, CancellationToken cancellation) =>
+        ReferenceEquals(job, context.Derivation.Current.Job) ? context.Certificates.LookAsync(job, program, cancellation) : Task.Run(() => CertificateStanding.OfRun(job, program), cancellation);
 
     /// <returns>Null: the operator chose to disarm.</returns>
     private static async Task<(JobMode Mode, bool DryRun, bool RunsTrajectories)?> ModeAsync(CommandContext context)

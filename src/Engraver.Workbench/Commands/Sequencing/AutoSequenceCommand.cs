@@ -1,16 +1,17 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Sequencing.Ordering;
+using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
-/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, and reports contours, order and travel.</summary>
+/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, reports contours, order and travel, and walks along them.</summary>
 internal sealed class AutoSequenceCommand : ICommand
 {
     public CommandInfo Info { get; } = new("AUTOSEQUENCE", CommandGroup.Sequence);
 
-    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
         var state = context.Document.Current;
@@ -20,6 +21,9 @@ internal sealed class AutoSequenceCommand : ICommand
         FindingMessages.Say(context, drawing.FileName, [.. result.Diagnostics, .. cut.FindingsBeside(result)], Severity.Warning);
         context.SayResult(output => SequenceText.Write(output, result));
         context.Take(state with { Settings = settings });
-        return Task.CompletedTask;
+        var asks = context.Settings.Current.Variable(SystemVariables.AutoWalk) != 0.0;
+        if (!asks && !context.IsWatched) return;
+        if (context.Derivation.KeepsUp) await context.Derivation.ForCurrentAsync(cancellation).ConfigureAwait(false);
+        await ContourWalk.WalkAsync(context, result, JobPreparation.PathOf(result, settings), asks, cancellation).ConfigureAwait(false);
     }
 }

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands.Session;
 /// <summary>SCRIPT: Runs the commands of a script file (.scr).</summary>
 internal sealed class ScriptCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("SCRIPT", CommandGroup.File);
+    public CommandInfo Info { get; } = new("SCRIPT", CommandGroup.File) { RunsOthers = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

@@ -17,6 +17,7 @@ public static class SystemVariables
         Kept("FILEDIA", 1, 0, 1),
         Kept("CMDECHO", 1, 0, 1),
         Kept(CncTraceColor, 1, 0, 2),
+        Kept(AutoWalk, 0, 0, 1),
         Seen("OSMODE", 55, 0, 32767, true, v => v.ObjectSnapModes, (v, x) => v with { ObjectSnapModes = (int)x }),
         Seen("ORTHOMODE", 0, 0, 1, true, v => v.Ortho ? 1 : 0, (v, x) => v with { Ortho = x != 0.0 }),
         Seen("GRIDMODE", 1, 0, 1, true, v => v.Grid ? 1 : 0, (v, x) => v with { Grid = x != 0.0 }),
@@ -28,6 +29,9 @@ public static class SystemVariables
 
     /// <summary>What the colour of a run tells, in the order of <see cref="RunMeasure"/>.</summary>
     internal const string CncTraceColor = "CNCTRACECOLOR";
+
+    /// <summary>AUTOSEQUENCE asks at each discontinuity whether it goes on from there.</summary>
+    internal const string AutoWalk = "AUTOWALK";
 
     /// <summary>What the colour of a run tells.</summary>
     public static RunMeasure TraceColour(this DesktopSettings settings) => (RunMeasure)(int)Variable(settings, CncTraceColor);

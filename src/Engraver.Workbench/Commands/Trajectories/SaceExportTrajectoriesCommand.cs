@@ -43,7 +43,7 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
             {
                 var name = (made.Count == 1 ? one.Name : $"{one.Name}-{i}") + ".txt";
                 files.Add(new NamedTrajectory(name, file, one.Handles.Count > 0 ? one.Handles[0] : null, 0.0));
-                findings.AddRange(TrajectoryDrawing.LimitsOf(file, name, TrajectoryDrawing.MotionOf(context.Document.Current.Settings.Machine)));
+                findings.AddRange(TrajectoryFindings.LimitsOf(file, name, TrajectoryMotion.Of(context.Document.Current.Settings.Machine)));
             }
         }
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
@@ -40,7 +41,7 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
         {
             var planned = TrajectoryPlanner.Plan(contour.Segments, contour.Closed, Settings.ToOptions());
             runs.AddRange(planned.Trajectories.Select(one => (one, name)));
-            _findings.AddRange(TrajectoryDrawing.NotKept(planned.Unproven, Settings.MaxErrorMm));
+            _findings.AddRange(TrajectoryFindings.NotKept(planned.Unproven, Settings.MaxErrorMm));
         }
 
         var (group, drawn) = (_list.NextNumber + _made.Count, _edits.DrawnOf(handles));

@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
 
@@ -66,7 +67,7 @@ internal sealed class TrajectoryRemaking(Drawing drawing, DocumentState state, T
     private IReadOnlyList<Trajectory> Planned(IReadOnlyList<Core.Geometry.Segment> segments, bool closed, DocumentTrajectory like, CornerMode corners)
     {
         var planned = TrajectoryPlanner.Plan(segments, closed, new TrajectoryOptions(like.MaxErrorMm) { SegmentLength = like.SegmentLengthMm, Corners = corners });
-        _findings.AddRange(TrajectoryDrawing.NotKept(planned.Unproven, like.MaxErrorMm));
+        _findings.AddRange(TrajectoryFindings.NotKept(planned.Unproven, like.MaxErrorMm));
         return planned.Trajectories;
     }
 }

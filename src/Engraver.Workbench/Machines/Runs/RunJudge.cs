@@ -17,7 +17,11 @@ public static class RunJudge
     /// <param name="bridges">Lines that may be cut besides; what is missing is then not to be asked of the verdict.</param>
     internal static ITraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null) => job.Settings.Machine.Height is { } drive
         ? new HeightJudge([.. StrokeMove.AllOf(job.Analysed), .. bridges ?? []], drive.CutDepth, drive.DepthPerPass, Tolerances(job))
-        : new TraceJudge([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], Tolerances(job));
+        : PlanJudgeOf(job, bridges, Tolerances(job));
+
+    /// <summary>The same in plan only, whatever drives the tool.</summary>
+    internal static ITraceJudge PlanJudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges, TraceTolerances tolerances) =>
+        new TraceJudge([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], tolerances);
 
     /// <summary>Keeps where a machine was, with its distance from the drawing.</summary>
     internal static RunTraceBuilder PlacesOf(PreparedJob job) => new(job.Analysed.ToSegments());

@@ -1,0 +1,108 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Verification;
+
+namespace Engraver.Core.Posts.ClDataReading;
+
+/// <summary>Reads CL data back, pair by pair, and follows its entities in their order as a tool would; shares no code with what wrote them, nor with the reader of drawings.</summary>
+/// <remarks>On the layers of cuts the tool is on, on the layer of rapids off; any other layer and any other kind of entity is a finding. One entity is held at a time.</remarks>
+public sealed class ClDataReader : IProgramReader
+{
+    public bool TellsHeights => false;
+
+    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        ArgumentNullException.ThrowIfNull(request);
+        var fault = new Replay(request.Judges, cancellation).Run(text);
+        return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
+    }
+
+    private sealed class Replay(IReadOnlyList<ITraceJudge> judges, CancellationToken cancellation)
+    {
+        private ClEntity? _entity;
+        private string _section = "";
+        private bool _isNamed = true;
+        private bool _hasCut;
+        private bool _hasEntities;
+        private double _seconds;
+
+        public Diagnostic? Run(string text)
+        {
+            using var lines = new StringReader(text);
+            var line = 0;
+            while (lines.ReadLine() is { } first)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                line += 2;
+                if (!int.TryParse(first.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var code)) return Fault(line - 1, Wording.Get("ClDataReader.Code", Shown(first)));
+                if (lines.ReadLine() is not { } value) return Fault(line - 1, Wording.Get("ClDataReader.NoEnd"));
+                if (code == 0 && value.Trim() == "EOF") return End(line);
+                if ((code == 0 ? Begin(value.Trim(), line) : Take(code, value, line)) is { } fault) return fault;
+            }
+
+            return line == 0 ? VerificationRules.ProgramEmpty.At(default) : Fault(line, Wording.Get("ClDataReader.NoEnd"));
+        }
+
+        private Diagnostic? End(int line)
+        {
+            if (_section.Length > 0) return Fault(line, Wording.Get("ClDataReader.NoEnd"));
+            return _hasEntities && _hasCut ? null : VerificationRules.ProgramEmpty.At(default);
+        }
+
+        private Diagnostic? Begin(string type, int line)
+        {
+            if (Finish() is { } fault) return fault;
+            if (type == "SECTION" && _section.Length > 0) return Fault(line, Wording.Get("ClDataReader.NoEnd"));
+            if (type == "SECTION") (_section, _isNamed) = ("?", false);
+            else if (type == "ENDSEC") _section = "";
+            else if (_section == "ENTITIES" && type is not ("LINE" or "ARC" or "CIRCLE" or "ELLIPSE" or "SPLINE")) return Fault(line, Wording.Get("ClDataReader.Entity", Shown(type)));
+            else if (_section == "ENTITIES") _entity = new ClEntity(type, line);
+            return null;
+        }
+
+        private Diagnostic? Take(int code, string value, int line)
+        {
+            if (!_isNamed)
+            {
+                if (code != 2) return Fault(line, Wording.Get("ClDataReader.Code", code));
+                (_section, _isNamed) = (value.Trim(), true);
+                _hasEntities |= _section == "ENTITIES";
+            }
+            else
+            {
+                _entity?.Add(code, value);
+            }
+
+            return null;
+        }
+
+        /// <summary>Runs the entity that is complete.</summary>
+        private Diagnostic? Finish()
+        {
+            if (_entity is not { } entity) return null;
+            _entity = null;
+            if (entity.Layer is not ("CUT_CLOSED" or "CUT_OPEN" or "RAPID")) return Fault(entity.Line, Wording.Get("ClDataReader.Layer", Shown(entity.Layer)));
+            if (entity.Path(out var reason) is not { } path) return Fault(entity.Line, reason);
+            var isCut = entity.Layer != "RAPID";
+            foreach (var segment in path) Tell(segment, isCut);
+            _hasCut |= isCut;
+            return null;
+        }
+
+        private void Tell(in Segment path, bool isCut)
+        {
+            _seconds += 1.0;
+            foreach (var judge in judges)
+            {
+                if (!isCut) judge.Add(new TraceSample(_seconds, path.End.X, path.End.Y, Cutting: false));
+                else if (path.Length > 0.0) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
+            }
+        }
+
+        private static string Shown(string words) => words.Length <= 40 ? words : words[..40];
+
+        private static Diagnostic Fault(int line, string reason) => PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), reason);
+    }
+}

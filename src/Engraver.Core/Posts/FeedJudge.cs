@@ -1,0 +1,43 @@
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Posts;
+
+/// <summary>Compares the feeds at which a program cuts with those of the job, while it is read: a level cut runs at the feed, what goes down goes down no faster than the plunge feed.</summary>
+/// <param name="feed">Of the job along the path, mm/min.</param>
+/// <param name="plunge">Of the tool's axis straight down, mm/min; null where no axis holds the tool.</param>
+public sealed class FeedJudge(double feed, double? plunge)
+{
+    /// <summary>Part of a feed that the text's rounding may take.</summary>
+    private const double Rounding = 0.001;
+
+    /// <summary>The slowest cut so far, mm/min; null when nothing is known.</summary>
+    public double? Slowest { get; private set; }
+
+    /// <summary>The fastest cut so far, mm/min; null when nothing is known.</summary>
+    public double? Fastest { get; private set; }
+
+    /// <summary>The lowest height of a cut, millimetres over the drawing's height 0; null when nothing is known.</summary>
+    public double? Lowest { get; private set; }
+
+    /// <summary>The first cut at a feed that is not the job's; null for none.</summary>
+    public Diagnostic? Finding { get; private set; }
+
+    /// <summary>A cut was made.</summary>
+    /// <param name="line">Of the program's text.</param>
+    /// <param name="mmPerMinute">Along the path; infinite for a rapid.</param>
+    /// <param name="length">Of the cut, millimetres.</param>
+    /// <param name="fall">How much lower it ends than it starts, millimetres; below 0 where it rises.</param>
+    /// <param name="quantum">Step in which the form says a feed, mm/min.</param>
+    public void Add(int line, double mmPerMinute, double length, double fall = 0.0, double quantum = 0.0)
+    {
+        if (!(length > 0.0)) return;
+        if (double.IsFinite(mmPerMinute)) (Slowest, Fastest) = (Math.Min(Slowest ?? mmPerMinute, mmPerMinute), Math.Max(Fastest ?? mmPerMinute, mmPerMinute));
+        var most = plunge is { } down && fall > 0.0 ? Math.Min(feed, down * length / fall) : feed;
+        var least = fall == 0.0 ? feed : 0.0;
+        var within = (most * Rounding) + quantum;
+        if (Finding is null && (mmPerMinute > most + within || mmPerMinute < least - within || !(mmPerMinute > 0.0))) Finding = VerificationRules.OtherFeed.At(new SourceRef(line), double.IsFinite(mmPerMinute) ? FactText.Of(mmPerMinute) : Wording.Get("FeedJudge.Rapid"), FactText.Of(line), FactText.Of(least), FactText.Of(most));
+    }
+
+    /// <summary>A cut reached this height.</summary>
+    public void Reach(double height) => Lowest = Math.Min(Lowest ?? height, height);
+}

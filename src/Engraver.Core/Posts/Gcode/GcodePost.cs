@@ -1,0 +1,61 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Core.Sequencing;
+
+namespace Engraver.Core.Posts.Gcode;
+
+/// <summary>The job as G-code, RS-274 as LinuxCNC and grbl read it (rs274-hpgl.md): absolute millimetres of the drawing in a work offset, lines as G1 and arcs as G2 and G3 with their centres.</summary>
+public sealed class GcodePost : IPost
+{
+    public string Name => "gcode";
+
+    public string Summary => Wording.Get("GcodePost.Summary");
+
+    public string Ending => ".ngc";
+
+    public PostGeometry Geometry => PostGeometry.LinesAndArcs;
+
+    public MotionStyle? Motion => null;
+
+    public IReadOnlyList<PostOption> Options => GcodeChoice.Options;
+
+    public PostText Write(PostRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        if (request.Path.Strokes.Count == 0) return new PostText([], [DocumentRules.NothingToPost.At(default)]);
+        var choice = GcodeChoice.Of(request);
+        IReadOnlyList<Diagnostic> faults = [.. Unfit(choice, request.Machine), .. Unwritable(request, new GcodeGrid(choice.Dialect.Decimals))];
+        if (faults.Any(fault => fault.Severity == Severity.Error)) return new PostText([], faults);
+        return new PostText([new GcodeProgram(choice, request).Write()], faults);
+    }
+
+    /// <summary>What is chosen and the dialect does not have.</summary>
+    private static IEnumerable<Diagnostic> Unfit(GcodeChoice choice, MachineProfile machine)
+    {
+        if (machine.Height is null && choice.Switch == GcodeChoice.ByOutput && !choice.Dialect.HasOutputs) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, $"--tool-switch {choice.Switch}");
+        if (choice.Blend > 0.0 && !choice.Dialect.HasBlending) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, "--blend");
+        if (machine.Height is null && machine.Spindle is not null && choice.Switch == GcodeChoice.BySpindle) yield return PostRules.ToolAndSpindle.At(default);
+    }
+
+    /// <summary>Places beyond what a number of the form holds, and heights that the machine cannot cut; each entity once.</summary>
+    private static IEnumerable<Diagnostic> Unwritable(PostRequest request, GcodeGrid grid)
+    {
+        var (told, isAnyBelow, drive) = (new HashSet<int>(), false, request.Machine.Height);
+        foreach (var move in request.Path.Strokes.SelectMany(stroke => stroke.Moves))
+        {
+            isAnyBelow |= drive is not null && !(Math.Min(move.StartZ, move.EndZ) >= drive.CutDepth);
+            var source = request.SourceOf?.Invoke(move.EntityIndex) ?? default;
+            if ((Beyond(move, grid, source) ?? (drive is null ? null : CutHeights.Finding(move, drive, source))) is { } finding && told.Add(move.EntityIndex)) yield return finding;
+        }
+
+        if (drive is not null && !isAnyBelow) yield return MotionRules.NoDepth.At(default);
+    }
+
+    private static Diagnostic? Beyond(in StrokeMove move, GcodeGrid grid, SourceRef source)
+    {
+        var box = move.Segment.Bounds;
+        var largest = new[] { Math.Abs(box.MinX), Math.Abs(box.MinY), Math.Abs(box.MaxX), Math.Abs(box.MaxY) }.Max();
+        return largest <= GcodeGrid.Largest ? null : PostRules.PlaceNotWritable.At(source, FactText.Of(move.Segment.Start.X), FactText.Of(move.Segment.Start.Y), grid.Text(grid.Of(GcodeGrid.Largest)));
+    }
+}

@@ -1,0 +1,160 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.Core.Posts.Gcode;
+
+/// <summary>Writes one program: head, each stroke in its passes with the rapid before it, end. What is modal is said when it changes, the axes of a move always: grbl wants a place with every arc.</summary>
+internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
+{
+    /// <summary>Chords of an arc that the controller would lose leave it by no more, millimetres.</summary>
+    private const double ChordError = 0.0005;
+
+    private readonly StringBuilder _text = new();
+    private readonly GcodeGrid _grid = new(choice.Dialect.Decimals);
+    private readonly MachineProfile _machine = request.Machine;
+    private GridPlace _place;
+    private long _z;
+    private double _feed;
+
+    public string Write()
+    {
+        Head();
+        foreach (var stroke in request.Path.Strokes)
+        {
+            if (_machine.Height is { } drive) foreach (var lift in CutHeights.Lifts(stroke, drive)) CutWithAxis(stroke, drive, lift);
+            else CutWithSwitch(stroke);
+        }
+
+        if (_machine.Spindle is not null) Line("M5");
+        Line(choice.End.ToUpperInvariant());
+        if (choice.Dialect.HasPercent) Line("%");
+        return _text.ToString();
+    }
+
+    private void Head()
+    {
+        if (choice.Dialect.HasPercent) Line("%");
+        Line($"(CncEngraver, {choice.Dialect.Name}, mm)");
+        Line("G21 G17 G90 G91.1");
+        Line("G94 G40 G49 G80");
+        Line($"{choice.WorkOffset} {(choice.Blend > 0.0 ? $"G64 P{Number(choice.Blend)}" : "G61")}");
+        if (_machine.Height is { } drive) Rise(drive);
+        else ToolOff();
+        if (_machine.Spindle is not { } spindle) return;
+        Line($"M3 S{Number(choice.SpindleSpeed)}");
+        Dwell(spindle.SpinUpSeconds);
+    }
+
+    private void CutWithSwitch(ToolpathStroke stroke)
+    {
+        Rapid(stroke.Start);
+        ToolOn();
+        Dwell(_machine.ToolSettleSeconds);
+        foreach (var move in stroke.Moves) Cut(move with { StartZ = 0.0, EndZ = 0.0 }, 0.0);
+        ToolOff();
+        Dwell(_machine.OffSettleSeconds);
+    }
+
+    private void CutWithAxis(ToolpathStroke stroke, HeightDrive drive, double lift)
+    {
+        var above = lift - drive.CutDepth;
+        Rapid(stroke.Start);
+        Line($"G0 Z{_grid.Text(_z = _grid.Of(drive.RetractHeight))}");
+        Plunge(_grid.Of(stroke.Moves[0].StartZ + above), drive);
+        foreach (var move in stroke.Moves) Cut(move, above);
+        Rise(drive);
+    }
+
+    private void Rise(HeightDrive drive) => Line($"G0 Z{_grid.Text(_z = _grid.Of(drive.ClearanceHeight))}");
+
+    private void Plunge(long z, HeightDrive drive)
+    {
+        if (z != _z) Line($"G1 Z{_grid.Text(_z = z)}{Feed(drive.PlungeMmPerMinute)}");
+    }
+
+    private void Rapid(Point2D to)
+    {
+        _place = _grid.Of(to);
+        Line($"G0 X{_grid.Text(_place.X)} Y{_grid.Text(_place.Y)}");
+    }
+
+    /// <summary>A gap before the move, within the join tolerance, is bridged by a line.</summary>
+    private void Cut(in StrokeMove move, double above)
+    {
+        var segment = move.Segment;
+        LineTo(_grid.Of(segment.Start), _grid.Of(move.StartZ + above));
+        if (segment.Kind == SegmentKind.Line) LineTo(_grid.Of(segment.End), _grid.Of(move.EndZ + above));
+        else if (IsStraight(segment.Arc)) LineTo(_grid.Of(segment.End), _z);
+        else if (segment.Arc.Radius > choice.Dialect.LargestRadius) Chords(segment);
+        else Arc(segment);
+    }
+
+    private void LineTo(GridPlace to, long z)
+    {
+        if (to == _place && z == _z) return;
+        var (from, start) = (_grid.Millimetres(_place), _z * _grid.Unit);
+        (_place, var fall) = (to, start - (z * _grid.Unit));
+        var speed = _machine.FeedMmPerMinute;
+        if (_machine.Height is { } drive && fall > 0.0) speed = Math.Min(speed, drive.PlungeMmPerMinute * double.Hypot(from.DistanceTo(_grid.Millimetres(to)), fall) / fall);
+        var height = z == _z ? "" : $" Z{_grid.Text(_z = z)}";
+        Line($"G1 X{_grid.Text(to.X)} Y{_grid.Text(to.Y)}{height}{Feed(speed)}");
+    }
+
+    /// <summary>An arc whose height over its chord is less than half a unit is its chord: rounded ends would turn it anywhere.</summary>
+    private bool IsStraight(ArcSegment arc) => Math.Abs(arc.Sweep.Degrees) < 180.0 && arc.Radius * (1.0 - Angle.FromDegrees(arc.Sweep.Degrees / 2.0).Cos()) < _grid.Unit / 2.0;
+
+    private void Chords(in Segment segment)
+    {
+        var arc = segment.Arc;
+        var count = (int)Math.Ceiling(Math.Abs(arc.Sweep.Radians) / Math.Sqrt(8.0 * ChordError / arc.Radius));
+        for (var i = 1; i <= count; i++) LineTo(_grid.Of(i == count ? segment.End : arc.PointAt((double)i / count)), _z);
+    }
+
+    /// <summary>The centre is rounded as a place, and said from the rounded start: both ends then are as far from it as their own rounding makes them, a few units.</summary>
+    private void Arc(in Segment segment)
+    {
+        var (arc, centre, end) = (segment.Arc, _grid.Of(segment.Arc.Centre), segment.Kind == SegmentKind.Circle ? _place : _grid.Of(segment.End));
+        var (i, j) = (centre.X - _place.X, centre.Y - _place.Y);
+        if ((end == _place && Math.Abs(arc.Sweep.Degrees) < 180.0) || (i == 0 && j == 0)) return; // smaller than a unit
+        _place = end;
+        Line($"{(arc.Sweep.Degrees < 0.0 ? "G2" : "G3")} X{_grid.Text(end.X)} Y{_grid.Text(end.Y)} I{_grid.Text(i)} J{_grid.Text(j)}{Feed(_machine.FeedMmPerMinute)}");
+    }
+
+    private string Feed(double mmPerMinute)
+    {
+        if (mmPerMinute == _feed) return "";
+        _feed = mmPerMinute;
+        return $" F{Number(mmPerMinute)}";
+    }
+
+    private void ToolOn() => Line(choice.Switch switch
+    {
+        GcodeChoice.BySpindle => $"M3 S{Number(choice.SpindleSpeed)}",
+        GcodeChoice.ByCoolant => "M8",
+        _ => OutputLine(!_machine.ToolActiveLow),
+    });
+
+    private void ToolOff() => Line(choice.Switch switch
+    {
+        GcodeChoice.BySpindle => "M5",
+        GcodeChoice.ByCoolant => "M9",
+        _ => OutputLine(_machine.ToolActiveLow),
+    });
+
+    /// <summary>Outputs count from 0 there.</summary>
+    private string OutputLine(bool level) => $"{(level ? "M64" : "M65")} P{(_machine.ToolOutput - 1).ToString(CultureInfo.InvariantCulture)}";
+
+    private void Dwell(double seconds)
+    {
+        if (seconds > 0.0) Line($"G4 P{Number(seconds)}");
+    }
+
+    private static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+
+    private void Line(string text) => _text.Append(text).Append('\n');
+}

@@ -1,0 +1,128 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+
+namespace Engraver.Core.Posts.GcodeReading;
+
+/// <summary>The controller with its modes, and the machine as it is known. The codes of a line are done in the order of RS-274, whatever their order on the line (rs274-hpgl.md 1.2).</summary>
+internal sealed class GcodeMachine(ReplayRequest request, GcodeController controller)
+{
+    private const double MillimetresPerInch = 25.4;
+
+    private readonly GcodeTeller _teller = new(request);
+    private readonly MachineProfile _profile = request.Machine;
+    private Vector3D _place = StartOf(request);
+    private bool _knowsX;
+    private bool _knowsY;
+    private bool _knowsZ = request.Machine.Height is null;
+    private double _unit = 1.0;
+    private bool _isAbsolute = true;
+    private bool _isCentreAbsolute;
+    private int? _motion;
+    private int? _workOffset;
+    private double _feed;
+    private bool _spindle;
+    private bool _coolant;
+    private bool _output;
+
+    public bool HasMoved => _teller.HasMoved;
+
+    /// <summary>M2 or M30 was done.</summary>
+    public bool HasEnded { get; private set; }
+
+    private bool IsOn => (_profile.Spindle is null && _spindle) || _coolant || _output;
+
+    /// <summary>Does a line that the rules let pass.</summary>
+    /// <returns>Why it cannot be done; null when it was.</returns>
+    public string? Do(GcodeBlock block, int line)
+    {
+        if (block['F'] is { } feed) _feed = feed * _unit;
+        Switch(block);
+        foreach (var code in block.Codes('G')) if (Mode(code) is { } fault) return fault;
+        if (block.Codes('G').Where(GcodeCodes.IsMotion).Select(code => (int?)code).FirstOrDefault() is { } motion) _motion = motion;
+        if (block.Has("IJR") && _motion is not (20 or 30)) return Wording.Get("GcodeReader.NotArc");
+        if ((block.Has("XYZ") || (block.Has("IJR") && _motion is 20 or 30)) && Move(block, line) is { } unmoved) return unmoved;
+        return block.Codes('M').Any(code => code is 20 or 300) ? End() : null;
+    }
+
+    private static Vector3D StartOf(ReplayRequest request) => request.Machine.Scale.ToMillimetres(request.Start.X, request.Start.Y) is var start ? new Vector3D(start.X, start.Y, 0.0) : default;
+
+    private void Switch(GcodeBlock block)
+    {
+        var was = IsOn;
+        foreach (var code in block.Codes('M'))
+        {
+            if (code is 30 or 40 or 50) _spindle = code != 50;
+            else if (code is 70 or 80 or 90) _coolant = code != 90;
+            else if (code is >= 620 and <= 650 && block['P'] == _profile.ToolOutput - 1) _output = (code is 620 or 640) != _profile.ToolActiveLow;
+        }
+
+        if (IsOn != was) _teller.Switch(_place, IsOn);
+    }
+
+    private string? Mode(int code)
+    {
+        if (GcodeCodes.IsWorkOffset(code))
+        {
+            if (_teller.HasMoved && code != (_workOffset ?? 540)) return Wording.Get("GcodeReader.OtherOffset");
+            _workOffset = code;
+        }
+
+        _unit = code == GcodeCodes.Inch ? MillimetresPerInch : code == GcodeCodes.Millimetre ? 1.0 : _unit;
+        _isAbsolute = code == GcodeCodes.Absolute || (code != GcodeCodes.Incremental && _isAbsolute);
+        _isCentreAbsolute = code == GcodeCodes.AbsoluteCentre || (code != GcodeCodes.IncrementalCentre && _isCentreAbsolute);
+        return null;
+    }
+
+    private string? Move(GcodeBlock block, int line)
+    {
+        if (_motion is null or GcodeCodes.NoMotion) return Wording.Get("GcodeReader.NoMotion");
+        if (_motion != 0 && !(_feed > 0.0)) return Wording.Get("GcodeReader.NoFeed");
+        if (!_isAbsolute && !(Knows('X', block) && Knows('Y', block) && Knows('Z', block))) return Wording.Get("GcodeReader.WhereFrom");
+        var to = new Vector3D(Coordinate(block['X'], _place.X), Coordinate(block['Y'], _place.Y), Coordinate(block['Z'], _place.Z));
+        if (_motion is 20 or 30) return Turn(block, to, line);
+        if (_motion != 0 && !Learn(block)) return Wording.Get("GcodeReader.WhereFrom");
+        if (_motion == 0 && !_knowsZ && !block.Has("Z")) return Wording.Get("GcodeReader.HeightFirst");
+        var (from, isKnown) = (_place, _knowsZ);
+        Learn(block);
+        _place = to;
+        if (isKnown) _teller.Line(from, to, IsOn, _motion == 0 ? double.PositiveInfinity : _feed, line);
+        return null;
+    }
+
+    private string? Turn(GcodeBlock block, Vector3D to, int line)
+    {
+        if (!(_knowsX && _knowsY && _knowsZ)) return Wording.Get("GcodeReader.WhereFrom");
+        if (controller == GcodeController.Grbl && !block.Has("XY")) return Wording.Get("GcodeReader.ArcWithoutEnd");
+        if (block.Has("R") == block.Has("IJ")) return Wording.Get("GcodeReader.CentreOrRadius");
+        if (_isCentreAbsolute && block.Has("IJ") && !(block.Has("I") && block.Has("J"))) return Wording.Get("GcodeReader.BothCentres");
+        var (start, end, clockwise) = (new Point2D(_place.X, _place.Y), new Point2D(to.X, to.Y), _motion == 20);
+        var (i, j) = ((block['I'] ?? 0.0) * _unit, (block['J'] ?? 0.0) * _unit);
+        var centre = _isCentreAbsolute ? new Point2D(i, j) : new Point2D(start.X + i, start.Y + j);
+        var arc = block['R'] is { } radius ? GcodeArc.ByRadius(start, end, radius * _unit, clockwise, out var reason) : GcodeArc.ByCentre(start, end, centre, clockwise, out reason);
+        if (arc is not { } known) return reason;
+        var from = _place;
+        _place = to;
+        _teller.Arc(known, from, to, IsOn, _feed, line);
+        return null;
+    }
+
+    /// <summary>The program stops the spindle and the coolant itself; an output and a tool in the work stay.</summary>
+    private string? End()
+    {
+        HasEnded = true;
+        if (_output) return Wording.Get("GcodeReader.EndsOn");
+        return _profile.Height is { } drive && _teller.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsIn") : null;
+    }
+
+    private bool Knows(char axis, GcodeBlock block) => block[axis] is null || (axis == 'X' ? _knowsX : axis == 'Y' ? _knowsY : _knowsZ);
+
+    /// <summary>Axes that the line names are known from then on.</summary>
+    /// <returns>Whether all are, before or by this line.</returns>
+    private bool Learn(GcodeBlock block)
+    {
+        (_knowsX, _knowsY, _knowsZ) = (_knowsX || block.Has("X"), _knowsY || block.Has("Y"), _knowsZ || block.Has("Z"));
+        return _knowsX && _knowsY && _knowsZ;
+    }
+
+    private double Coordinate(double? word, double now) => word is not { } value ? now : _isAbsolute ? value * _unit : now + (value * _unit);
+}

@@ -1,0 +1,58 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Posts.GcodeReading;
+
+/// <summary>Reads G-code back and runs it as the controller does, from what is known of the controller alone (rs274-hpgl.md 1 and 2); shares no code with what wrote it.</summary>
+/// <remarks>What the controller would refuse, and what would lead where the program does not say, is one finding at its line, and nothing behind it is run. One line is held at a time.</remarks>
+public sealed class GcodeReader(GcodeController controller = GcodeController.LinuxCnc) : IProgramReader
+{
+    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        ArgumentNullException.ThrowIfNull(request);
+        var fault = Run(text, new GcodeMachine(request, controller), cancellation);
+        return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
+    }
+
+    private Diagnostic? Run(string text, GcodeMachine machine, CancellationToken cancellation)
+    {
+        using var lines = new StringReader(text);
+        var (line, hasBegun, isMarked) = (0, false, false);
+        while (lines.ReadLine() is { } row)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            line++;
+            if (GcodeBlock.Parse(row, out var reason) is not { } block) return Fault(line, reason);
+            if (block.IsMark)
+            {
+                if (controller == GcodeController.Grbl || hasBegun) return Fault(line, Wording.Get("GcodeReader.MarkHere"));
+                (hasBegun, isMarked) = (true, true);
+                continue;
+            }
+
+            if (block.Words.Count == 0) continue;
+            hasBegun = true;
+            if ((GcodeRules.Check(block, controller) ?? machine.Do(block, line)) is { } fault) return Fault(line, fault);
+            if (machine.HasEnded) return Rest(lines, line, isMarked) ?? (machine.HasMoved ? null : VerificationRules.ProgramEmpty.At(default));
+        }
+
+        return hasBegun ? Fault(line, Wording.Get("GcodeReader.NoEnd")) : VerificationRules.ProgramEmpty.At(default);
+    }
+
+    /// <summary>Behind the end stands nothing but the mark, where the program began with one: what else stands there would not be run, and is no part of a whole program.</summary>
+    private static Diagnostic? Rest(StringReader lines, int line, bool isMarked)
+    {
+        while (lines.ReadLine() is { } row)
+        {
+            line++;
+            var text = row.Trim();
+            if (text == "%" && isMarked) return null;
+            if (text.Length > 0) return Fault(line, Wording.Get("GcodeReader.BehindEnd"));
+        }
+
+        return isMarked ? Fault(line, Wording.Get("GcodeReader.NoMark")) : null;
+    }
+
+    private static Diagnostic Fault(int line, string reason) => PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), reason);
+}

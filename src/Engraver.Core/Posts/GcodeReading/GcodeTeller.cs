@@ -1,0 +1,90 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Verification;
+
+namespace Engraver.Core.Posts.GcodeReading;
+
+/// <summary>Tells the judges every motion: of a machine whose tool an output switches lines and arcs, of one with a tool axis places a step apart with their heights. The time told is only an order.</summary>
+internal sealed class GcodeTeller(ReplayRequest request)
+{
+    /// <summary>Of places on a machine with a tool axis, millimetres.</summary>
+    private const double Step = 0.05;
+
+    /// <summary>By which the radius of a piece may differ from that of the next, millimetres.</summary>
+    private const double RadiusStep = 2e-5;
+
+    private const int MostPieces = 720;
+
+    private readonly HeightDrive? _drive = request.Machine.Height;
+    private double _seconds;
+
+    /// <summary>Something moved or was cut.</summary>
+    public bool HasMoved { get; private set; }
+
+    /// <summary>The tool came on or went off where the machine stands.</summary>
+    public void Switch(Vector3D place, bool isOn)
+    {
+        if (_drive is null) Stand(place.X, place.Y, 0.0, isOn);
+    }
+
+    /// <summary>A line.</summary>
+    /// <param name="isOn">The tool's switch; a tool axis cuts by its height.</param>
+    public void Line(Vector3D from, Vector3D to, bool isOn, double feed, int line)
+    {
+        HasMoved = true;
+        if (_drive is not null) Places(from, to, part => from + ((to - from) * part), (to - from).Length, feed, line);
+        else if (!isOn) Stand(to.X, to.Y, 0.0, isOn: false);
+        else if (from.X != to.X || from.Y != to.Y) Cut(Segment.FromLine(new Point2D(from.X, from.Y), new Point2D(to.X, to.Y)), feed, line);
+    }
+
+    /// <summary>An arc, which may rise.</summary>
+    public void Arc(GcodeArc arc, Vector3D from, Vector3D to, bool isOn, double feed, int line)
+    {
+        HasMoved = true;
+        var length = Math.Abs(arc.Sweep) * Math.Max(arc.StartRadius, arc.EndRadius);
+        if (_drive is not null) Places(from, to, part => arc.At(part) is var at ? new Vector3D(at.X, at.Y, from.Z + ((to.Z - from.Z) * part)) : default, double.Hypot(length, to.Z - from.Z), feed, line);
+        else if (!isOn) Stand(to.X, to.Y, 0.0, isOn: false);
+        else Pieces(arc, feed, line);
+    }
+
+    /// <summary>In quarters of a turn at most, as the judges take arcs; of ends that are not as far from the centre as many pieces as keep each within half of a step of its radius.</summary>
+    private void Pieces(GcodeArc arc, double feed, int line)
+    {
+        var (quarters, spiral) = (Math.Ceiling(Math.Abs(arc.Sweep) / (Math.PI / 2.0)), Math.Ceiling(Math.Abs(arc.EndRadius - arc.StartRadius) / RadiusStep));
+        var parts = (int)Math.Clamp(spiral, quarters, MostPieces);
+        for (var i = 0; i < parts; i++)
+        {
+            var radius = arc.StartRadius + ((arc.EndRadius - arc.StartRadius) * (i + 0.5) / parts);
+            Cut(Segment.FromArc(new ArcSegment(arc.Centre, radius, Angle.FromRadians(arc.From + (arc.Sweep * i / parts)), Angle.FromRadians(arc.Sweep / parts))), feed, line);
+        }
+    }
+
+    /// <summary>Both ends and places between; the tool cuts below the retract height.</summary>
+    private void Places(Vector3D from, Vector3D to, Func<double, Vector3D> at, double length, double feed, int line)
+    {
+        var isCut = Math.Min(from.Z, to.Z) < _drive!.RetractHeight;
+        var steps = isCut ? (int)Math.Max(1.0, Math.Ceiling(length / Step)) : 1;
+        for (var i = isCut ? 0 : 1; i <= steps; i++)
+        {
+            var place = i == steps ? to : at((double)i / steps);
+            Stand(place.X, place.Y, place.Z, place.Z < _drive.RetractHeight);
+        }
+
+        if (!isCut) return;
+        request.Feeds?.Reach(Math.Min(from.Z, to.Z));
+        if (!double.IsInfinity(feed) || from.X != to.X || from.Y != to.Y || to.Z < from.Z) request.Feeds?.Add(line, feed, length, from.Z - to.Z);
+    }
+
+    private void Cut(in Segment path, double feed, int line)
+    {
+        foreach (var judge in request.Judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
+        _seconds += 1.0;
+        request.Feeds?.Add(line, feed, path.Length);
+    }
+
+    private void Stand(double x, double y, double z, bool isOn)
+    {
+        _seconds += 1.0;
+        foreach (var judge in request.Judges) judge.Add(new TraceSample(_seconds, x, y, isOn, z));
+    }
+}

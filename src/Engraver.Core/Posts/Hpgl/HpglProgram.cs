@@ -1,0 +1,120 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Geometry;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.Core.Posts.Hpgl;
+
+/// <summary>Writes one program, one command a line, and measures how far rounding takes the pen from the path.</summary>
+internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
+{
+    /// <summary>Part of a unit by which chords may leave an arc.</summary>
+    private const double ChordShare = 0.25;
+
+    /// <summary>Part of a unit by which an arc with rounded start and centre may leave the drawn one; otherwise it becomes chords.</summary>
+    private const double ArcShare = 0.7;
+
+    /// <summary>The finest chord that a plotter draws an arc with, and the coarsest that is asked for, degrees.</summary>
+    private const double FinestChord = 0.5;
+    private const double CoarsestChord = 15.0;
+
+    private readonly StringBuilder _text = new();
+    private UnitPlace _place;
+
+    /// <summary>Largest distance of a place of the pen from the drawn line or arc, millimetres; of an arc with the height of its chords.</summary>
+    public double LargestError { get; private set; }
+
+    public Point2D ErrorAt { get; private set; }
+
+    public string Write(Toolpath path, int pen, double feedMmPerMinute)
+    {
+        ErrorAt = path.Strokes[0].Start;
+        Line("IN");
+        Say($"SP{pen}");
+        if (sheet.PerMillimetre != HpglSheet.PlotterUnits)
+        {
+            Say($"IP0,0,{100 * HpglSheet.PlotterUnits},{100 * HpglSheet.PlotterUnits}"); // 100 mm along each axis
+            Say($"SC0,{100 * sheet.PerMillimetre},0,{100 * sheet.PerMillimetre}");
+        }
+
+        Say($"VS{(feedMmPerMinute / 600.0).ToString("0.####", CultureInfo.InvariantCulture)}"); // cm/s
+        foreach (var stroke in path.Strokes) Stroke(stroke);
+        Line("SP0");
+        return _text.ToString();
+    }
+
+    private void Stroke(ToolpathStroke stroke)
+    {
+        _place = sheet.Of(stroke.Start);
+        Measure(stroke.Start);
+        Say($"PU{_place.X},{_place.Y}");
+        Line("PD");
+        foreach (var segment in stroke.Moves.Select(move => move.Segment))
+        {
+            DrawTo(segment.Start); // within the join tolerance
+            if (segment.Kind == SegmentKind.Line) DrawTo(segment.End);
+            else if (writesArcs && Fits(segment)) Arc(segment);
+            else Chords(segment);
+        }
+
+        Line("PU");
+    }
+
+    private void DrawTo(Point2D to)
+    {
+        Measure(to);
+        if (sheet.Of(to) == _place) return;
+        _place = sheet.Of(to);
+        Say($"PD{_place.X},{_place.Y}");
+    }
+
+    private void Measure(Point2D drawn, double more = 0.0)
+    {
+        var error = sheet.Millimetres(sheet.Of(drawn)).DistanceTo(drawn) + more;
+        if (error > LargestError) (LargestError, ErrorAt) = (error, drawn);
+    }
+
+    private void Chords(in Segment segment)
+    {
+        var arc = segment.Arc;
+        var height = ChordShare * sheet.Unit;
+        var turn = arc.Radius <= height ? Math.PI / 2.0 : 2.0 * Math.Acos(1.0 - (height / arc.Radius));
+        var count = (int)Math.Ceiling(Math.Abs(arc.Sweep.Radians) / turn);
+        for (var i = 1; i <= count; i++)
+        {
+            var to = i == count ? segment.End : arc.PointAt((double)i / count);
+            Measure(to, arc.Radius * (1.0 - Math.Cos(arc.Sweep.Radians / count / 2.0)));
+            DrawTo(to);
+        }
+    }
+
+    /// <summary>Whether the arc that the plotter makes of rounded numbers stays near the drawn one: its points differ by no more than the centres and the radii do.</summary>
+    private bool Fits(in Segment segment)
+    {
+        var (centre, start) = (sheet.Millimetres(sheet.Of(segment.Arc.Centre)), sheet.Millimetres(sheet.Of(segment.Start)));
+        var apart = centre.DistanceTo(segment.Arc.Centre) + Math.Abs(centre.DistanceTo(start) - segment.Arc.Radius);
+        return sheet.Of(segment.Start) == _place && apart <= ArcShare * sheet.Unit && Height(segment.Arc, FinestChord) <= ChordShare * sheet.Unit;
+    }
+
+    private void Arc(in Segment segment)
+    {
+        var arc = segment.Arc;
+        var (centre, chord) = (sheet.Of(arc.Centre), CoarsestChord);
+        while (chord > FinestChord && Height(arc, chord) > ChordShare * sheet.Unit) chord = Math.Max(FinestChord, chord - FinestChord);
+        var apart = sheet.Millimetres(centre).DistanceTo(arc.Centre) + Math.Abs(sheet.Millimetres(centre).DistanceTo(sheet.Millimetres(_place)) - arc.Radius) + Height(arc, chord);
+        if (apart > LargestError) (LargestError, ErrorAt) = (apart, segment.Start);
+        Say($"AA{centre.X},{centre.Y},{Number(arc.Sweep.Degrees)},{Number(chord)}");
+        if (segment.Kind == SegmentKind.Circle) return;
+        _place = sheet.Of(segment.End);
+        Measure(segment.End);
+        Say($"PD{_place.X},{_place.Y}"); // where the arc ends is rounded by the plotter: the end itself is said
+    }
+
+    private static double Height(ArcSegment arc, double chordDegrees) => arc.Radius * (1.0 - Math.Cos(chordDegrees * Math.PI / 360.0));
+
+    private static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+
+    private void Say(FormattableString text) => Line(FormattableString.Invariant(text));
+
+    private void Line(string text) => _text.Append(text).Append(";\n");
+}

@@ -1,0 +1,39 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Posts.HpglReading;
+
+/// <summary>Reads HP-GL/2 back and draws it as a plotter does, from what is known of the language alone (rs274-hpgl.md 3); shares no code with what wrote it. Pen 1 to 8 in the holder and down is cutting.</summary>
+/// <remarks>Commands that this reader does not know (labels, fills, encoded polylines) are findings, for they may draw. One command is held at a time.</remarks>
+public sealed class HpglReader : IProgramReader
+{
+    public bool TellsHeights => false;
+
+    /// <summary>The plotter's own unit: with the roundings of both axes and the height of a chord no place is moved by more.</summary>
+    public double Rounding => 0.025;
+
+    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        ArgumentNullException.ThrowIfNull(request);
+        var fault = Run(text, new HpglPlotter(request), cancellation);
+        return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
+    }
+
+    private static Diagnostic? Run(string text, HpglPlotter plotter, CancellationToken cancellation)
+    {
+        var scanner = new HpglScanner(text);
+        while (scanner.Next(out var reason) is var command)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            if (reason.Length > 0) return Fault(scanner.Line, reason);
+            if (command is null) break;
+            if (plotter.Do(command) is { } fault) return Fault(command.Line, fault);
+        }
+
+        if (!plotter.HasMoved) return VerificationRules.ProgramEmpty.At(default);
+        return plotter.IsDown ? Fault(scanner.Line, Wording.Get("HpglReader.EndsDown")) : null;
+    }
+
+    private static Diagnostic Fault(int line, string reason) => PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), reason);
+}

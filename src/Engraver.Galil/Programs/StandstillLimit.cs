@@ -1,0 +1,23 @@
+using Engraver.Core.Machines;
+
+namespace Engraver.Galil.Programs;
+
+/// <summary>How long a job may be without progress, controller seconds. Motion is never so slow: at the slowest feed (2 counts/s) a position changes twice a second, so a long segment needs no allowance.</summary>
+/// <remarks>The tool's settle time is added. The job itself notices a standstill first and can say where it was; the watchdog in the controller is for the case that it does not.</remarks>
+internal static class StandstillLimit
+{
+    private const double JobSeconds = 3.0;
+    private const double WatchdogSeconds = 6.0;
+    private const double TickSeconds = 0.05;
+
+    /// <summary>More than an hour; so that the line that assigns it stays one line.</summary>
+    private const double MostTicks = 99_999.0;
+
+    /// <summary>Time without progress after which a job is given up.</summary>
+    public static double Seconds(MachineProfile profile) => JobSeconds + LongestWait(profile);
+
+    private static double LongestWait(MachineProfile profile) => Math.Max(Math.Max(profile.ToolSettleSeconds, profile.OffSettleSeconds), profile.Spindle?.SpinUpSeconds ?? 0.0);
+
+    /// <summary>Ticks of the watchdog in the controller for which the tool may be on while nothing moves.</summary>
+    public static int ControllerTicks(MachineProfile profile) => (int)Math.Min(MostTicks, Math.Ceiling((WatchdogSeconds + profile.ToolSettleSeconds) / TickSeconds));
+}

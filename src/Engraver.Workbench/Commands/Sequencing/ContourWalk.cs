@@ -1,0 +1,59 @@
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Sequencing;
+
+/// <summary>AUTOSEQUENCE walks along the contours in their order: each lights up when it has been walked, and where one ends at a discontinuity the operator says whether it goes on from there (paper 000).</summary>
+internal static class ContourWalk
+{
+    private static readonly TimeSpan s_step = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan s_longest = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan s_shortest = TimeSpan.FromMilliseconds(20);
+
+    /// <param name="path">Of the same sequence.</param>
+    /// <param name="asks">The operator is asked at each discontinuity.</param>
+    /// <exception cref="OperationCanceledException">Esc.</exception>
+    public static async Task WalkAsync(CommandContext context, SequencingResult result, Toolpath path, bool asks, CancellationToken cancellation)
+    {
+        if (path.Strokes.Count == 0) return;
+        var pause = s_longest / path.Strokes.Count < s_step ? s_longest / path.Strokes.Count : s_step;
+        var (walked, due) = (0, TimeSpan.Zero);
+        try
+        {
+            foreach (var stroke in path.Strokes)
+            {
+                walked += stroke.Moves.Count;
+                context.Walk.Show(walked);
+                due += pause;
+                if (due >= s_shortest)
+                {
+                    await Task.Delay(due, context.Time, cancellation).ConfigureAwait(false);
+                    due = TimeSpan.Zero;
+                }
+
+                if (!asks || result.Strokes[stroke.Index].Closed || stroke.Index == path.Strokes.Count - 1) continue;
+                var answer = await context.ChoiceAsync(Question(result, stroke), Keyword.List("Yes", "No", "All"), "Yes").ConfigureAwait(false);
+                if (answer == "No")
+                {
+                    context.Say(Wording.Get("AutoSequence.EndsThere", stroke.Index + 1, path.Strokes.Count));
+                    return;
+                }
+
+                asks = answer != "All";
+            }
+        }
+        finally
+        {
+            context.Walk.End();
+        }
+    }
+
+    private static string Question(SequencingResult result, ToolpathStroke stroke)
+    {
+        var gap = result.Discontinuities.FirstOrDefault(end => end.Place == result.Strokes[stroke.Index].End)?.Gap;
+        return gap is { } away
+            ? Wording.Get("AutoSequence.Discontinuity", stroke.Index + 1, stroke.End.X, stroke.End.Y, away)
+            : Wording.Get("AutoSequence.DiscontinuityAlone", stroke.Index + 1, stroke.End.X, stroke.End.Y);
+    }
+}

@@ -1,0 +1,126 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+
+namespace Engraver.TestKit.Programs;
+
+/// <summary>DMC programs as a test reads them: statement by statement, what moves in plan or switches output 1, with calls and variables; everything else is passed over and nothing is checked.</summary>
+public sealed class DmcLines
+{
+    private const int MostStatements = 200_000;
+
+    private readonly List<(string Label, string Text)> _statements = [];
+    private readonly Dictionary<string, double> _variables = [];
+    private readonly List<Segment> _cuts = [];
+    private readonly List<Segment> _sequence = [];
+    private Point2D _place;
+    private Point2D _from;
+    private Point2D _vector;
+    private double? _toX;
+    private double? _toY;
+    private bool _isOn;
+
+    /// <summary>What is cut, millimetres by 1000 counts; null when a number cannot be read or the program does not end.</summary>
+    public static IReadOnlyList<Segment>? Cuts(string text)
+    {
+        var run = new DmcLines();
+        foreach (var line in text.Split('\n').Where(line => !line.StartsWith('\'')))
+        {
+            if (line.StartsWith('#')) run._statements.Add((line.Trim(), ""));
+            else foreach (var one in line.Split(';')) run._statements.Add(("", one.Trim()));
+        }
+
+        return run.Run() ? run._cuts : null;
+    }
+
+    private bool Run()
+    {
+        var (calls, at) = (new Stack<int>(), 0);
+        for (var count = 0; at < _statements.Count && count < MostStatements; count++)
+        {
+            var text = _statements[at++].Text;
+            if (text == "EN" && calls.Count == 0) return true;
+            if (text == "EN") at = calls.Pop();
+            else if (text.StartsWith("JS#", StringComparison.Ordinal))
+            {
+                calls.Push(at);
+                at = _statements.FindIndex(one => one.Label == text[2..]);
+                if (at < 0) return false;
+            }
+            else if (!Do(text))
+            {
+                return false;
+            }
+        }
+
+        return at >= _statements.Count;
+    }
+
+    private bool Do(string text)
+    {
+        if (text is "SB1" or "CB1") _isOn = text == "SB1";
+        else if (text == "VMAB") (_from, _vector) = (_place, default);
+        else if (text.StartsWith("VP ", StringComparison.Ordinal) && Values(text[3..]) is [var x, var y]) Add(Segment.FromLine(_vector, new Point2D(x, y)));
+        else if (text.StartsWith("CR ", StringComparison.Ordinal) && Values(text[3..]) is [var radius, var theta, var sweep]) Add(Segment.FromArc(new ArcSegment(_vector - Vector2D.FromPolar(radius, Angle.FromDegrees(theta)), radius, Angle.FromDegrees(theta), Angle.FromDegrees(sweep))));
+        else if (text.StartsWith("BG", StringComparison.Ordinal)) Begin(text[2..]);
+        else if (text.StartsWith("PAA=", StringComparison.Ordinal)) _toX = Value(text[4..]);
+        else if (text.StartsWith("PAB=", StringComparison.Ordinal)) _toY = Value(text[4..]);
+        else if (text.IndexOf('=', StringComparison.Ordinal) is > 0 and var equals && char.IsAsciiLetterLower(text[0])) return Value(text[(equals + 1)..]) is { } value && Set(text[..equals], value);
+        else return !text.StartsWith("VP", StringComparison.Ordinal) && !text.StartsWith("CR", StringComparison.Ordinal);
+        return true;
+    }
+
+    private void Begin(string axes)
+    {
+        if (axes.Contains('S', StringComparison.Ordinal)) Go();
+        _place = new Point2D(axes.Contains('A', StringComparison.Ordinal) && _toX is { } x ? x : _place.X, axes.Contains('B', StringComparison.Ordinal) && _toY is { } y ? y : _place.Y);
+    }
+
+    private bool Set(string name, double value)
+    {
+        _variables[name] = value;
+        return true;
+    }
+
+    private void Add(Segment run)
+    {
+        _sequence.Add(run);
+        _vector = run.End;
+    }
+
+    private void Go()
+    {
+        var shift = _from - default(Point2D);
+        foreach (var run in _sequence.Where(_ => _isOn)) _cuts.Add(Millimetres(run, shift));
+        _place = _vector + shift;
+        _sequence.Clear();
+    }
+
+    private static Segment Millimetres(Segment run, Vector2D shift)
+    {
+        Point2D Moved(Point2D place) => new((place.X + shift.X) / 1000.0, (place.Y + shift.Y) / 1000.0);
+        return run.Kind == SegmentKind.Line ? Segment.FromLine(Moved(run.Start), Moved(run.End)) : Segment.FromArc(new ArcSegment(Moved(run.Arc.Centre), run.Arc.Radius / 1000.0, run.Arc.Start, run.Arc.Sweep));
+    }
+
+    private double[]? Values(string words) => words.Split(',').Select(Value).ToArray() is var values && values.All(value => value is not null) ? [.. values.Select(value => value!.Value)] : null;
+
+    /// <summary>Numbers and variables with + and - between them; the place of the machine is 0.</summary>
+    private double? Value(string words)
+    {
+        var (sum, sign, term) = (0.0, 1.0, "");
+        foreach (var letter in words + "+")
+        {
+            if (letter is not ('+' or '-') || (letter == '-' && term.Length == 0))
+            {
+                if (letter == '-' && term.Length == 0) sign = -sign;
+                else term += letter;
+                continue;
+            }
+
+            if (term.StartsWith("_RP", StringComparison.Ordinal)) term = "0";
+            if (!double.TryParse(term, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && !_variables.TryGetValue(term, out value)) return null;
+            (sum, sign, term) = (sum + (sign * value), letter == '-' ? -1.0 : 1.0, "");
+        }
+
+        return sum;
+    }
+}

@@ -1,0 +1,122 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Machines;
+using Engraver.Core.Posts;
+using Engraver.TestKit;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Verification;
+
+namespace Engraver.Workbench.Tests.Verification;
+
+/// <summary>What each plain-text target writes of the samples is read back as the drawing, all of it and nothing else.</summary>
+public class TargetVerificationTests
+{
+    private static readonly string[] s_targets = ["cldata", "gcode", "gcode grbl", "hpgl", "hpgl 1000", "hpgl aa", "xps-linearc", "xps-spline", "xps-pvt"];
+
+    private static readonly string[] s_samples = [.. Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileNameWithoutExtension(path)!).Order(StringComparer.Ordinal)];
+
+    public static TheoryData<string, string> Pairs
+    {
+        get
+        {
+            var pairs = new TheoryData<string, string>();
+            foreach (var (sample, target, _) in TestExtent.IsFull ? TestExtent.Crossed(s_samples, s_targets, [0]) : s_targets.Select((target, number) => (target.StartsWith("xps", StringComparison.Ordinal) ? "paper-001" : s_samples[number % s_samples.Length], target, 0))) pairs.Add(sample, target);
+            return pairs;
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Pairs))]
+    public async Task Every_samples_program_cuts_the_drawing_and_nothing_else(string sample, string target)
+    {
+        var drawing = DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
+        var report = await VerifyAsync(drawing, new DrawingSettings(), target);
+
+        Assert.Empty(report.Diagnostics);
+        Assert.True(report.Ok);
+        Assert.InRange(report.MaxDeviationMm!.Value, 0.0, target switch { "hpgl" or "hpgl aa" => 0.025, "hpgl 1000" => 0.0025, "cldata" => 0.00002, _ => 0.0021 });
+        Assert.Equal((0.0, 0.0), (report.MissingLengthMm, report.ExtraLengthMm));
+        if (target.StartsWith("gcode", StringComparison.Ordinal)) Assert.Equal((1200.0, 1200.0), (report.SlowestMmPerMinute, report.FastestMmPerMinute));
+    }
+
+    [Theory]
+    [InlineData("gcode", "")]
+    [InlineData("gcode", "grbl")]
+    public async Task A_part_with_two_depths_and_a_ramp_is_cut_by_G_code_at_its_heights(string target, string dialect)
+    {
+        var settings = Milling(depthPerPass: 0.9);
+        var report = await VerifyAsync(Part(), settings, $"{target} {dialect}".TrimEnd());
+
+        Assert.Empty(report.Diagnostics);
+        Assert.True(report.Ok);
+        Assert.InRange(report.MaxDeviationMm!.Value, 0.0, 0.001);
+        Assert.Equal(-2.0, report.LowestZMm!.Value, 1e-9);
+        Assert.Equal((0.0, 0.0), (report.MissingLengthMm, report.ExtraLengthMm));
+    }
+
+    [Theory]
+    [InlineData("Z-2 F", "Z-1.98 F", "VER0008")] // not deep enough
+    [InlineData("Z-2 F", "Z-2.01 F", "VER0008")] // too deep
+    [InlineData("F240", "F1200", "VER0010")] // plunges at the feed
+    [InlineData("F1200", "F1210", "VER0010")]
+    [InlineData("G1 Z", "G0 Z", "VER0010")] // a rapid into the work
+    [InlineData("G0 Z1\n", "G0 Z-1\n", "VER0010")]
+    public async Task Another_height_or_feed_is_no_faithful_program(string was, string becomes, string id)
+    {
+        var settings = Milling(depthPerPass: null);
+        var text = PostedProgram.Create(Part(), settings, PostTable.Find("gcode").Post, PostedProgram.NoOptions).Text!;
+        Assert.Contains(was, text, StringComparison.Ordinal);
+        var report = await VerifyAsync(Part(), settings, text.Replace(was, becomes, StringComparison.Ordinal), PostTable.Find("gcode").Reader!);
+
+        Assert.False(report.Ok);
+        Assert.Contains(report.Diagnostics, finding => finding.Id == id);
+    }
+
+    [Theory]
+    [InlineData("agie")]
+    [InlineData("hpgl")]
+    [InlineData("xps-linearc")]
+    [InlineData("cldata")]
+    public async Task A_form_without_heights_is_compared_in_plan_on_a_machine_with_a_tool_axis(string target)
+    {
+        var report = await VerifyAsync(Part(), Milling(depthPerPass: null), target);
+
+        Assert.Empty(report.Diagnostics);
+        Assert.True(report.Ok);
+    }
+
+    private static async Task<VerificationReport> VerifyAsync(Drawing drawing, DrawingSettings settings, string targetAndChoice)
+    {
+        var words = targetAndChoice.Split(' ');
+        var entry = PostTable.Find(words[0]);
+        var options = words.Length == 1 ? PostedProgram.NoOptions : new Dictionary<string, string> { [words[1] switch { "grbl" => "dialect", "aa" => "arcs", _ => "units-per-mm" }] = words[1] };
+        var posted = PostedProgram.Create(drawing, settings, entry.Post, options);
+        Assert.True(posted.Text is not null, string.Join('\n', posted.Diagnostics.Select(finding => finding.Sentence)));
+        return await VerifyAsync(drawing, settings, posted.Text, words is [_, "grbl"] ? entry.Dialects["grbl"] : entry.Reader!);
+    }
+
+    private static Task<VerificationReport> VerifyAsync(Drawing drawing, DrawingSettings settings, string text, IProgramReader reader) =>
+        ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress: null, CancellationToken.None);
+
+    private static DrawingSettings Milling(double? depthPerPass)
+    {
+        var mill = MachineProfileSource.Load(Path.Combine(RepositoryFolder.Samples, "machine-mill.json"));
+        return new DrawingSettings { Machine = mill with { Height = mill.Height! with { DepthPerPass = depthPerPass } } };
+    }
+
+    /// <summary>A line with an arc 1 mm deep, a circle 2 mm deep, and a ramp from 0.5 mm down to 2 mm.</summary>
+    private static Drawing Part()
+    {
+        (int, object)[] arc = [(0, "ARC"), (8, "0"), (10, 35.0), (20, 10.0), (30, -1.0), (40, 5.0), (50, 270.0), (51, 0.0)];
+        (int, object)[] circle = [(0, "CIRCLE"), (8, "0"), (10, 15.0), (20, 15.0), (30, -2.0), (40, 4.0)];
+        var file = Path.Combine(Path.GetTempPath(), $"engraver-{Guid.NewGuid():N}.dxf");
+        File.WriteAllBytes(file, DxfText.WithEntities([.. Line(5, 5, -1, 35, 5, -1), .. arc, .. circle, .. Line(25, 10, -0.5, 35, 14, -2)]).ToAscii());
+        var drawing = DrawingFile.Open(file, new DrawingSettings(), CancellationToken.None);
+        File.Delete(file);
+        return drawing;
+    }
+
+    private static (int Code, object Value)[] Line(double x1, double y1, double z1, double x2, double y2, double z2) =>
+        [(0, "LINE"), (8, "0"), (10, x1), (20, y1), (30, z1), (11, x2), (21, y2), (31, z2)];
+}
