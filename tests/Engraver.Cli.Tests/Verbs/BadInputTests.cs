@@ -136,7 +136,7 @@ public class BadInputTests
     [InlineData("sequence", "FILE", "--enter", "xyz")]
     [InlineData("table", "FILE", "--format", "xml")]
     [InlineData("post", "FILE")]
-    [InlineData("post", "FILE", "--target", "hpgl")]
+    [InlineData("post", "FILE", "--target", "heidenhain")]
     [InlineData("run", "FILE")]
     [InlineData("run", "FILE", "--connect", "usb:1")]
     [InlineData("run", "FILE", "--connect", "serial:///dev/ttyS0?baud=19201")]
