@@ -74,6 +74,7 @@ public static class EngraverProgram
         var root = EngraverCommandLine.Build(streams, global, machine);
         var parsed = root.Parse(args);
         if (parsed.Errors.Count > 0) return Say(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", VerbSuggestion.For(args, root) ?? OneLine(parsed.Errors[0].Message)), ExitCode.Usage);
+        if (EmptyName.In(parsed) is { } empty) return Say(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", Wording.Get("EngraverProgram.EmptyName", empty)), ExitCode.Usage);
         var settings = new InvocationConfiguration
         {
             EnableDefaultExceptionHandler = false,

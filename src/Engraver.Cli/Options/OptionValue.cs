@@ -20,6 +20,9 @@ internal static class OptionValue
 
     public static double NumberFromOne(ArgumentResult result) => Number(result, value => value >= 1.0, Wording.Get("OptionValue.NumberFromOne"));
 
+    /// <summary>Seconds above 0, at most a day.</summary>
+    public static double SecondsOfADay(ArgumentResult result) => Number(result, value => value is > 0.0 and <= 86_400.0, Wording.Get("OptionValue.SecondsOfADay"));
+
     /// <summary>Above 0 and below 1.</summary>
     public static double NumberBelowOne(ArgumentResult result) => Number(result, value => value is > 0.0 and < 1.0, Wording.Get("OptionValue.NumberBelowOne"));
 

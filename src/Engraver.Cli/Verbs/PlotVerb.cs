@@ -27,6 +27,7 @@ internal static class PlotVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
+            VerbHost.KeepApart(drawing.File(parsed), parsed.GetValue(output));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             IReadOnlyList<Diagnostic> findings = [];
             var plot = parsed.GetValue(what) switch

@@ -32,6 +32,7 @@ internal static class PostVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
+            VerbHost.KeepApart(drawing.File(parsed), parsed.GetValue(output));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var chosen = choices.Where(choice => parsed.GetValue(choice) is not null).ToDictionary(NameOf, choice => parsed.GetValue(choice)!);
             var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen);

@@ -61,9 +61,26 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
             return;
         }
 
+        Attempt(path, () => OutputFile.Write(path, write));
+    }
+
+    /// <summary>For a result that comes only once: the place of the result can be written.</summary>
+    /// <exception cref="UsageException">It cannot.</exception>
+    public static void CheckPlace(string path) => Attempt(path, () => OutputFile.Check(path));
+
+    /// <summary>A result of another kind does not take the place of what it is made from.</summary>
+    /// <param name="path">Of the result; null for standard output.</param>
+    /// <exception cref="UsageException">The two are one file.</exception>
+    public static void KeepApart(string source, string? path)
+    {
+        if (path is not null && Path.GetFullPath(path) == Path.GetFullPath(source) && !FileKind.IsStream(path)) throw new UsageException(Wording.Get("Verbs.OverItsSource", path));
+    }
+
+    private static void Attempt(string path, Action write)
+    {
         try
         {
-            OutputFile.Write(path, write);
+            write();
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {

@@ -64,19 +64,14 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
     {
         ArgumentNullException.ThrowIfNull(certificate);
         ArgumentNullException.ThrowIfNull(job);
-        List<string> differs = [];
-        if (job.Drawing is null || certificate.Drawing.Sha256 != job.Drawing) differs.Add("drawing");
-        differs.AddRange(Others(certificate.Settings.Values, job.Settings));
-        if (certificate.Profile.Sha256 != job.Profile) differs.Add("profile");
+        var differs = job.Differences(certificate.Drawing.Sha256, certificate.Settings.Values, certificate.Profile.Sha256).ToList();
         if (certificate.Program.Target != job.Target) differs.Add("target");
         if (differs.Count == 0 && (!certificate.Ok || job.Program.Value is null || certificate.Program.Sha256 != job.Program.Value)) differs.Add("program");
         return new CertificateStanding(differs.Count == 0 ? CertificateState.Stands : CertificateState.Stale, differs, certificate);
     }
 
-    private static IEnumerable<string> Others(IReadOnlyDictionary<string, string> then, IReadOnlyDictionary<string, string> now) =>
-        then.Keys.Union(now.Keys).Where(key => then.GetValueOrDefault(key) != now.GetValueOrDefault(key)).Order(StringComparer.Ordinal);
-
-    private static string Said(string part) => part switch
+    /// <summary>One of <see cref="Differs"/> for people; settings as their keys.</summary>
+    internal static string Said(string part) => part switch
     {
         "drawing" or "profile" or "target" or "program" => Wording.Get("CertificateDiffers." + part),
         _ => $"[{part}]",

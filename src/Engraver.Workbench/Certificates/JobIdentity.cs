@@ -38,6 +38,17 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
         return new JobIdentity(ContentHash.OfFile(drawing), SettingWords.Of(settings), OfProfile(settings.Machine), target, new Lazy<string?>(program));
     }
 
+    /// <summary>What is not the same as it was: <c>drawing</c>, keys of settings, <c>profile</c>.</summary>
+    public IReadOnlyList<string> Differences(string? drawing, IReadOnlyDictionary<string, string> settings, string? profile)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        List<string> differs = [];
+        if (Drawing is null || drawing != Drawing) differs.Add("drawing");
+        differs.AddRange(settings.Keys.Union(Settings.Keys).Where(key => settings.GetValueOrDefault(key) != Settings.GetValueOrDefault(key)).Order(StringComparer.Ordinal));
+        if (profile != Profile) differs.Add("profile");
+        return differs;
+    }
+
     /// <summary>The hash of a profile.</summary>
     public static string OfProfile(MachineProfile profile) => ContentHash.OfText(MachineProfileFile.Write(profile));
 

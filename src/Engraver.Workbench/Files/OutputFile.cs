@@ -10,11 +10,27 @@ public static class OutputFile
     /// <exception cref="UnauthorizedAccessException">The place may not be written; nothing is left behind.</exception>
     public static void Write(string path, Action<TextWriter> write)
     {
-        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException(Wording.Get("OutputFile.ThereNoFolder", folder));
-        if (Directory.Exists(path)) throw new IOException(Wording.Get("OutputFile.Folder"));
-        var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
+        var target = TargetOf(path);
         if (FileKind.IsStream(path) || FileKind.IsStream(target)) WriteInPlace(path, write);
         else Replace(target, write);
+    }
+
+    /// <summary>For a result that is long in coming and comes only once: the place can be written now. Nothing is left there.</summary>
+    /// <exception cref="IOException">The place cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The place may not be written.</exception>
+    public static void Check(string path)
+    {
+        var target = TargetOf(path);
+        if (FileKind.IsStream(path) || FileKind.IsStream(target)) return;
+        using var temporary = new TemporaryFile(target);
+        temporary.Create().Dispose();
+    }
+
+    private static string TargetOf(string path)
+    {
+        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException(Wording.Get("OutputFile.ThereNoFolder", folder));
+        if (Directory.Exists(path)) throw new IOException(Wording.Get("OutputFile.Folder"));
+        return new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
     }
 
     private static void WriteInPlace(string path, Action<TextWriter> write)

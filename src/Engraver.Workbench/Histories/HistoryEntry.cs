@@ -36,6 +36,9 @@ public sealed record HistoryEntry
     /// <summary>SHA-256 of its file at that time; null where it could not be read again.</summary>
     public string? DrawingSha256 { get; init; }
 
+    /// <summary>The trajectories of the drawing were run instead of the drawing.</summary>
+    public bool RanTrajectories { get; init; }
+
     /// <summary>Name of the post; of a run the one whose program the machine was sent.</summary>
     public required string Target { get; init; }
 
@@ -88,6 +91,9 @@ public sealed record HistoryEntry
         return SettingWords.Read(Settings, machine);
     }
 
+    /// <summary>As <see cref="JobIdentity.Profile"/>; null where what was kept is no profile that this program takes.</summary>
+    internal string? ProfileHash => Profile.ValueKind == JsonValueKind.Object && MachineProfileFile.Read(Profile.GetRawText(), MachineFamilies.Driver.Limits).Profile is { } machine ? JobIdentity.OfProfile(machine) : null;
+
     /// <summary>Whether a word is found in what people know a job by.</summary>
     public bool Holds(string word) =>
         ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
@@ -129,9 +135,10 @@ public sealed record HistoryEntry
     private static HistoryEntry Begun(PreparedJob job, MachineRunOptions options, JobOutcome outcome, DateTimeOffset date, bool simulated, ArmingChecklist? checks)
     {
         ArgumentNullException.ThrowIfNull(options);
-        return OfPost(job.Drawing.FileName, job.Settings, PostTable.ForMotion(JobPlan.StyleOf(options.Mode)).Post.Name, file: null, date) with
+        return OfPost(job.Drawing.FileName, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(JobPlan.StyleOf(options.Mode)).Post.Name, file: null, date) with
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
+            RanTrajectories = job.Followed is not null,
             Mode = options.Mode switch { JobMode.Calls => "calls", JobMode.Program => "program", _ => "stream" },
             Address = options.Address.Typed,
             Outcome = OutcomeText.Word(outcome),
@@ -147,9 +154,13 @@ public sealed record HistoryEntry
     }
 }
 
+/// <summary>What every version of an entry has, whatever its form.</summary>
+internal sealed record HistoryVersion(int Version = HistoryEntry.CurrentVersion);
+
 /// <summary>A line of the list before a start.</summary>
 public sealed record HistoryCheck(bool Ok, bool Warning, string Sentence);
 
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", RespectNullableAnnotations = true)]
 [JsonSerializable(typeof(HistoryEntry))]
+[JsonSerializable(typeof(HistoryVersion))]
 internal sealed partial class HistoryJson : JsonSerializerContext;

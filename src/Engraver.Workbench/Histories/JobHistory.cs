@@ -65,7 +65,7 @@ public sealed class JobHistory
     public HistoryReading Look()
     {
         var (entries, findings) = (new List<HistoryEntry>(), new List<string>());
-        foreach (var file in Files())
+        foreach (var file in Readable(findings))
         {
             if (Read(file, findings) is { } entry) entries.Add(entry);
         }
@@ -103,13 +103,32 @@ public sealed class JobHistory
         }
     }
 
+    private IReadOnlyList<string> Readable(List<string> findings)
+    {
+        try
+        {
+            return [.. Files()];
+        }
+        catch (Exception closed) when (closed is IOException or UnauthorizedAccessException)
+        {
+            findings.Add(Wording.Get("History.Unreadable", _folder, closed.Message));
+            return [];
+        }
+    }
+
     private HistoryEntry? Read(string file, List<string> findings)
     {
         try
         {
-            var entry = JsonSerializer.Deserialize(File.ReadAllText(file), HistoryJson.Default.HistoryEntry) ?? throw new JsonException(Wording.Get("History.Empty"));
-            if (entry.Version == HistoryEntry.CurrentVersion) return entry with { Id = Path.GetFileNameWithoutExtension(file) };
-            findings.Add(Wording.Get("History.OtherVersion", file, entry.Version));
+            var text = File.ReadAllText(file);
+            var version = (JsonSerializer.Deserialize(text, HistoryJson.Default.HistoryVersion) ?? throw new JsonException(Wording.Get("History.Empty"))).Version;
+            if (version <= HistoryEntry.CurrentVersion)
+            {
+                var entry = JsonSerializer.Deserialize(text, HistoryJson.Default.HistoryEntry)!;
+                return entry.Drawing.Length > 0 ? entry with { Id = Path.GetFileNameWithoutExtension(file) } : throw new JsonException(Wording.Get("History.NoDrawing"));
+            }
+
+            findings.Add(Wording.Get("History.OtherVersion", file, version));
         }
         catch (FileNotFoundException)
         {

@@ -19,6 +19,8 @@ public static class SettingWords
     /// <summary>Letters stay what they are: who shows them escapes them in its own way.</summary>
     private static readonly SettingWordsJson s_json = new(new JsonSerializerOptions { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping });
 
+    private static readonly int s_everyChoice = Enum.GetValues<CutChoice>().Aggregate(0, (all, one) => all | (int)one);
+
     /// <summary>Every setting that is not left to the drawing, by its key; numbers exact.</summary>
     public static IReadOnlyDictionary<string, string> Of(DrawingSettings settings)
     {
@@ -55,9 +57,9 @@ public static class SettingWords
             Layers = Of(SettingTable.Layers) is { } layers ? NamesIn(layers) : null,
             SkippedLayers = Of(SettingTable.SkippedLayers) is { } skipped ? NamesIn(skipped) : plain.SkippedLayers,
             Unit = Of(SettingTable.Units) is { } unit ? (LengthUnits.FromInsUnits(NumberIn(unit)) ?? throw new FormatException(unit)) with { Source = "option" } : null,
-            Cut = Of(SettingTable.Cut) is { } cut ? (CutChoice)(int)NumberIn(cut) : plain.Cut,
-            JoinToleranceMm = NumberIn(Of(SettingTable.JoinTolerance), plain.JoinToleranceMm),
-            MaxErrorMm = NumberIn(Of(SettingTable.MaxError), plain.MaxErrorMm),
+            Cut = Of(SettingTable.Cut) is { } cut ? ChoicesIn(cut) : plain.Cut,
+            JoinToleranceMm = NumberIn(Of(SettingTable.JoinTolerance), plain.JoinToleranceMm, least: 0.0),
+            MaxErrorMm = NumberIn(Of(SettingTable.MaxError), plain.MaxErrorMm, least: double.Epsilon),
             Start = Of(SettingTable.Start) is { } start ? PlaceIn(start) ?? throw new FormatException(start) : plain.Start,
             Finish = WordIn(Of(SettingTable.Finish), plain.Finish),
             Enter = Of(SettingTable.Enter) is not { } enter ? null : PlaceIn(enter) is { } point ? new EnteringPlace.ByPoint(point) : new EnteringPlace.ByHandle(enter),
@@ -65,7 +67,7 @@ public static class SettingWords
             KeepDuplicates = Of(SettingTable.KeepDuplicates) == Switch(true),
             RecoverArcs = Of(SettingTable.RecoverArcs) == Switch(true),
             Kerf = WordIn(Of(SettingTable.Kerf), plain.Kerf),
-            ToolDiameterMm = NumberIn(Of(SettingTable.ToolDiameter), plain.ToolDiameterMm),
+            ToolDiameterMm = NumberIn(Of(SettingTable.ToolDiameter), plain.ToolDiameterMm, least: 0.0),
         };
     }
 
@@ -86,7 +88,9 @@ public static class SettingWords
 
     private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
-    private static double NumberIn(string? word, double otherwise) => word is null ? otherwise : NumberIn(word);
+    private static double NumberIn(string? word, double otherwise, double least) => word is null ? otherwise : NumberIn(word) is var value && value >= least ? value : throw new FormatException(word);
+
+    private static CutChoice ChoicesIn(string word) => NumberIn(word) is var value && value >= 0.0 && value <= s_everyChoice && value == Math.Floor(value) ? (CutChoice)(int)value : throw new FormatException(word);
 
     private static double NumberIn(string word) => double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && double.IsFinite(value) ? value : throw new FormatException(word);
 

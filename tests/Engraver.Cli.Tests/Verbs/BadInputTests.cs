@@ -39,6 +39,49 @@ public class BadInputTests
         AssertOneError(run, "DXF");
     }
 
+    /// <summary>As a variable of a shell that is not set gives it.</summary>
+    [Theory]
+    [InlineData("FILE is empty.", "plan", "")]
+    [InlineData("FILE is empty.", "profile", "check", "")]
+    [InlineData("FILE is empty.", "send", "", "--to", "serial:///dev/engraver-nothing")]
+    [InlineData("JOURNAL is empty.", "replay", "")]
+    [InlineData("--machine is empty.", "plan", "part.dxf", "--machine", "")]
+    [InlineData("--journal is empty.", "run", "part.dxf", "--connect", "sim:", "--journal", "")]
+    [InlineData("-o is empty.", "report", "part.dxf", "-o", "")]
+    [InlineData("-o is empty.", "certify", "part.dxf", "-o", "")]
+    public async Task An_empty_name_is_a_usage_error(string told, params string[] words)
+    {
+        var run = await CliRun.RunAsync(words);
+
+        Assert.Equal((ExitCode.Usage, $"engraver: {told} See engraver --help.\n"), (run.ExitCode, run.Error));
+    }
+
+    [Fact]
+    public async Task A_text_may_be_empty()
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.RunAsync("send", folder.WithFile("a.nc", "G0\n"), "--to", "serial:///dev/engraver-nothing", "--start-text", "");
+
+        Assert.Equal(ExitCode.LinkLost, run.ExitCode);
+    }
+
+    [Theory]
+    [InlineData("post", "--target", "galil")]
+    [InlineData("certify")]
+    [InlineData("report")]
+    [InlineData("plot")]
+    public async Task A_result_does_not_take_the_place_of_its_drawing(string verb, params string[] options)
+    {
+        using var folder = new TemporaryFolder();
+        var text = await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001"));
+        var drawing = folder.WithFile("part.dxf", text);
+        var run = await CliRun.RunAsync([verb, drawing, .. options, "-o", folder.PathOf("./part.dxf")]);
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("name another file", run.Error, StringComparison.Ordinal);
+        Assert.Equal(text, await File.ReadAllTextAsync(drawing));
+    }
+
     [Fact]
     public async Task An_impossible_feed_is_the_fault_of_the_feed_and_not_of_the_profile()
     {
@@ -93,7 +136,7 @@ public class BadInputTests
     [InlineData("sequence", "FILE", "--enter", "xyz")]
     [InlineData("table", "FILE", "--format", "xml")]
     [InlineData("post", "FILE")]
-    [InlineData("post", "FILE", "--target", "hpgl")]
+    [InlineData("post", "FILE", "--target", "heidenhain")]
     [InlineData("run", "FILE")]
     [InlineData("run", "FILE", "--connect", "usb:1")]
     [InlineData("run", "FILE", "--connect", "serial:///dev/ttyS0?baud=19201")]

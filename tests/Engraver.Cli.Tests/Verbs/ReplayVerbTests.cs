@@ -25,6 +25,22 @@ public class ReplayVerbTests
         Assert.Contains("100 lines are the same; then the record has 'other'", other.Out, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("A", ExitCode.Usage, "the axes A,")]
+    [InlineData("ABCD", ExitCode.Usage, "the axes ABCD,")]
+    [InlineData("A?", ExitCode.Usage, "the axes A?,")]
+    [InlineData("AB", ExitCode.Done, "1 steps were said again; nothing moved.")]
+    public async Task A_damaged_journal_and_one_of_a_run_that_did_not_move_are_told(string axes, int code, string told)
+    {
+        using var folder = new TemporaryFolder();
+        var journal = folder.WithFile("damaged.jsonl", "{\"kind\":\"job\",\"drawing\":\"a.dxf\",\"controller\":\"DMC2143\",\"mode\":\"stream\",\"segmentCount\":1,\"startX\":0,\"startY\":0,\"frameX\":0,\"frameY\":0,\"startedAt\":\"1970-01-01T00:00:00+00:00\",\"axes\":\"" + axes + "\"}\n");
+        folder.WithFile("damaged.jsonl.wire", "#wire;1;controller\n0 0 +\n#end\n");
+        var run = await CliRun.RunAsync("replay", journal);
+
+        Assert.Equal(code, run.ExitCode);
+        Assert.Contains(told, run.Out + run.Error, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task A_journal_without_a_conversation_and_one_that_is_not_there_say_what_is_lacking()
     {

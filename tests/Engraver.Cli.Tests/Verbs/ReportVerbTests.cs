@@ -52,6 +52,41 @@ public class ReportVerbTests
         Assert.Equal(folder.PathOf("b.html"), entry.GetProperty("report").GetString());
     }
 
+    /// <summary>Figures of a run of another state of the job are not those of what the page shows.</summary>
+    [Fact]
+    public async Task A_run_before_the_drawing_or_a_setting_changed_is_told_as_such()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("report-changed.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001")));
+        await CliRun.RunAsync("run", drawing, "--connect", "sim:", "--journal", folder.PathOf("a.jsonl"));
+        await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("same.html"));
+        await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("setting.html"), "--max-error", "0.005", "--feed", "300");
+        await File.AppendAllTextAsync(drawing, "\n");
+        await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("drawing.html"));
+
+        Assert.Equal("run: complete", Verdict("same"));
+        Assert.DoesNotContain("This run was not of the job", Section(Read(folder.PathOf("same.html")), "run").Value, StringComparison.Ordinal);
+        Assert.Equal("run of another state of this job: complete", Verdict("setting"));
+        Assert.Contains("This run was not of the job on this page: --max-error, the machine profile changed since.", Section(Read(folder.PathOf("setting.html")), "run").Value, StringComparison.Ordinal);
+        Assert.Equal("run of another state of this job: complete", Verdict("drawing"));
+        Assert.Contains("This run was not of the job on this page: the drawing changed since.", Section(Read(folder.PathOf("drawing.html")), "run").Value, StringComparison.Ordinal);
+
+        string Verdict(string name) => Read(folder.PathOf(name + ".html")).Descendants(Html + "p").Single(part => part.Attribute("class")?.Value == "verdict").Value;
+    }
+
+    [Fact]
+    public async Task A_run_of_trajectories_is_told_as_such_and_keeps_the_settings_of_the_document()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("report-followed.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001")));
+        await CliRun.RunAsync("run", drawing, "--connect", "sim:", "--trajectory", "--max-error", "0.002", "--journal", folder.PathOf("a.jsonl"));
+        await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("a.html"), "--max-error", "0.002");
+        var settings = JsonText.Of(await CliRun.RunAsync("history", "--json", "--search", drawing)).GetProperty("entries")[0].GetProperty("settings");
+
+        Assert.Equal(("0.002", "nearest"), (settings.GetProperty("max-error").GetString(), settings.GetProperty("order").GetString()));
+        Assert.Contains("followed the trajectories", Section(Read(folder.PathOf("a.html")), "run").Value, StringComparison.Ordinal);
+    }
+
     /// <summary>Names of layers and files are foreign: what they say is shown and never run.</summary>
     [Theory]
     [InlineData("<script>alert(1)</script>", true)]

@@ -51,6 +51,23 @@ public class SendVerbTests
         Assert.InRange(int.Parse(run.Error.Split(' ')[2], System.Globalization.CultureInfo.InvariantCulture), 10, 4999);
     }
 
+    /// <summary>A control sends its program once: a place that cannot be written is told before anything is listened to.</summary>
+    [Fact]
+    public async Task A_place_that_cannot_be_written_and_an_endless_silence_are_refused_before_the_line_is_opened()
+    {
+        using var folder = new TemporaryFolder();
+        string[] words = ["receive", "--from", "serial:///dev/engraver-nothing", "-o"];
+        var missing = await CliRun.RunAsync([.. words, folder.PathOf("nowhere/x.nc")]);
+        var directory = await CliRun.RunAsync([.. words, folder.PathOf("")]);
+        var endless = await CliRun.RunAsync([.. words, folder.PathOf("x.nc"), "--silence", "1e300"]);
+        var line = await CliRun.RunAsync([.. words, folder.PathOf("x.nc")]);
+
+        Assert.Equal((ExitCode.Usage, ExitCode.Usage, ExitCode.Usage, ExitCode.LinkLost), (missing.ExitCode, directory.ExitCode, endless.ExitCode, line.ExitCode));
+        Assert.Contains("There is no folder", missing.Error, StringComparison.Ordinal);
+        Assert.Contains("86400", endless.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(folder.PathOf("")));
+    }
+
     [Fact]
     public async Task A_file_with_several_programs_is_not_sent_at_once()
     {

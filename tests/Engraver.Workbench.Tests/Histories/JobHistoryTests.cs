@@ -102,6 +102,40 @@ public sealed class JobHistoryTests : IDisposable
     }
 
     [Fact]
+    public void An_entry_of_a_later_version_stays_also_where_it_has_another_form()
+    {
+        Directory.CreateDirectory(Index);
+        var later = Path.Combine(Index, "20261123-080000-000-later.json");
+        File.WriteAllText(later, "{\"version\": 2, \"when\": 7}");
+
+        Assert.Contains("version 2", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
+        Assert.True(File.Exists(later));
+    }
+
+    [Theory]
+    [InlineData("max-error", "0")]
+    [InlineData("max-error", "-5")]
+    [InlineData("join-tolerance", "-1")]
+    [InlineData("tool-diameter", "-0.1")]
+    [InlineData("cut", "-7")]
+    [InlineData("cut", "99999999999999999")]
+    [InlineData("cut", "0.5")]
+    public void A_damaged_setting_is_none_to_run_with(string key, string word)
+    {
+        var entry = Entry("a.dxf", s_now);
+
+        Assert.Throws<FormatException>(() => (entry with { Settings = new Dictionary<string, string>(entry.Settings) { [key] = word } }).ToSettings());
+    }
+
+    [Fact]
+    public void An_entry_without_a_drawing_is_none()
+    {
+        new JobHistory(Index).Add(Entry("a.dxf", s_now) with { Drawing = "" });
+
+        Assert.Contains("names no drawing", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void An_index_that_cannot_be_written_is_said_and_without_a_folder_it_lives_in_memory()
     {
         File.WriteAllText(Index, "a file where the folder should be");

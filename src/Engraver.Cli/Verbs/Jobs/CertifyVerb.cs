@@ -44,6 +44,7 @@ internal sealed class CertifyVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var (settings, file) = (_drawing.Settings(parsed), _drawing.File(parsed));
+        VerbHost.KeepApart(file, parsed.GetValue(_output));
         var hash = ContentHash.OfFile(file);
         var request = new CertificationRequest(DrawingFile.Open(file, settings, stop), hash, settings, Target(parsed), TimeProvider.System.GetUtcNow())
         {

@@ -21,6 +21,7 @@ internal static class ReplayVerb
         command.SetAction(async (parsed, stop) =>
         {
             var file = parsed.GetRequiredValue(journal);
+            VerbHost.KeepApart(file, parsed.GetValue(record));
             var (replay, lack) = await IncidentReplay.RunAsync(file, KeptConversation.PathOf(file), stop).ConfigureAwait(false);
             if (replay is null) throw new UsageException(Wording.Get("Replay.Lack", lack));
             await using var owned = replay;
@@ -35,7 +36,8 @@ internal static class ReplayVerb
 
     private static void Tell(TextWriter output, IncidentReplay replay, ReplayComparison? compared)
     {
-        output.WriteLine(Wording.Get("Replay.Done", replay.Conversation.Steps.Count, replay.Samples, replay.Seconds, replay.FinalPosition?.X, replay.FinalPosition?.Y));
+        if (replay.FinalPosition is { } final) output.WriteLine(Wording.Get("Replay.Done", replay.Conversation.Steps.Count, replay.Samples, replay.Seconds, final.X, final.Y));
+        else output.WriteLine(Wording.Get("Replay.NothingMoved", replay.Conversation.Steps.Count));
         if (!replay.Conversation.IsWhole) output.WriteLine(Wording.Get("Replay.BrokeOff"));
         if (replay.Agrees is { } agrees) output.WriteLine(Wording.Get(agrees ? "Replay.Agrees" : "Replay.EndsElsewhere", replay.Told!.End!.X, replay.Told.End.Y));
         if (replay.LateSeconds > 0.0) output.WriteLine(Wording.Get("Replay.Late", replay.LateSeconds));

@@ -15,7 +15,7 @@ internal sealed class ReceiveVerb(VerbHost host)
 {
     private readonly Option<SendAddress?> _from = LineOption.New("--from", Wording.Get("Receive.From"));
     private readonly Option<string> _output = new("-o", "--output") { Required = true, HelpName = "OUT", Description = Wording.Get("Receive.Output") };
-    private readonly Option<double> _silence = new("--silence") { HelpName = "SECONDS", Description = Wording.Get("Receive.Silence"), CustomParser = OptionValue.PositiveNumber, DefaultValueFactory = _ => 5.0 };
+    private readonly Option<double> _silence = new("--silence") { HelpName = "SECONDS", Description = Wording.Get("Receive.Silence"), CustomParser = OptionValue.SecondsOfADay, DefaultValueFactory = _ => 5.0 };
     private readonly Option<bool> _json = JsonOption.New();
 
     public static Command Build(VerbHost host)
@@ -29,6 +29,7 @@ internal sealed class ReceiveVerb(VerbHost host)
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var (address, path) = (parsed.GetRequiredValue(_from)!, parsed.GetRequiredValue(_output));
+        VerbHost.CheckPlace(path);
         var receiver = new ProgramReceiver(address.Frame);
         var reason = await ListenAsync(receiver, address, TimeSpan.FromSeconds(parsed.GetValue(_silence)), host.Quiet(parsed), stop).ConfigureAwait(false);
         var (characters, lines) = (receiver.Characters.ToArray(), SendText.Lines(receiver.Characters.ToArray()));

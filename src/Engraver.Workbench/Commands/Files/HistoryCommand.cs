@@ -48,6 +48,7 @@ internal sealed class HistoryCommand : ICommand
         DrawingOpening.Open(context, entry.Drawing, entry.Drawing, cancellation, settings);
         if (entry.DrawingSha256 is { } then && ContentHash.OfFile(entry.Drawing) != then) context.Say(Wording.Get("History.DrawingChanged", Path.GetFileName(entry.Drawing)), MessageKind.Warning);
         if (settings is not null) context.Say(Wording.Get("History.SettingsTaken", HistoryText.Date(entry, context.Time.LocalTimeZone)));
+        if (entry.RanTrajectories) context.Say(Wording.Get("History.RanTrajectories"), MessageKind.Warning);
     }
 
     private static DrawingSettings SettingsOf(HistoryEntry entry)

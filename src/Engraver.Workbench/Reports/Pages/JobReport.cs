@@ -37,6 +37,9 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
     /// <summary>The run that the page is about; null for a job that has not been run, or that the history does not know.</summary>
     public HistoryEntry? Run { get; private init; }
 
+    /// <summary>What has changed since that run, as a certificate tells it; empty where the run is of just this job, or there is none.</summary>
+    public IReadOnlyList<string> RunDiffers { get; private init; } = [];
+
     /// <summary>Where the machine was in that run; null where it was not kept.</summary>
     public RunTrace? Trace { get; private init; }
 
@@ -63,6 +66,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
             Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], cancellation) : null,
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             Run = request.Run,
+            RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing.FileName, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash) : [],
         };
         return request.Journal is { } journal ? report.WithTrace(journal) : report;
     }

@@ -38,6 +38,8 @@ public static class JobReportPage
 
     private static string Verdict(JobReport report) => report switch
     {
+        { Run: { RanTrajectories: true } run } => Wording.Get("JobReport.VerdictTrajectories", run.Outcome, run.Kind),
+        { Run: { } run, RunDiffers: [_, ..] } => Wording.Get("JobReport.VerdictOtherRun", run.Outcome, run.Kind),
         { Run: { } run } => Wording.Get("JobReport.VerdictRun", run.Outcome, run.Kind),
         { Motion: null } => Wording.Get("JobReport.VerdictNothing"),
         _ => Wording.Get("JobReport.VerdictPlanned"),
@@ -87,24 +89,31 @@ public static class JobReportPage
 
     private static void Run(JobReport report, Histories.HistoryEntry run, TimeZoneInfo here, PageWriter page)
     {
-        page.Section("run", Wording.Get("JobReport.Run"), () => page.Pairs(
-        [
-            new PagePair(Wording.Get("JobReport.Date"), Time(run.Date, here)),
-            new PagePair(Wording.Get("JobReport.Outcome"), run.Outcome, "outcome"),
-            new PagePair(Wording.Get("JobReport.Sentence"), run.Sentence),
-            new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
-            PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
-            PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
-            PagePair.Of(Wording.Get("JobReport.Tolerance"), "tolerance", RunJudge.Tolerances(report.Job).Deviation, "0.0000"),
-            PagePair.Of(Wording.Get("JobReport.Missing"), "missingLength", run.MissingLength, "0.####"),
-            new PagePair(Wording.Get("JobReport.Journal"), run.Journal ?? "–", Style: "code"),
-        ]));
+        page.Section("run", Wording.Get("JobReport.Run"), () =>
+        {
+            if (report.RunDiffers is [_, ..] differs) page.Paragraph(SettingWording.OnConsole(Wording.Get("JobReport.OtherRun", string.Join(", ", differs.Select(CertificateStanding.Said)))));
+            if (run.RanTrajectories) page.Paragraph(Wording.Get("JobReport.RanTrajectories"));
+            page.Pairs(RunPairs(report, run, here));
+        });
         page.Section("checks", Wording.Get("JobReport.Checks"), () =>
         {
             if (run.Checks is not { } checks) page.Paragraph(Wording.Get("JobReport.NoChecks"));
             else page.Table([Wording.Get("JobReport.State"), Wording.Get("JobReport.Looked")], checks.Select(check => (string[])[Wording.Get(!check.Ok ? "JobReport.NotOk" : check.Warning ? "JobReport.Look" : "JobReport.Ok"), check.Sentence]));
         });
     }
+
+    private static IEnumerable<PagePair> RunPairs(JobReport report, Histories.HistoryEntry run, TimeZoneInfo here) =>
+    [
+        new PagePair(Wording.Get("JobReport.Date"), Time(run.Date, here)),
+        new PagePair(Wording.Get("JobReport.Outcome"), run.Outcome, "outcome"),
+        new PagePair(Wording.Get("JobReport.Sentence"), run.Sentence),
+        new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
+        PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
+        PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
+        PagePair.Of(Wording.Get("JobReport.Tolerance"), "tolerance", RunJudge.Tolerances(report.Job).Deviation, "0.0000"),
+        PagePair.Of(Wording.Get("JobReport.Missing"), "missingLength", run.MissingLength, "0.####"),
+        new PagePair(Wording.Get("JobReport.Journal"), run.Journal ?? "–", Style: "code"),
+    ];
 
     private static void Certificate(CertificateStanding standing, TimeZoneInfo here, PageWriter page)
     {
