@@ -45,7 +45,7 @@ public static class MotionRules
 
     public static readonly DiagnosticRule UnattendedInParts = new("MOT0024", Severity.Warning, "programs", "lines");
 
-    public static readonly DiagnosticRule MemoryTooSmall = new("MOT0025", Severity.Error, "lines", "needed");
+    public static readonly DiagnosticRule MemoryTooSmall = new("MOT0025", Severity.Error, "needed", "lines");
 
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =

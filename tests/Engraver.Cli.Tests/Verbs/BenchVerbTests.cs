@@ -31,6 +31,20 @@ public class BenchVerbTests
         Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "offsets", "many")).ExitCode);
     }
 
+    [Fact]
+    public async Task Every_target_of_a_drawing_is_posted_and_verified()
+    {
+        using var folder = new TemporaryFolder();
+        File.Copy(SampleDrawing.PathOf("paper-001"), folder.PathOf("part.dxf"));
+        var run = await CliRun.RunAsync("bench", "posts", Path.GetDirectoryName(folder.PathOf("part.dxf"))!);
+        var rows = run.Out.TrimEnd('\n').Split('\n')[2..].Select(line => line.Split('|', StringSplitOptions.TrimEntries)).ToList();
+
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        Assert.Equal(["galil", "galil-calls", "cldata", "agie", "gcode linuxcnc", "gcode grbl", "hpgl", "xps-linearc", "xps-spline", "xps-pvt"], rows.Select(row => row[1]));
+        Assert.All(rows, row => Assert.Equal(("1", "0", "1"), (row[2], row[3], row[7])));
+        Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "posts", folder.PathOf("nowhere"))).ExitCode);
+    }
+
     /// <summary>No time is looked at: every fault has its row, and where the link stands the stop was heard on the wire.</summary>
     [Fact]
     public async Task A_stop_is_measured_under_the_faults_that_are_asked_for()

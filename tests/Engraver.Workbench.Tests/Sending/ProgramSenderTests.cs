@@ -35,8 +35,9 @@ public class ProgramSenderTests
         var pace = new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(10)) { CharacterDelay = TimeSpan.FromMilliseconds(40) };
         await FinishAsync(ProgramSender.SendAsync(line, Job(2, 8), pace, null, time, CancellationToken.None), time);
 
+        // A timer that rings late on a busy computer is made up for by at most 5 ms.
         Assert.Equal(20, line.Heard.Count);
-        for (var i = 1; i < line.Heard.Count; i++) Assert.True(line.Heard[i].At - line.Heard[i - 1].At >= TimeSpan.FromMilliseconds(50), $"character {i}");
+        for (var i = 1; i < line.Heard.Count; i++) Assert.True(line.Heard[i].At - line.Heard[i - 1].At >= TimeSpan.FromMilliseconds(45), $"character {i}");
     }
 
     [Fact]

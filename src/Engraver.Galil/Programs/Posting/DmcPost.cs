@@ -39,7 +39,7 @@ public static class DmcPost
 
     private static PostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
-        if (ChunkPacker.FewestLines(form) is var needed && options.MemoryLines < needed) return new PostText([], [MotionRules.MemoryTooSmall.At(default, Text($"{options.MemoryLines}"), Text($"{needed}"))]);
+        if (ChunkPacker.FewestLines(form) is var needed && options.MemoryLines < needed) return new PostText([], [MotionRules.MemoryTooSmall.At(default, Text($"{needed}"), Text($"{options.MemoryLines}"))]);
         var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
         IReadOnlyList<Diagnostic> parts = options.Unattended && packed.Chunks.Count > 1 ? [MotionRules.UnattendedInParts.At(default, Text($"{packed.Chunks.Count}"), Text($"{options.MemoryLines}"))] : [];
         return new PostText([.. packed.Chunks.Select(chunk => chunk.Text)], [.. packed.Diagnostics, .. parts]);
