@@ -136,6 +136,7 @@ internal sealed class RunVerb
         if (options.TracePath is { } trace) CheckWritable(trace);
         _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
         var begun = TimeProvider.System.GetUtcNow();
+        using var open = _host.Begin(HistoryEntry.OfBegun(job, options, begun, simulated: false));
         MachineRunReport report;
         try
         {
@@ -144,12 +145,12 @@ internal sealed class RunVerb
         catch (Exception ended) when (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested && parsed.GetValue(_json)))
         {
             // The link never came up, or the operator did not wait for it: the one object is printed all the same.
-            if (ended is ControllerException) _host.Remember(HistoryEntry.OfLost(job, options, ended.Message, begun));
+            if (ended is ControllerException) open.End(HistoryEntry.OfLost(job, options, ended.Message, begun));
             if (parsed.GetValue(_json)) await SayNotStartedAsync(job.Settings, job, ended is ControllerException ? JobOutcome.LinkLost : JobOutcome.Stopped).ConfigureAwait(false);
             throw;
         }
 
-        _host.Remember(HistoryEntry.OfRun(job, options, report, begun, simulated: false, checks));
+        open.End(HistoryEntry.OfRun(job, options, report, begun, simulated: false, checks));
         return Finish(parsed, job, report, options.JournalPath, checks);
     }
 

@@ -48,8 +48,13 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
     /// <summary>Adds a job to the history; that it cannot be kept is said, and changes nothing else.</summary>
     public void Remember(HistoryEntry entry)
     {
-        if (new JobHistory(JobHistory.FolderIn(null)).Add(entry).Failure is { } failure) Error.WriteLine(Wording.Get("Verbs.HistoryNotKept", failure));
+        if (new JobHistory(JobHistory.FolderIn(null)).Add(entry).Failure is { } failure) SayNotKept(failure);
     }
+
+    /// <summary>A run that begins is in the history from now on.</summary>
+    public OpenJob Begin(HistoryEntry entry) => new(new JobHistory(JobHistory.FolderIn(null)), entry, SayNotKept);
+
+    private void SayNotKept(string failure) => Error.WriteLine(Wording.Get("Verbs.HistoryNotKept", failure));
 
     /// <summary>Writes a result to a file, whole or not at all, or to standard output when no file is named.</summary>
     /// <exception cref="UsageException">The place cannot be written.</exception>

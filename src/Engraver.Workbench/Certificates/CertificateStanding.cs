@@ -29,9 +29,13 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
     /// <summary>Why the file is no certificate, without a full stop; null where it is one.</summary>
     public string? Problem { get; private init; }
 
+    /// <summary>The job runs trajectories instead of the drawing; a certificate is of the drawing.</summary>
+    private bool RunsTrajectories { get; init; }
+
     /// <summary>For people, without a full stop; settings and commands as their keys.</summary>
     public string Sentence => State switch
     {
+        CertificateState.None when RunsTrajectories => Wording.Get("Certificate.Trajectories"),
         CertificateState.None => Wording.Get("Certificate.None"),
         CertificateState.Stands => Wording.Get("Certificate.Stands", Certificate!.MaxDeviation?.ToString("0.####", CultureInfo.InvariantCulture) ?? "?", Certificate.Issued.UtcDateTime),
         _ when Problem is { } problem => Wording.Get("Certificate.Unreadable", problem),
@@ -47,6 +51,7 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
     {
         ArgumentNullException.ThrowIfNull(job);
         if (FileKind.IsStream(job.Drawing.FileName)) return None;
+        if (job.Followed is not null) return None with { RunsTrajectories = true };
         var path = CertificateFile.PathOf(job.Drawing.FileName);
         return File.Exists(path) ? Of(path, JobIdentity.OfRun(job, program)) : None;
     }

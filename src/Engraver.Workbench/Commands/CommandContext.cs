@@ -131,8 +131,13 @@ public sealed class CommandContext
     /// <summary>Adds a job to the history; that it cannot be kept is said.</summary>
     internal void Remember(HistoryEntry entry)
     {
-        if (History.Add(entry).Failure is { } failure) Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);
+        if (History.Add(entry).Failure is { } failure) SayNotKept(failure);
     }
+
+    /// <summary>A run that begins is in the history from now on.</summary>
+    internal OpenJob Begin(HistoryEntry entry) => new(History, entry, SayNotKept);
+
+    private void SayNotKept(string failure) => Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);
 
     /// <summary>A path for the journal of a run that starts now.</summary>
     internal string NewRunJournal(string drawing) => _session.NewRunJournal(drawing);

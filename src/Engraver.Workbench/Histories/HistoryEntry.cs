@@ -48,7 +48,7 @@ public sealed record HistoryEntry
     /// <summary>Where the controller was; null for a program that was written.</summary>
     public string? Address { get; init; }
 
-    /// <summary>As <c>run --json</c> has it; of a program <c>written</c>.</summary>
+    /// <summary>As <c>run --json</c> has it; of a program <c>written</c>; <c>begun</c> of a run that has no end yet, or never got one because its program was killed.</summary>
     public required string Outcome { get; init; }
 
     /// <summary>How it ended, for people; empty where there is nothing to say.</summary>
@@ -113,6 +113,9 @@ public sealed record HistoryEntry
             MissingLength = report.Judgement.MissingLengthMm,
         };
     }
+
+    /// <summary>A run that begins now.</summary>
+    public static HistoryEntry OfBegun(PreparedJob job, MachineRunOptions options, DateTimeOffset date, bool simulated) => Begun(job, options, JobOutcome.LinkLost, date, simulated, checks: null) with { Outcome = "begun", Sentence = Wording.Get("History.Begun") };
 
     /// <summary>A run that never got hold of the machine.</summary>
     public static HistoryEntry OfLost(PreparedJob job, MachineRunOptions options, string sentence, DateTimeOffset date) => Begun(job, options, JobOutcome.LinkLost, date, simulated: false, checks: null) with { Sentence = sentence };

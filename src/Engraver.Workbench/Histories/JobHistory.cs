@@ -61,6 +61,22 @@ public sealed class JobHistory
         return failure;
     }
 
+    /// <summary>Takes an entry out again.</summary>
+    /// <returns>Why that failed, without a full stop; null when it is gone.</returns>
+    public string? Drop(HistoryEntry entry)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        var failure = Erase(entry);
+        lock (_guard)
+        {
+            _unkept.RemoveAll(known => known.Id == entry.Id);
+            Known = Known with { Entries = [.. Known.Entries.Where(known => known.Id != entry.Id)] };
+        }
+
+        Changed?.Invoke(this, EventArgs.Empty);
+        return failure;
+    }
+
     /// <summary>Reads the index. A file that is no entry is moved aside and told of; an entry of a later version stays where it is, unread.</summary>
     public HistoryReading Look()
     {
@@ -100,6 +116,20 @@ public sealed class JobHistory
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
             return unwritable.Message.TrimEnd('.');
+        }
+    }
+
+    private string? Erase(HistoryEntry entry)
+    {
+        if (_folder is null || !Directory.Exists(_folder)) return null;
+        try
+        {
+            File.Delete(PathOf(entry.Id));
+            return null;
+        }
+        catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
+        {
+            return stuck.Message.TrimEnd('.');
         }
     }
 

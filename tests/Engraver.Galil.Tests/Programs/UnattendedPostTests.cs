@@ -130,7 +130,7 @@ public class UnattendedPostTests
     public void A_job_in_parts_is_warned_of_and_a_memory_that_is_too_small_is_refused()
     {
         var none = Post(Slot(), s_mill, MotionStyle.Calls, s_unattended with { MemoryLines = 90 });
-        var needed = int.Parse(none.Diagnostics[0].Facts[1], System.Globalization.CultureInfo.InvariantCulture);
+        var needed = int.Parse(none.Diagnostics[0].Facts[0], System.Globalization.CultureInfo.InvariantCulture);
         var parts = Post(Slot(), s_mill, MotionStyle.Calls, s_unattended with { MemoryLines = needed });
 
         Assert.True(parts.Chunks.Count > 1);

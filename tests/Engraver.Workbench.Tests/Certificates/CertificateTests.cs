@@ -75,6 +75,19 @@ public class CertificateTests
         Assert.Equal((CertificateState.Stale, "program"), (spoiled.State, Assert.Single(spoiled.Differs)));
     }
 
+    [Fact]
+    public async Task Trajectories_that_run_instead_of_the_drawing_have_none_and_nothing_is_called_changed()
+    {
+        using var part = new CertifiedPart();
+        await part.CertifyAsync();
+        var job = JobPreparation.Prepare(part.Request().Drawing, part.Settings, MotionStyle.Continuous);
+        var standing = CertificateStanding.OfRun(job with { Followed = new FollowedTrajectories(job.Drawing, part.Settings with { MaxErrorMm = 0.002 }, []) }, job.Motion.Program!);
+
+        Assert.Equal(CertificateState.None, standing.State);
+        Assert.StartsWith("A certificate is of the drawing", standing.Check.Sentence, StringComparison.Ordinal);
+        Assert.Equal(CertificateState.Stands, CertificateStanding.OfRun(job, job.Motion.Program!).State);
+    }
+
     /// <summary>What a slow serial line makes slower is another program, and it is the slower one that the machine is sent.</summary>
     [Fact]
     public async Task The_program_is_the_one_that_the_link_can_carry()

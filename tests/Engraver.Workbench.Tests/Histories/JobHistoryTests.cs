@@ -47,6 +47,24 @@ public sealed class JobHistoryTests : IDisposable
     }
 
     [Fact]
+    public void A_run_stands_as_begun_until_it_ends_and_one_that_did_nothing_leaves_nothing()
+    {
+        var (history, failures) = (new JobHistory(Index), new List<string>());
+        using (var open = new OpenJob(history, Entry("killed.dxf", s_now) with { Outcome = "begun" }, failures.Add))
+        {
+            Assert.Equal("begun", Assert.Single(new JobHistory(Index).Look().Entries).Outcome);
+            open.End(Entry("killed.dxf", s_now) with { Outcome = "complete" });
+            Assert.Throws<InvalidOperationException>(() => open.End(Entry("killed.dxf", s_now)));
+        }
+
+        Assert.Equal("complete", Assert.Single(new JobHistory(Index).Look().Entries).Outcome);
+        new OpenJob(history, Entry("nothing.dxf", s_now) with { Outcome = "begun" }, failures.Add).Dispose();
+        Assert.Equal("killed.dxf", Path.GetFileName(Assert.Single(new JobHistory(Index).Look().Entries).Drawing));
+        Assert.Single(history.Known.Entries);
+        Assert.Empty(failures);
+    }
+
+    [Fact]
     public async Task Several_writers_at_a_time_lose_nothing()
     {
         const int Writers = 4;

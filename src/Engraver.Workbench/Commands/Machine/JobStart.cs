@@ -57,17 +57,25 @@ internal static class JobStart
     /// <exception cref="ControllerException">The link never came up.</exception>
     public static async Task RunAsync(CommandContext context, PreparedJob job, ArmingChecklist? checks, Func<Func<MachineRunOptions, MachineRunOptions>, Task<MachineRunReport>> run, bool simulated)
     {
-        var (begun, taken) = (context.Time.GetUtcNow(), default(MachineRunOptions));
+        var (begun, taken, open) = (context.Time.GetUtcNow(), default(MachineRunOptions), default(OpenJob));
         try
         {
-            var report = await run(options => taken = options).ConfigureAwait(false);
-            if (taken is not null) context.Remember(HistoryEntry.OfRun(job, taken, report, begun, simulated, checks));
+            var report = await run(options =>
+            {
+                open = context.Begin(HistoryEntry.OfBegun(job, options, begun, simulated));
+                return taken = options;
+            }).ConfigureAwait(false);
+            open?.End(HistoryEntry.OfRun(job, taken!, report, begun, simulated, checks));
             Conclude(context, job, report);
         }
-        catch (ControllerException lost) when (taken is not null)
+        catch (ControllerException lost) when (open is not null)
         {
-            context.Remember(HistoryEntry.OfLost(job, taken, lost.Message, begun));
+            open.End(HistoryEntry.OfLost(job, taken!, lost.Message, begun));
             throw;
+        }
+        finally
+        {
+            open?.Dispose();
         }
     }
 
