@@ -100,8 +100,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
 
         // The second plate, in another fixture.
         desktop.EnterUntil(Drawing + " - NO ORIGIN", "CNCOVERRIDE", "100", "CNCORIGIN", "G55");
-        desktop.Settle();
-        desktop.Enter("CNCGOTO", "150,60");
+        desktop.EnterUntil(Drawing + " - MOVING", "CNCGOTO", "150,60");
         await machine.GoUntilAsync(status => status.IsIdle && machine.Place == (150 * RealMachine.Scale, 60 * RealMachine.Scale));
         machine.Go();
         desktop.EnterUntil(Drawing + " - READY", "CNCZERO", "All");
