@@ -99,7 +99,7 @@ internal sealed class FaultStopBenchmark
         };
         var program = machine.FitToLink(_job.Motion.Program!, JobMode.Stream, _job.Drawing).Program;
         var run = machine.RunAsync(_job, program, address => new MachineRunOptions(address, JobMode.Stream) { JournalPath = Path.Combine(_folder, "stop.jsonl") }, stop);
-        if (faults is null && !_isTimed) _faultSecond = Math.Max(_faultSecond, await StreamsAtAsync(machine, run, on, stop).ConfigureAwait(false));
+        if (_baud is not null && faults is null && !_isTimed) _faultSecond = Math.Max(_faultSecond, await StreamsAtAsync(machine, run, on, stop).ConfigureAwait(false));
         var rest = TimeSpan.FromSeconds(_faultSecond + (PressWithin * _random.NextDouble())) - Stopwatch.GetElapsedTime(on);
         if (rest > TimeSpan.Zero) await Task.Delay(rest, stop).ConfigureAwait(false);
         var isUnderWay = machine.Progress is { SegmentsSent: > 0 };
