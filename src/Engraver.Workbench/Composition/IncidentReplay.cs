@@ -66,7 +66,16 @@ public sealed class IncidentReplay : IAsyncDisposable
             return (null, Wording.Get("Replay.Unreadable", unusable.Message.TrimEnd('.')));
         }
 
-        await replay.SayAsync(cancellation).ConfigureAwait(false);
+        try
+        {
+            await replay.SayAsync(cancellation).ConfigureAwait(false);
+        }
+        catch (IOException refused)
+        {
+            await replay.DisposeAsync().ConfigureAwait(false); // more links than a controller has
+            return (null, Wording.Get("Replay.Unreadable", refused.Message.TrimEnd('.')));
+        }
+
         replay.ComeToRest(cancellation);
         return (replay, null);
     }

@@ -192,7 +192,7 @@ public sealed class JobHistory
     }
 
     /// <summary>The oldest first: a name begins with the date.</summary>
-    private IEnumerable<string> Files() => _folder is not null && Directory.Exists(_folder) ? Directory.EnumerateFiles(_folder, "*" + Ending).Order(StringComparer.Ordinal) : [];
+    private IEnumerable<string> Files() => _folder is not null && Directory.Exists(_folder) ? Directory.EnumerateFiles(_folder, "*" + Ending).Where(file => !FileKind.IsStream(file)).Order(StringComparer.Ordinal) : [];
 
     private string PathOf(string id) => Path.Combine(_folder!, id + Ending);
 }

@@ -42,6 +42,18 @@ public class ReplayVerbTests
     }
 
     [Fact]
+    public async Task A_conversation_over_more_links_than_a_controller_has_cannot_be_replayed()
+    {
+        using var folder = new TemporaryFolder();
+        folder.WithFile("many.jsonl.wire", "#wire;1;controller\n" + string.Concat(Enumerable.Range(0, 40).Select(link => string.Create(System.Globalization.CultureInfo.InvariantCulture, $"0 {link} +\n"))) + "#end\n");
+        var run = await CliRun.RunAsync("replay", folder.WithFile("many.jsonl", ""));
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("handles", run.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("written", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_journal_without_a_conversation_and_one_that_is_not_there_say_what_is_lacking()
     {
         using var folder = new TemporaryFolder();

@@ -65,6 +65,17 @@ public sealed class JobHistoryTests : IDisposable
     }
 
     [Fact]
+    public async Task A_pipe_in_the_folder_is_no_entry_and_nobody_waits_for_it()
+    {
+        new JobHistory(Index).Add(Entry("part.dxf", s_now));
+        NamedPipe.Make(Path.Combine(Index, "20000101-000000-000-pipe.json"));
+        var reading = await Task.Run(() => new JobHistory(Index).Look()).WaitAsync(TimeSpan.FromSeconds(30));
+
+        Assert.Equal("part.dxf", Path.GetFileName(Assert.Single(reading.Entries).Drawing));
+        Assert.Empty(reading.Findings);
+    }
+
+    [Fact]
     public async Task Several_writers_at_a_time_lose_nothing()
     {
         const int Writers = 4;

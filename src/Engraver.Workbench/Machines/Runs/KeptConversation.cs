@@ -13,11 +13,11 @@ public static class KeptConversation
     /// <summary>The file of a journal.</summary>
     public static string PathOf(string journal) => journal + Ending;
 
-    /// <summary>Begins the file of a journal; beside a stream there is no place for it.</summary>
+    /// <summary>Begins the file of a journal; beside a stream, and in one, there is no place for it.</summary>
     /// <returns>The file, or why there is none; neither beside a stream.</returns>
     internal static (StreamWriter? File, string? Failure) Begin(string journal)
     {
-        if (FileKind.IsStream(journal)) return (null, null);
+        if (FileKind.IsStream(journal) || FileKind.IsStream(PathOf(journal))) return (null, null);
         try
         {
             return (new StreamWriter(PathOf(journal), append: false) { NewLine = "\n" }, null);
