@@ -33,6 +33,9 @@ internal static class MemoryBenchmark
             case BenchmarkName.Open:
                 measure.Open(options.File!);
                 break;
+            case BenchmarkName.Weight:
+                new WeightBenchmark(session, window, desktop, output).Run(options.File!);
+                break;
             default:
                 new StopBenchmark(session, window, desktop, options.File, output).Run();
                 break;

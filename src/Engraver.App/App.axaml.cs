@@ -3,12 +3,11 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
 using Avalonia.Markup.Xaml;
-using Avalonia.Styling;
 using Avalonia.Threading;
 using Engraver.App.Safety;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;
-using Engraver.Workbench.Settings;
+using Engraver.App.Theme;
 
 namespace Engraver.App;
 
@@ -37,7 +36,7 @@ public partial class App : Application
         };
         return window;
 
-        void Follow() => RequestedThemeVariant = desk.Session.View.Current.Theme == DesktopTheme.Light ? ThemeVariant.Light : ThemeVariant.Dark;
+        void Follow() => RequestedThemeVariant = DesktopThemes.Of(desk.Session.View.Current.Theme);
 
         void OnFailed(Exception failure) => session.Failures.Take(failure);
 

@@ -22,11 +22,12 @@ internal sealed class Operator
     private readonly PassingTime? _passing;
 
     /// <param name="clock">By which machine and session go, while the operator waits or steps; null is the wall's.</param>
-    public Operator(DesktopFixture fixture, string folder, ManualTimeProvider? clock = null)
+    /// <param name="workFolder">Where the drawings are; null is the samples.</param>
+    public Operator(DesktopFixture fixture, string folder, ManualTimeProvider? clock = null, string? workFolder = null)
     {
         _fixture = fixture;
         _passing = clock is null ? null : new PassingTime(clock);
-        Session = new DesktopSession(new CommandEnvironment { Time = clock ?? TimeProvider.System, Folder = RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
+        Session = new DesktopSession(new CommandEnvironment { Time = clock ?? TimeProvider.System, Folder = workFolder ?? RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
         Window = ((App)Application.Current!).OpenShell(Session);
         Window.Opened += (_, _) => DesktopPlatform.WatchStop(Window, Session);
         Window.Show();
@@ -75,7 +76,7 @@ internal sealed class Operator
     /// <summary>Waits until every input is worked on and everything that follows is shown.</summary>
     public void Rest()
     {
-        Until(() => !Desk.IsBusy && Desk.Idle.IsCompleted);
+        Until(() => !Desk.IsBusy && Desk.Idle.IsCompleted && Window.Model.Files.IsAtRest);
         var settled = Desk.SettleAsync();
         Until(() => settled.IsCompleted && Window.CanvasSource.Shown.IsCompleted);
         Step();

@@ -20,3 +20,10 @@ public abstract class Observable : INotifyPropertyChanged
     /// <param name="name">Null: everything may have changed.</param>
     protected void Tell(string? name) => PropertyChanged?.Invoke(this, new PropertyChangedEventArgs(name));
 }
+
+/// <summary>State of a page that computes nothing for itself while it is hidden: it catches up when it is seen.</summary>
+public interface ISeen
+{
+    /// <summary>The page is in front and its panel is open.</summary>
+    bool IsSeen { get; set; }
+}

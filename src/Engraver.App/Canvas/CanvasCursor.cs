@@ -38,6 +38,9 @@ internal sealed class CanvasCursor : Control
     /// <summary>From the point before to the place that a click gives; null for no line.</summary>
     public (Point From, Point To)? Line { get; set; }
 
+    /// <summary>The direction of polar tracking, from the point before to beyond the canvas; null for none.</summary>
+    public (Point From, Point To)? Track { get; set; }
+
     /// <summary>What a click would give, as runs of places; empty for nothing.</summary>
     public IReadOnlyList<Point[]> Ghost { get; set; } = [];
 
@@ -51,6 +54,7 @@ internal sealed class CanvasCursor : Control
         DrawGhost(context);
         if (Box is { } box) DrawBox(context, box);
         if (Line is { } line) context.DrawLine(CanvasBrushes.Pen(Colours.Crosshair, dashed: true), line.From, line.To);
+        if (Track is { } track) context.DrawLine(CanvasBrushes.DottedPen(SnapColour), track.From, track.To);
         if (Snap is { } snap) DrawSnap(context, snap.Place, snap.Kind);
         if (Place is not { } place) return;
         DrawCrosshair(context, place);
@@ -98,7 +102,7 @@ internal sealed class CanvasCursor : Control
         if (!AsksForPoint) context.DrawRectangle(null, pen, new Rect(x - PickBox, y - PickBox, 2.0 * PickBox, 2.0 * PickBox));
     }
 
-    /// <summary>Square, triangle, circle, diamond, cross: as AutoCAD marks them.</summary>
+    /// <summary>Square, triangle, circle, diamond, right angle, hourglass, circle under a line, cross: as AutoCAD marks them.</summary>
     private static void DrawSnap(DrawingContext context, Point at, SnapKinds kind)
     {
         var pen = CanvasBrushes.Pen(SnapColour, 2.0);
@@ -107,7 +111,26 @@ internal sealed class CanvasCursor : Control
         else if (kind == SnapKinds.End) Outline(context, pen, at, (-Size, -Size), (Size, -Size), (Size, Size), (-Size, Size));
         else if (kind == SnapKinds.Middle) Outline(context, pen, at, (0.0, -Size), (Size, Size * 0.8), (-Size, Size * 0.8));
         else if (kind == SnapKinds.Quadrant) Outline(context, pen, at, (0.0, -Size), (Size, 0.0), (0.0, Size), (-Size, 0.0));
+        else if (kind == SnapKinds.Perpendicular) RightAngle(context, pen, at);
+        else if (kind == SnapKinds.Nearest) Outline(context, pen, at, (-Size, -Size), (Size, -Size), (-Size, Size), (Size, Size));
+        else if (kind == SnapKinds.Tangent) Touch(context, pen, at);
         else Cross(context, pen, at);
+    }
+
+    /// <summary>A right angle with its mark.</summary>
+    private static void RightAngle(DrawingContext context, IPen pen, Point at)
+    {
+        context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(-MarkerSize, MarkerSize));
+        context.DrawLine(pen, at + new Point(-MarkerSize, MarkerSize), at + new Point(MarkerSize, MarkerSize));
+        context.DrawLine(pen, at + new Point(-MarkerSize, 0.0), at);
+        context.DrawLine(pen, at, at + new Point(0.0, MarkerSize));
+    }
+
+    /// <summary>A circle under a line.</summary>
+    private static void Touch(DrawingContext context, IPen pen, Point at)
+    {
+        context.DrawEllipse(null, pen, at, MarkerSize, MarkerSize);
+        context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(MarkerSize, -MarkerSize));
     }
 
     private static void Outline(DrawingContext context, IPen pen, Point at, params (double X, double Y)[] corners)

@@ -3,22 +3,25 @@ using Avalonia.Controls;
 using Avalonia.Media;
 using Engraver.App.Canvas.Colours;
 using Engraver.App.Canvas.Flattening;
-using Engraver.App.Canvas.Picking;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Canvas.Views;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Objects;
 
 namespace Engraver.App.Canvas;
 
 /// <summary>The visual between picture and cursor: hovered entity, the entity under the tool, grips, the tool, the marked place, and the UCS icon.</summary>
 internal sealed class CanvasSigns : Control
 {
-    private const int MostGripEntities = 100;
     private const int MostOutlinedParts = 2000;
     private const double GripSize = 3.5;
     private const double GripCell = 12.0;
     private const uint GripColour = 0xFF007FFF; // ACI 150..160: AutoCAD's unselected grip
+    private const uint HoverGripColour = 0xFFFF7F7F; // ACI 11
+    private const uint HotGripColour = 0xFFCC0000; // ACI 12
+
+    private (CanvasScene? Scene, IReadOnlyList<int> Selection) _gripsOf = (null, []);
 
     public CanvasTheme Colours { get; set; } = CanvasTheme.Dark;
 
@@ -33,11 +36,27 @@ internal sealed class CanvasSigns : Control
 
     public int? Highlight { get; set; }
 
-    public IReadOnlyList<int> Selection { get; set; } = [];
+    /// <summary>The grips that are shown.</summary>
+    public IReadOnlyList<Grip> Grips { get; private set; } = [];
+
+    /// <summary>Where the grip under the cursor is, drawing units; null: there is none.</summary>
+    public Point2D? HoveredGrip { get; set; }
+
+    /// <summary>Where the grip that is dragged was, drawing units; null: none is.</summary>
+    public Point2D? HotGrip { get; private set; }
 
     public Point2D? Tool { get; set; }
 
     public Point2D? PointedAt { get; set; }
+
+    /// <summary>Shows the grips of a selection in the scene.</summary>
+    public void ShowGrips(IReadOnlyList<int> selection, Point2D? hot)
+    {
+        HotGrip = hot;
+        if (ReferenceEquals(Scene, _gripsOf.Scene) && ReferenceEquals(selection, _gripsOf.Selection)) return;
+        _gripsOf = (Scene, selection);
+        Grips = Scene is null ? [] : [.. ObjectGrips.Find(Scene.Drawing, selection)];
+    }
 
     public override void Render(DrawingContext context)
     {
@@ -47,7 +66,7 @@ internal sealed class CanvasSigns : Control
         {
             if (Hovered is { } hovered) Outline(context, scene, hovered, CanvasBrushes.Pen(Colours.Hover, 2.5));
             if (Highlight is { } highlight) Outline(context, scene, highlight, CanvasBrushes.Pen(Colours.Tool, 3.0));
-            DrawGrips(context, scene);
+            DrawGrips(context);
         }
 
         if (PointedAt is { } place) DrawPointer(context, ToControl(place));
@@ -74,15 +93,15 @@ internal sealed class CanvasSigns : Control
     }
 
     /// <summary>One grip to a cell of the screen, so that a polyline of many short pieces stays visible under its grips.</summary>
-    private void DrawGrips(DrawingContext context, CanvasScene scene)
+    private void DrawGrips(DrawingContext context)
     {
-        if (Selection.Count == 0 || Selection.Count > MostGripEntities) return;
         var (window, taken) = (View.Window, new HashSet<(int, int)>());
-        foreach (var place in Selection.Where(entity => entity < scene.Drawing.Entities.Count).SelectMany(entity => GripPlaces.Find(scene.Drawing, entity)).Take(MostOutlinedParts))
+        foreach (var place in Grips.Select(grip => grip.Place).OrderBy(place => place == HotGrip || place == HoveredGrip ? 0 : 1))
         {
             var at = ToControl(place);
             if (!window.Contains(place) || !taken.Add(((int)(at.X / GripCell), (int)(at.Y / GripCell)))) continue;
-            context.DrawRectangle(CanvasBrushes.Brush(GripColour), null, new Rect(at.X - GripSize, at.Y - GripSize, 2.0 * GripSize, 2.0 * GripSize));
+            var colour = place == HotGrip ? HotGripColour : place == HoveredGrip ? HoverGripColour : GripColour;
+            context.DrawRectangle(CanvasBrushes.Brush(colour), null, new Rect(at.X - GripSize, at.Y - GripSize, 2.0 * GripSize, 2.0 * GripSize));
         }
     }
 
@@ -141,6 +160,8 @@ internal sealed class CanvasSigns : Control
 internal static class CanvasBrushes
 {
     public static IBrush Brush(uint colour, double opacity = 1.0) => new Avalonia.Media.Immutable.ImmutableSolidColorBrush(Color.FromUInt32(colour), opacity);
+
+    public static IPen DottedPen(uint colour) => new Pen(Brush(colour), 1.0, new DashStyle([1.0, 3.0], 0.0)).ToImmutable();
 
     public static IPen Pen(uint colour, double thickness = 1.0, bool dashed = false) =>
         new Pen(Brush(colour), thickness, dashed ? new DashStyle([4.0, 3.0], 0.0) : null).ToImmutable();

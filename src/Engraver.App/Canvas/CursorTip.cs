@@ -9,7 +9,8 @@ internal static class CursorTip
 {
     /// <param name="asked">The instruction of the command; empty for none.</param>
     /// <param name="place">Where a click would be, drawing units.</param>
-    public static string Format(string asked, PointAim aim, Point2D place) => aim.Use == PointUse.Object ? asked : $"{asked}\n{Figures(aim, place)}".TrimStart('\n');
+    /// <param name="before">Stands before the figures.</param>
+    public static string Format(string asked, PointAim aim, Point2D place, string before = "") => aim.Use == PointUse.Object ? asked : $"{asked}\n{before}{Figures(aim, place)}".TrimStart('\n');
 
     /// <summary>Coordinates of a place that stands alone, sides of a box, else distance and angle (degrees, counter-clockwise from +X) from the point before.</summary>
     private static string Figures(PointAim aim, Point2D place)

@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Input;
 using Engraver.App.Canvas.Interaction;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas;
@@ -41,8 +42,9 @@ public sealed partial class DrawingCanvas
         if (ButtonOf(e.GetCurrentPoint(this).Properties.PointerUpdateKind) is not { } button) return;
         e.Pointer.Capture(this);
         LookWhatIsAsked();
+        if (_aim is null) LetGo();
         var at = PlaceOf(e);
-        Do(_pointer.Press(at, button, e.KeyModifiers.HasFlag(KeyModifiers.Shift), e.ClickCount, () => EntityAt(at) is not null));
+        Do(_pointer.Press(at, button, e.KeyModifiers.HasFlag(KeyModifiers.Shift), e.ClickCount, () => EntityAt(at) is not null, () => GripAt(at) is not null));
         e.Handled = true;
     }
 
@@ -59,6 +61,7 @@ public sealed partial class DrawingCanvas
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnPointerReleased(e);
+        LookWhatIsAsked();
         if (ButtonOf(e.GetCurrentPoint(this).Properties.PointerUpdateKind) is { } button) Do(_pointer.Release(PlaceOf(e), button));
         e.Pointer.Capture(null);
     }
@@ -75,7 +78,7 @@ public sealed partial class DrawingCanvas
     protected override void OnPointerExited(PointerEventArgs e)
     {
         base.OnPointerExited(e);
-        (_cursor.Place, _cursor.Snap, _signs.Hovered) = (null, null, null);
+        (_cursor.Place, _cursor.Snap, _signs.Hovered, _signs.HoveredGrip) = (null, null, null, null);
         UpdateSigns();
         ShowCursor();
         Commands?.CursorAt(null);
@@ -137,8 +140,22 @@ public sealed partial class DrawingCanvas
         if (intent is CanvasIntent.ZoomExtents) commands.ZoomExtents();
         else if (intent is CanvasIntent.Cancel) commands.Cancel();
         else if (intent is CanvasIntent.Menu menu) commands.Menu(ToDrawing(menu.At));
-        else if (intent is CanvasIntent.GivePoint given) commands.PointGiven(Aimed(given.At));
-        else if (intent is CanvasIntent.Pick pick && EntityAt(pick.At) is { } entity) commands.PickAt(ToDrawing(pick.At), entity, pick.Remove);
+        else if (intent is CanvasIntent.GivePoint given) Give(commands, given);
+        else if (intent is CanvasIntent.HoldGrip hold && GripAt(hold.At) is { } grip) Hold(commands, grip.Place);
+        else if (intent is CanvasIntent.DropGrip drop) commands.GripDropped(Aimed(drop.At));
+        else if (intent is CanvasIntent.Pick pick && EntityAt(pick.At) is { } entity) commands.PickAt(ToDrawing(pick.At), entity, Scene!.Drawing, pick.Remove);
+    }
+
+    private void Hold(ICanvasCommands commands, Point2D grip)
+    {
+        _held = grip;
+        UpdateSigns();
+        commands.GripHeld(grip);
+    }
+
+    private void Give(ICanvasCommands commands, CanvasIntent.GivePoint given)
+    {
+        if (_aim is not { Use: PointUse.Place } || !WaitsForSnap(given.At)) commands.PointGiven(Aimed(given.At), given.Remove);
     }
 
     /// <summary>Brings the finding under the cursor into the middle, nearer by <see cref="FindingZoom"/>.</summary>

@@ -26,6 +26,8 @@ public sealed partial class DrawingCanvas : Panel
     public static readonly StyledProperty<Point2D?> ToolPositionProperty = AvaloniaProperty.Register<DrawingCanvas, Point2D?>(nameof(ToolPosition));
     public static readonly StyledProperty<int> EngravedMovesProperty = AvaloniaProperty.Register<DrawingCanvas, int>(nameof(EngravedMoves));
 
+    public static readonly StyledProperty<bool> ShowsGripsProperty = AvaloniaProperty.Register<DrawingCanvas, bool>(nameof(ShowsGrips), defaultValue: true);
+
     private readonly PictureKeeper _keeper = new();
     private IReadOnlyList<int>? _flagged;
     private readonly CanvasPicture _picture;
@@ -70,6 +72,13 @@ public sealed partial class DrawingCanvas : Panel
     {
         get => GetValue(SelectionProperty);
         set => SetValue(SelectionProperty, value);
+    }
+
+    /// <summary>The selection shows its grips and can be dragged by them: not while a command asks for something else.</summary>
+    public bool ShowsGrips
+    {
+        get => GetValue(ShowsGripsProperty);
+        set => SetValue(ShowsGripsProperty, value);
     }
 
     /// <summary>The entity under the tool, of the table row or of the program line; null: none.</summary>
@@ -143,14 +152,24 @@ public sealed partial class DrawingCanvas : Panel
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
         if (change.Property == ViewProperty) Follow(change.GetOldValue<ViewSession?>(), change.GetNewValue<ViewSession?>());
-        else if (change.Property == HighlightProperty || change.Property == ToolPositionProperty) UpdateSigns();
-        else if (change.Property == SceneProperty || change.Property == OverlayProperty || change.Property == SelectionProperty || change.Property == EngravedMovesProperty) UpdateContent();
+        else if (change.Property == HighlightProperty || change.Property == ToolPositionProperty || change.Property == ShowsGripsProperty) UpdateSigns();
+        else if (change.Property == SceneProperty) TakeScene();
+        else if (change.Property == OverlayProperty || change.Property == SelectionProperty || change.Property == EngravedMovesProperty) UpdateContent();
     }
 
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
         _refiner.Rest();
         base.OnDetachedFromVisualTree(e);
+    }
+
+    /// <summary>What was hovered may be gone, or have another number: the cursor looks again what lies under it.</summary>
+    private void TakeScene()
+    {
+        (_signs.Hovered, _signs.HoveredGrip) = (null, null);
+        UpdateContent();
+        UpdateSigns();
+        PointAgain();
     }
 
     private void Follow(ViewSession? before, ViewSession? now)
@@ -197,7 +216,7 @@ public sealed partial class DrawingCanvas : Panel
         var state = View?.Current ?? ViewState.Default;
         var content = _keeper.Content with
         {
-            Scene = Scene, Overlay = Overlay ?? OverlayScene.Empty, Shown = state.Shown, Grid = state.Grid, Theme = state.Theme == DesktopTheme.Light ? CanvasTheme.Light : CanvasTheme.Dark,
+            Scene = Scene, Overlay = Overlay ?? OverlayScene.Empty, Shown = state.Shown, Grid = state.Grid, Theme = CanvasTheme.Of(state.Theme),
             Selected = Flags(Scene, Selection), EngravedMoves = EngravedMoves, Scaling = Scaling,
         };
         if (content == _keeper.Content) return;
@@ -209,7 +228,8 @@ public sealed partial class DrawingCanvas : Panel
     private void UpdateSigns()
     {
         (_signs.Scene, _signs.View, _signs.Scaling, _signs.Colours) = (Scene, _keeper.View, Scaling, _keeper.Content.Theme);
-        (_signs.Highlight, _signs.Tool, _signs.Selection, _signs.PointedAt) = (Highlight, ToolPosition, Selection ?? [], View?.Current.Focus?.Place);
+        (_signs.Highlight, _signs.Tool, _signs.PointedAt) = (Highlight, ToolPosition, View?.Current.Focus?.Place);
+        _signs.ShowGrips(ShowsGrips ? Selection ?? [] : [], _held);
         _cursor.Colours = _keeper.Content.Theme;
         _signs.InvalidateVisual();
         _cursor.InvalidateVisual();

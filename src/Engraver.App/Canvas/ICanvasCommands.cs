@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 
@@ -17,8 +18,9 @@ public interface ICanvasCommands
 
     /// <summary>Select what lies under the pickbox.</summary>
     /// <param name="entity">The nearest entity there.</param>
+    /// <param name="shown">The drawing that the canvas shows, in which the entity is counted.</param>
     /// <param name="remove">Take it out of the selection (Shift).</param>
-    void PickAt(Point2D place, int entity, bool remove);
+    void PickAt(Point2D place, int entity, Drawing shown, bool remove);
 
     /// <summary>Select by a box between two corners.</summary>
     /// <param name="crossing">Whatever touches it, not only what lies inside.</param>
@@ -29,12 +31,19 @@ public interface ICanvasCommands
     void Cancel();
 
     /// <summary>The point that a command asked for, snapped where a snap stood.</summary>
-    void PointGiven(Point2D place);
+    /// <param name="remove">What is there is to be taken out of what was picked, or the opposite is to be done (Shift).</param>
+    void PointGiven(Point2D place, bool remove);
+
+    /// <summary>A grip of what is selected was pressed: it is dragged from now on.</summary>
+    void GripHeld(Point2D grip);
+
+    /// <summary>The grip that was held was let go.</summary>
+    void GripDropped(Point2D place);
 
     /// <summary>Show everything.</summary>
     void ZoomExtents();
 
-    /// <summary>The right button: Enter for a command that runs, else a menu.</summary>
+    /// <summary>The right button: a menu, or Enter for a command that asks for objects or has no options.</summary>
     void Menu(Point2D place);
 
     /// <summary>The cursor stands here; null when it has left the canvas.</summary>

@@ -10,7 +10,6 @@ namespace Engraver.App.CommandWindow;
 public sealed class CommandWindowModel : Observable
 {
     private const int MostLines = 5000;
-    private const int MostSuggestions = 10;
     private readonly DesktopModel _desk;
     private readonly InputHistory _inputs = new();
     private PromptView _shown = PromptView.Idle;
@@ -78,7 +77,7 @@ public sealed class CommandWindowModel : Observable
         var input = Line;
         _inputs.Add(input);
         Line = "";
-        _ = _desk.TypeAsync(input);
+        _ = _desk.TypeAsync(DirectDistance.Read(input, _desk.Session.DistanceFrom, _desk.Cursor));
     }
 
     /// <summary>Pasted text of several lines: the whole ones go to the command session behind what was typed, what follows the last line's end stays to be typed on.</summary>
@@ -89,6 +88,14 @@ public sealed class CommandWindowModel : Observable
         var end = all.LastIndexOf('\n');
         Line = all[(end + 1)..];
         _ = _desk.EnterLinesAsync(all[..(end + 1)]);
+    }
+
+    /// <summary>What is being typed, which goes on elsewhere.</summary>
+    public string TakeLine()
+    {
+        var line = Line;
+        Line = "";
+        return line;
     }
 
     public void Take(CommandSuggestion suggestion)
@@ -106,6 +113,17 @@ public sealed class CommandWindowModel : Observable
         var (suggestions, next) = (_suggestions, (_suggested + 1) % _suggestions.Count);
         Set(ref _line, Named(suggestions[next]), nameof(Line));
         (Suggestions, Suggested) = (suggestions, next);
+    }
+
+    /// <summary>What was entered last, newest first, without commands that start motion: for a menu.</summary>
+    public IReadOnlyList<string> Recent => [.. _inputs.Recent.Where(input => _desk.Session.Catalog.Find(_desk.Session.Aliases.Commands.GetValueOrDefault(input.ToUpperInvariant(), input)) is not { Info.StartsMotion: true })];
+
+    /// <summary>Enters a recent input once more.</summary>
+    public void Again(string input)
+    {
+        Line = "";
+        _inputs.Add(input);
+        _ = _desk.TypeAsync(input);
     }
 
     public void Back() => Recall(_inputs.Back(Line));
@@ -131,7 +149,7 @@ public sealed class CommandWindowModel : Observable
     private void Suggest()
     {
         var wanted = _desk.Prompt.Command is null || (_line.StartsWith('\'') && !_desk.Prompt.TakesSpaces);
-        Suggestions = wanted ? [.. _desk.Session.Suggest(_line).DistinctBy(suggestion => suggestion.Text).Take(MostSuggestions)] : [];
+        Suggestions = wanted ? [.. _desk.Session.Suggest(_line).DistinctBy(suggestion => suggestion.Text)] : [];
         Suggested = -1;
     }
 

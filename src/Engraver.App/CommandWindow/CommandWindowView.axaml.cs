@@ -10,6 +10,9 @@ namespace Engraver.App.CommandWindow;
 /// <summary>The command window. Typing anywhere in the shell arrives at <see cref="Type"/>.</summary>
 public partial class CommandWindowView : UserControl
 {
+    /// <summary>How many of the suggestions are seen at once; the rest is scrolled to.</summary>
+    private const int SuggestionsSeen = 12;
+
     private bool _scrolling;
 
     public CommandWindowView()
@@ -19,6 +22,10 @@ public partial class CommandWindowView : UserControl
         LineBox.AddHandler(TextInputEvent, OnLineText, RoutingStrategies.Tunnel);
         LineBox.PastingFromClipboard += OnPasting;
         SuggestionList.AddHandler(PointerReleasedEvent, OnSuggestionClick, RoutingStrategies.Tunnel | RoutingStrategies.Bubble, handledEventsToo: true);
+        SuggestionList.SelectionChanged += (_, _) =>
+        {
+            if (SuggestionList.SelectedIndex >= 0) SuggestionList.ScrollIntoView(SuggestionList.SelectedIndex);
+        };
         HistoryList.Items.CollectionChanged += OnHistory;
         HistoryList.SizeChanged += OnHistory;
     }
@@ -65,6 +72,8 @@ public partial class CommandWindowView : UserControl
             case Key.Enter: Model.Submit(); break;
             case Key.Up when Model.HasSuggestions: Model.Suggested = Math.Max(0, Model.Suggested - 1); break;
             case Key.Down when Model.HasSuggestions: Model.Suggested = Math.Min(Model.Suggestions.Count - 1, Model.Suggested + 1); break;
+            case Key.PageUp when Model.HasSuggestions: Model.Suggested = Math.Max(0, Model.Suggested - SuggestionsSeen); break;
+            case Key.PageDown when Model.HasSuggestions: Model.Suggested = Math.Min(Model.Suggestions.Count - 1, Model.Suggested + SuggestionsSeen); break;
             case Key.Up: Model.Back(); break;
             case Key.Down: Model.Forward(); break;
             case Key.Tab when Model.HasSuggestions: Model.Complete(); break;

@@ -9,9 +9,15 @@ namespace Engraver.App.Desk;
 /// <summary>What the operator does on the canvas, as inputs of the command session.</summary>
 /// <param name="cancel">Esc, once no box is being drawn.</param>
 /// <param name="pointed">The cursor stands at a place of the drawing.</param>
-/// <param name="menu">The right button while nothing is asked.</param>
+/// <param name="menu">The right button, but where it is Enter: a command that asks for objects, or has no options (as AutoCAD's SHORTCUTMENU 11).</param>
 public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Point2D> pointed, Action menu) : ICanvasCommands
 {
+    /// <summary>The command that drags a grip.</summary>
+    internal const string GripEdit = "GRIPEDIT";
+
+    /// <summary>Once what Shift points at is removed, objects are added again.</summary>
+    private bool _returns;
+
     public PointAim? Aim => desk.Prompt.Aim;
 
     public GhostOf? Preview => desk.Prompt.Preview;
@@ -19,10 +25,11 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     public string Asked => PromptLine.WithoutOptions(desk.Prompt.Text);
 
     /// <summary>Selects, and moves the tool of the playback to where the entity is cut.</summary>
-    public void PickAt(Point2D place, int entity, bool remove)
+    /// <remarks>An entity is its index in one drawing: after an edit that the canvas or the plan does not show yet it would be another one.</remarks>
+    public void PickAt(Point2D place, int entity, Drawing shown, bool remove)
     {
-        _ = desk.SelectAsync(_ => [entity], remove);
-        desk.Derived.MoveToEntity(entity);
+        _ = desk.SelectAsync(drawing => ReferenceEquals(drawing, shown) ? [entity] : [], remove);
+        if (ReferenceEquals(desk.Derived.Current.State.Drawing, shown)) desk.Derived.MoveToEntity(entity);
     }
 
     public void SelectBox(Point2D from, Point2D to, bool crossing, bool remove)
@@ -33,18 +40,46 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
 
     public void Cancel() => cancel();
 
-    public void PointGiven(Point2D place) => _ = desk.EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}"));
+    public void PointGiven(Point2D place, bool remove) => _ = (remove, Aim) switch
+    {
+        (true, { ShiftMark: { } mark }) => desk.EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{mark}{place.X:R},{place.Y:R}")),
+        (true, { Use: PointUse.Object, Removes: false }) => RemoveAsync(place),
+        _ => GiveAsync(place),
+    };
+
+    public void GripHeld(Point2D grip) => _ = desk.RunAsync(GripEdit, string.Create(CultureInfo.InvariantCulture, $"{grip.X:R},{grip.Y:R}"));
+
+    public void GripDropped(Point2D place) => _ = desk.PointAsync(place, GripEdit);
 
     public void ZoomExtents() => _ = desk.RunAsync("ZOOM", "Extents");
 
     public void Menu(Point2D place)
     {
-        if (desk.Prompt.Command is not null) _ = desk.EnterAsync("");
+        var objects = desk.Prompt.Aim is { Use: PointUse.Object };
+        if (desk.Prompt.Command is not null && (objects || desk.Prompt.Options.Count == 0)) _ = desk.EnterAsync("");
         else menu();
+    }
+
+    /// <summary>Shift at "Select objects": what is there, or the box that begins there, is removed, and then objects are added again.</summary>
+    private async Task RemoveAsync(Point2D place)
+    {
+        if (desk.Prompt.Options.All(option => option.Name != "Remove")) return;
+        _returns = true;
+        await desk.EnterAsync("Remove");
+        await GiveAsync(place);
+    }
+
+    private async Task GiveAsync(Point2D place)
+    {
+        await desk.PointAsync(place);
+        if (!_returns || Aim is { Use: PointUse.Corner }) return;
+        _returns = false;
+        if (Aim is { Use: PointUse.Object, Removes: true }) await desk.EnterAsync("Add");
     }
 
     public void CursorAt(Point2D? place)
     {
+        desk.Cursor = place;
         if (place is { } at) pointed(at);
     }
 }

@@ -18,7 +18,7 @@ internal static class CanvasInputs
 
     public static OverlayInputs From(DerivedDocument derived) => new()
     {
-        MoveSpeeds = derived is { Motion: { } motion, Sequence: { } sequence } && sequence.Table.Count <= MostSpeeds ? SpeedsOf(motion, sequence.Table.Count) : [],
+        MoveSpeedsWhenSeen = () => derived is { Motion: { } motion, Sequence: { } sequence } && sequence.Table.Count <= MostSpeeds ? SpeedsOf(motion, sequence.Table.Count) : [],
         Findings = derived.State.Drawing is { } drawing ? PlacesOf(derived, drawing) : [],
     };
 

@@ -42,7 +42,9 @@ public sealed class CanvasSource
         var state = _desk.Session.Document.Current;
         if (!ReferenceEquals(state.Drawing, _drawing)) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing));
         if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
-        if (!ReferenceEquals(_canvas.Selection, state.Selection)) _canvas.Selection = state.Selection;
+        var lit = _desk.Session.Lit;
+        if (!ReferenceEquals(_canvas.Selection, lit)) _canvas.Selection = lit;
+        _canvas.ShowsGrips = ReferenceEquals(lit, state.Selection) && _desk.Prompt.Command is null or CanvasCommands.GripEdit;
         ShowTrajectories(state.Sidecar.Trajectories);
         ShowMachine();
         TakeVariables(_desk.Session.Settings.Current);
@@ -63,6 +65,7 @@ public sealed class CanvasSource
         _canvas.Overlay = null;
         _canvas.Scene = scene;
         _canvas.Overlay = WithTrajectories(null);
+        ShowTool();
         if (_job is { } job && ReferenceEquals(job.Drawing, drawing)) await ShowJobAsync(job);
     }
 
@@ -110,7 +113,8 @@ public sealed class CanvasSource
         _machineLeads = runs || (_machineLeads && status.WorkPosition is not null);
         var place = _machineLeads ? status.WorkPosition : _desk.Derived.Moment?.Position;
         _canvas.ToolPosition = place is { } at && _drawing is { } drawing ? new Point2D(at.X / drawing.Unit.ToMillimetres, at.Y / drawing.Unit.ToMillimetres) : null;
-        _canvas.Highlight = _machineLeads ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
+        var isOfScene = ReferenceEquals(_desk.Derived.Current.State.Drawing, _canvas.Scene?.Drawing); // the plan of an earlier drawing names other entities
+        _canvas.Highlight = _machineLeads || !isOfScene ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
         _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
     }
 

@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
@@ -16,6 +15,9 @@ public sealed class DerivedModel(CommandSession session)
 
     /// <summary>Raised after the tool of the playback has moved.</summary>
     public event Action? Moved;
+
+    /// <summary>Raised when a program begins to be written in the background; the task ends when it is there.</summary>
+    public event Action<Task>? Posting;
 
     /// <summary>The playback follows a job that runs on the machine.</summary>
     public bool FollowsMachine => _segmentsDone is not null;
@@ -43,11 +45,29 @@ public sealed class DerivedModel(CommandSession session)
 
     public int StrokeUnderTool => Moment?.Stroke ?? -1;
 
-    /// <summary>Index into <see cref="ProgramLines"/>; -1 for none.</summary>
-    public int LineUnderTool => (Moment?.Line ?? 0) - 1;
+    /// <summary>Index into <see cref="ProgramLines"/>; -1 for none, and while they are not there.</summary>
+    public int LineUnderTool => HasLines && Moment is { } at ? _lines.Motion!.LineOf(at.Segment) - 1 : -1;
 
-    /// <summary>The posted program in lines; the same list as long as it is the same program.</summary>
-    public IReadOnlyList<string> ProgramLines() => (_lines = _lines.Of(Current.Program)).Lines;
+    /// <summary>The lines of the present program are there.</summary>
+    internal bool HasLines => _lines.Lines.Count > 0 && ReferenceEquals(_lines.Motion, Current.Motion);
+
+    /// <summary>Completes when the program that was asked for is written.</summary>
+    internal Task Written => _lines.Written;
+
+    /// <summary>The posted program in lines; the same list as long as it is the same program. Only a page that is seen asks: the first question has the program written, a long one in the background.</summary>
+    public IReadOnlyList<string> ProgramLines()
+    {
+        if (ReferenceEquals(_lines.Motion, Current.Motion)) return _lines.Lines;
+        _lines = PostedLines.Of(Current);
+        if (!_lines.Written.IsCompleted) Posting?.Invoke(_lines.Written);
+        return _lines.Lines;
+    }
+
+    /// <summary>Forgets the lines of a program that is no longer the present one.</summary>
+    private void ForgetOldLines()
+    {
+        if (!ReferenceEquals(_lines.Motion, Current.Motion)) _lines = PostedLines.None;
+    }
 
     public void MoveToRow(int row)
     {
@@ -82,6 +102,7 @@ public sealed class DerivedModel(CommandSession session)
     internal void Look()
     {
         Current = session.Derivation.Current;
+        ForgetOldLines();
         if (!ReferenceEquals(session.Playback.Motion, Current.Motion)) session.Playback.Load(Current.Motion);
         var runs = FollowMachine();
         LookWhereToolIs();
@@ -109,17 +130,5 @@ public sealed class DerivedModel(CommandSession session)
         _segmentsDone = told.SegmentsDone;
         session.Playback.Scrub(told.SegmentsDone < motion.SegmentCount ? motion.TimeOfSegment(told.SegmentsDone) : motion.DurationSeconds);
         return runs;
-    }
-}
-
-/// <summary>A posted program cut into lines once.</summary>
-internal sealed record PostedLines(PostText? Program, IReadOnlyList<string> Lines)
-{
-    public static PostedLines None { get; } = new(null, []);
-
-    public PostedLines Of(PostText? program)
-    {
-        if (ReferenceEquals(program, Program)) return this;
-        return program is null ? None : new PostedLines(program, program.Text.TrimEnd('\n').Split('\n'));
     }
 }

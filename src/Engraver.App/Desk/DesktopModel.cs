@@ -3,6 +3,7 @@ using Avalonia.Threading;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Views;
@@ -22,15 +23,20 @@ public sealed class DesktopModel : IAsyncDisposable
     private readonly ConcurrentQueue<CommandMessage> _said = new();
     private readonly CancellationTokenSource _closing = new();
     private Task<InputResult> _feeding = Task.FromResult<InputResult>(new InputResult.Done());
+    private Task _hearing = Task.CompletedTask;
+    private Task _typing = Task.CompletedTask;
     private int _kept;
     private Task _working = Task.CompletedTask;
     private int _posted;
+    private readonly ReleasedMemory _released;
 
     public DesktopModel(CommandSession session, TimeProvider time)
     {
         (Session, Time) = (session, time);
         Prompt = session.Prompt;
         Derived = new DerivedModel(session);
+        _released = new ReleasedMemory(() => IsMoving, ReleasedMemory.CollectAll);
+        Derived.Posting += work => _ = TellWhenDoneAsync(work);
         session.Said += OnSaid;
         session.Document.Changed += (_, _) => Post();
         session.Machine.Changed += (_, _) => Post();
@@ -41,6 +47,7 @@ public sealed class DesktopModel : IAsyncDisposable
         session.Playback.Changed += (_, _) => Post();
         session.Walk.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
+        session.Derivation.Progress.Changed += (_, _) => Post();
         session.Certificates.Changed += (_, _) => Post();
         session.History.Changed += (_, _) => Post();
         session.Derivation.KeepsUp = true;
@@ -68,6 +75,12 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>True while an input is being worked on.</summary>
     public bool IsBusy { get; private set; }
 
+    /// <summary>True while a command is at work, which nothing that changes drawing or machine may disturb.</summary>
+    private bool IsAtWork => IsBusy && Session.IsBusy;
+
+    /// <summary>The place of the drawing that a click would give now; null while the cursor is not on the canvas.</summary>
+    public Point2D? Cursor { get; set; }
+
     /// <summary>True while a job runs or anything of the machine moves.</summary>
     public bool IsMoving => Moves(Session.Machine);
 
@@ -83,7 +96,7 @@ public sealed class DesktopModel : IAsyncDisposable
         await _feeding;
         try
         {
-            await Session.Derivation.ForCurrentAsync(_closing.Token);
+            if (!Session.Derivation.IsGivenUp) await Session.Derivation.ForCurrentAsync(_closing.Token);
         }
         catch (OperationCanceledException)
         {
@@ -91,20 +104,35 @@ public sealed class DesktopModel : IAsyncDisposable
         }
 
         Deliver();
+        await Derived.Written.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        Deliver();
     }
 
     /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for each other.</summary>
     public Task<InputResult> EnterAsync(string input)
     {
-        if (IsBusy && Session.IsBusy) return Watched(Task.Run(() => Session.EnterAsync(input, _closing.Token)));
-        return Enqueue(() => Session.EnterAsync(input, _closing.Token));
+        if (!IsAtWork) return Enqueue(() => Session.EnterAsync(input, _closing.Token));
+        return Session.IsUrgent(input) ? Watched(Task.Run(() => Session.EnterAsync(input, _closing.Token))) : Hear(() => Session.EnterAsync(input, _closing.Token));
+    }
+
+    /// <summary>Takes a place that was pointed at.</summary>
+    /// <param name="command">The only command that is to have it; null: whichever asks.</param>
+    public Task<InputResult> PointAsync(Point2D place, string? command = null)
+    {
+        if (IsAtWork) return Hear(() => Session.PointAsync(place, _closing.Token));
+        return Enqueue(() => command is null || Session.Prompt.Command == command ? Session.PointAsync(place, _closing.Token) : Task.FromResult<InputResult>(new InputResult.Done()));
     }
 
     /// <summary>Takes one input from the command line. While a command is at work it is heard beside it, or kept and run when that has ended as it should (<see cref="TypedAhead"/>).</summary>
     public Task<InputResult> TypeAsync(string input)
     {
-        if (_kept == 0 && !(IsBusy && Session.IsBusy)) return EnterAsync(input);
-        if (Session.IsBusy && Session.Hears(input)) return Watched(Task.Run(() => Session.EnterAsync(input, _closing.Token)));
+        if (IsAtWork && Session.IsUrgent(input)) return EnterAsync(input);
+        return _hearing.IsCompleted && _typing.IsCompleted ? TypeNow(input) : TypeLater(input);
+    }
+
+    private Task<InputResult> TypeNow(string input)
+    {
+        if ((_kept == 0 || Session.AsksBeside) && (!IsAtWork || Session.Hears(input))) return EnterAsync(input);
         if (Session.Ahead.WhyNot(input) is { } refused)
         {
             Tell(MessageKind.Error, refused);
@@ -127,15 +155,25 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>Runs a command with its first answers, as a menu or a switch does: what asks is ended first, unless the command may run inside it.</summary>
     public Task<InputResult> RunAsync(params string[] inputs)
     {
-        if (IsBusy && Session.IsBusy) return EnterAsync(inputs[0]);
-        return Enqueue(() => RunNowAsync(inputs));
+        if (!IsAtWork) return Enqueue(() => RunNowAsync(inputs));
+        return Session.IsUrgent(inputs[0]) ? EnterAsync(inputs[0]) : Hear(() => RunBesideAsync(inputs));
     }
+
+    /// <summary>Answers the question for a file, unless it was answered or ended meanwhile. Whether a file that is there may be replaced was asked before.</summary>
+    /// <param name="path">Null: Enter alone.</param>
+    public Task<InputResult> AnswerFileAsync(FileWanted wanted, string? path) => Enqueue(async () =>
+    {
+        if (!ReferenceEquals(Session.Prompt.File, wanted)) return new InputResult.Cancelled();
+        var result = await Session.EnterAsync(path is null ? "" : TypedFileName.Write(path), _closing.Token).ConfigureAwait(false);
+        return result is InputResult.Asking && Session.Prompt.Replaces ? await Session.EnterAsync("Yes", _closing.Token).ConfigureAwait(false) : result;
+    });
 
     /// <summary>START: runs what is armed.</summary>
     public Task<InputResult> StartArmedAsync() => RunAsync("CNCRUN");
 
     /// <summary>Selects without a command, as a click on the canvas does: what is found is added, or taken out.</summary>
-    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult<InputResult>(SelectNow(find, remove)));
+    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) =>
+        IsAtWork ? Hear(() => Task.FromResult<InputResult>(SelectNow(find, remove))) : Enqueue(() => Task.FromResult<InputResult>(SelectNow(find, remove)));
 
     /// <summary>Brings the place of a finding into the middle of the canvas, near enough to see it.</summary>
     public void ShowPlaceOf(Diagnostic finding)
@@ -161,12 +199,16 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>Completes when the last Esc was passed on; what it ends may take a little longer.</summary>
     public Task Cancelled { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Esc.</summary>
+    /// <summary>Esc. Where nothing is typed, asked, at work or selected, it ends the planning of the job.</summary>
     public Task CancelAsync()
     {
         Session.Ahead.Flush();
+        if (!IsBusy && Session.Prompt.Command is null && Session.Document.Current.Selection.Count == 0 && Session.Derivation.GiveUp()) Tell(MessageKind.Warning, Texts.Text.Get("Derivation.GivenUp"));
         return Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
     }
+
+    /// <summary>Ends what asks beside the command at work, which goes on; Esc has held the job.</summary>
+    public Task EndQuestionAsync() => Cancelled = Task.Run(Session.EndBesideAsync);
 
     /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
     public void StopNow()
@@ -213,6 +255,16 @@ public sealed class DesktopModel : IAsyncDisposable
         return result;
     }
 
+    /// <summary>The same beside the command at work; what asks beside it is ended first.</summary>
+    private async Task<InputResult> RunBesideAsync(string[] inputs)
+    {
+        await Session.EndBesideAsync().ConfigureAwait(false);
+        InputResult result = new InputResult.Asking();
+        for (var at = 0; at < inputs.Length && result is InputResult.Asking; at++) result = await Session.EnterAsync(inputs[at], _closing.Token).ConfigureAwait(false);
+        if (result is InputResult.NotUnderstood && inputs.Length > 1) await Session.EndBesideAsync().ConfigureAwait(false);
+        return result;
+    }
+
     private async Task<InputResult> CancelNowAsync()
     {
         await Session.CancelAsync().ConfigureAwait(false);
@@ -224,9 +276,49 @@ public sealed class DesktopModel : IAsyncDisposable
         var state = Session.Document.Current;
         if (state.Drawing is not { } drawing || Session.Prompt.Command is not null) return new InputResult.Done();
         var found = find(drawing);
-        var known = (remove ? found : state.Selection).ToHashSet();
-        Session.Document.Select(remove ? [.. state.Selection.Where(entity => !known.Contains(entity))] : [.. state.Selection, .. found.Where(entity => !known.Contains(entity))], state.Previous);
+        Session.Document.SelectIn(drawing, now =>
+        {
+            var known = (remove ? found : now.Selection).ToHashSet();
+            return remove ? [.. now.Selection.Where(entity => !known.Contains(entity))] : [.. now.Selection, .. found.Where(entity => !known.Contains(entity))];
+        });
         return new InputResult.Done();
+    }
+
+    /// <summary>Runs one input after the other beside the command at work.</summary>
+    private Task<InputResult> Hear(Func<Task<InputResult>> work)
+    {
+        var after = HearAfterAsync(_hearing, work);
+        _hearing = after;
+        return Watched(after);
+    }
+
+    private async Task<InputResult> HearAfterAsync(Task before, Func<Task<InputResult>> work)
+    {
+        await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        try
+        {
+            return await Task.Run(work);
+        }
+        finally
+        {
+            Deliver();
+        }
+    }
+
+    /// <summary>What is typed while something is heard beside the command at work may be an answer to it: its turn comes when that is settled.</summary>
+    private Task<InputResult> TypeLater(string input)
+    {
+        var typed = new TaskCompletionSource<Task<InputResult>>();
+        _typing = TypeAfterAsync(_typing, input, typed);
+        return typed.Task.Unwrap();
+    }
+
+    private async Task TypeAfterAsync(Task before, string input, TaskCompletionSource<Task<InputResult>> typed)
+    {
+        await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        await _hearing.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        typed.SetResult(TypeNow(input));
+        await _hearing.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
     }
 
     private Task<InputResult> Enqueue(Func<Task<InputResult>> work)
@@ -241,6 +333,13 @@ public sealed class DesktopModel : IAsyncDisposable
     {
         _ = WatchAsync(work);
         return work;
+    }
+
+    /// <summary>What a page waits for is there, or has failed.</summary>
+    private async Task TellWhenDoneAsync(Task work)
+    {
+        await WatchAsync(work);
+        Post();
     }
 
     private async Task WatchAsync(Task work)
@@ -288,5 +387,6 @@ public sealed class DesktopModel : IAsyncDisposable
         if (lines.Count > 0) Said?.Invoke(lines);
         Derived.Look();
         Changed?.Invoke();
+        _released.Look(Derived.Current);
     }
 }

@@ -21,9 +21,9 @@ public sealed class MachineStripModel : Observable
     public MachineStripModel(DesktopModel desk)
     {
         _desk = desk;
-        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => MayArm(_status.State));
-        Start = new Act(() => _ = _status.State is MachineState.Held ? desk.RunAsync("CNCRESUME") : desk.StartArmedAsync(), () => _status.State is MachineState.Armed or MachineState.Held);
-        Hold = new Act(desk.HoldNow, () => _status.State is MachineState.Running or MachineState.DryRun);
+        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => KeyReasons.Arm(_status) is null);
+        Start = new Act(() => _ = _status.State is MachineState.Held ? desk.RunAsync("CNCRESUME") : desk.StartArmedAsync(), () => KeyReasons.Start(_status) is null);
+        Hold = new Act(desk.HoldNow, () => KeyReasons.Hold(_status) is null);
         Faster = new Act(() => desk.OverrideBy(OverrideStep), () => _status.FeedRatio < JobControl.FeedRange.Fastest);
         Slower = new Act(() => desk.OverrideBy(-OverrideStep), () => _status.FeedRatio > JobControl.FeedRange.Slowest);
         RapidsFaster = new Act(() => desk.OverrideRapidsBy(OverrideStep), () => _status.RapidRatio < JobControl.RapidRange.Fastest);
@@ -40,6 +40,27 @@ public sealed class MachineStripModel : Observable
 
     /// <summary>What START would do: go on with a held job, as the key of that name does on other machines.</summary>
     public string StartText => Text.Get(_status.State is MachineState.Held ? "Machine.Resume" : "Machine.Start");
+
+    /// <summary>Why ARM does not work now, in a word or two under it; empty while it does.</summary>
+    public string ArmWhy => KeyReasons.ShortOf(KeyReasons.Arm(_status));
+
+    /// <summary>The same of START.</summary>
+    public string StartWhy => KeyReasons.ShortOf(KeyReasons.Start(_status));
+
+    /// <summary>What ARM does; while it does not work, why and what to do.</summary>
+    public string ArmTip => KeyReasons.TipOf(KeyReasons.Arm(_status), "Machine.ArmTip", _status);
+
+    public string StartTip => KeyReasons.TipOf(KeyReasons.Start(_status), "Machine.StartTip", _status);
+
+    public string HoldTip => KeyReasons.TipOf(KeyReasons.Hold(_status), "Machine.HoldTip", _status);
+
+    public string FasterTip => Text.Get(_status.FeedRatio < JobControl.FeedRange.Fastest ? "Machine.FasterTip" : "Machine.WhyNoFaster");
+
+    public string SlowerTip => Text.Get(_status.FeedRatio > JobControl.FeedRange.Slowest ? "Machine.SlowerTip" : "Machine.WhyNoSlower");
+
+    public string RapidsFasterTip => Text.Get(_status.RapidRatio < JobControl.RapidRange.Fastest ? "Machine.RapidsFasterTip" : "Machine.WhyNoFaster");
+
+    public string RapidsSlowerTip => Text.Get(_status.RapidRatio > JobControl.RapidRange.Slowest ? "Machine.RapidsSlowerTip" : "Machine.WhyNoSlower");
 
     public Act Hold { get; }
 
@@ -126,9 +147,6 @@ public sealed class MachineStripModel : Observable
 
     /// <summary>Empty while no job has a progress.</summary>
     public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount) * _desk.Derived.TimeUnder(_status.FeedInForce, _status.RapidRatio))) : "";
-
-    /// <summary>Also where ARM only says what is missing and what to do.</summary>
-    private static bool MayArm(MachineState state) => state != MachineState.Armed && (state.IsReady() || state is MachineState.NoOrigin or MachineState.NotHomed or MachineState.MotorsOff);
 
     private void Look()
     {

@@ -1,5 +1,8 @@
+using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
 using Avalonia.Layout;
+using Avalonia.VisualTree;
 using Engraver.App.Texts;
 using Engraver.Workbench.Commands;
 using ICommand = System.Windows.Input.ICommand;
@@ -9,9 +12,24 @@ namespace Engraver.App.Menus;
 /// <summary>Makes the menus of the layout. The items of a menu are made when it is first opened.</summary>
 /// <param name="typed">Gives the text that is typed for a command; it is shown at the right of the entry.</param>
 /// <param name="act">Gives the command of an entry.</param>
-public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> act)
+/// <param name="recent">The submenu of RECENT; null: the entry runs the command.</param>
+public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> act, RecentMenu? recent = null)
 {
+    /// <summary>A menu is never made lower than this, units of 1/96 inch.</summary>
+    internal const double LeastHeight = 120;
+
+    /// <summary>Between a menu and the edge of its window.</summary>
+    private const double Edge = 8;
+
     public IReadOnlyList<MenuItem> Build(IEnumerable<MenuSection> sections) => [.. sections.Where(section => section.Entries.Count > 0).Select(Top)];
+
+    /// <summary>Gives a menu that has opened no more height than its window has; what is longer scrolls.</summary>
+    public static void Fit(MenuItem? item, Visual window)
+    {
+        if (item?.GetVisualDescendants().OfType<Popup>().FirstOrDefault() is not { Child: Border list } || item.TranslatePoint(default, window) is not { } corner) return;
+        var top = item.Parent is Menu ? corner.Y + item.Bounds.Height : 0;
+        list.MaxHeight = Math.Max(LeastHeight, window.Bounds.Height - top - Edge);
+    }
 
     private MenuItem Top(MenuSection section)
     {
@@ -37,12 +55,13 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
         var row = new Grid { ColumnDefinitions = new ColumnDefinitions("*,Auto"), MinWidth = 210 };
         row.Children.Add(new TextBlock { Text = isCommand ? MenuTitle.Find(name) : Text.Get(name), VerticalAlignment = VerticalAlignment.Center });
         if (isCommand) row.Children.Add(Hint(typed(name)));
+        if (name == "RECENT" && recent is not null) return recent.Entry(row);
         return new MenuItem { Header = row, Command = act(name), Tag = name };
     }
 
     private static TextBlock Hint(string text)
     {
-        var hint = new TextBlock { Text = text, Margin = new Avalonia.Thickness(24, 0, 0, 0), VerticalAlignment = VerticalAlignment.Center, FontSize = 11, Classes = { "quiet" } };
+        var hint = new TextBlock { Text = text, Margin = new Thickness(24, 0, 0, 0), VerticalAlignment = VerticalAlignment.Center, FontSize = 11, Classes = { "quiet" } };
         Grid.SetColumn(hint, 1);
         return hint;
     }

@@ -1,7 +1,7 @@
 using Avalonia;
-using Avalonia.Dialogs;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;
+using Engraver.App.Texts;
 using Engraver.SoftwarePlatform;
 using Engraver.SoftwarePlatform.Headless;
 
@@ -61,7 +61,6 @@ internal static class DesktopPlatform
     {
         var regions = new InputRegions();
         session.PlatformState = regions;
-        if (OperatingSystem.IsLinux()) builder = builder.UseManagedSystemDialogs();
         return builder.UseSoftwarePlatform(new SoftwarePlatformOptions
         {
             FrontEnd = frontEnd,
@@ -69,6 +68,7 @@ internal static class DesktopPlatform
             ApplicationName = "engraver-desktop",
             Filter = (in KeyPress press) => press is { IsDown: true, IsRepeat: false } && session.StopKeys.Press(press.Key, press.Modifiers),
             Regions = regions,
+            DisplayLost = _ => Console.Error.WriteLine(Text.Get("Start.Failed", session.LoseDisplay())),
         });
     }
 }

@@ -5,5 +5,12 @@ namespace Engraver.App.Playback;
 /// <summary>The bar under the canvas: the planned path in time.</summary>
 public partial class PlaybackBar : UserControl
 {
-    public PlaybackBar() => InitializeComponent();
+    /// <summary>In a narrower bar the speeds make room for the time; PLAYBACK sets them. Units of 1/96 inch.</summary>
+    private const double LeastWidthForSpeeds = 470.0;
+
+    public PlaybackBar()
+    {
+        InitializeComponent();
+        SizeChanged += (_, e) => SpeedList.IsVisible = e.NewSize.Width >= LeastWidthForSpeeds;
+    }
 }

@@ -5,8 +5,9 @@ using Engraver.Workbench.Playback;
 namespace Engraver.App.Plots;
 
 /// <summary>Planned speed over time, with the tool's place in it.</summary>
-public sealed class PlotModel : Observable
+public sealed class PlotModel : Observable, ISeen
 {
+    private bool _isSeen;
     private readonly DesktopModel _desk;
     private PlannedMotion? _shown;
 
@@ -29,10 +30,19 @@ public sealed class PlotModel : Observable
         set => _desk.Derived.MoveTo(value);
     }
 
+    public bool IsSeen
+    {
+        get => _isSeen;
+        set
+        {
+            if (Set(ref _isSeen, value) && value) Look();
+        }
+    }
+
     private void Look()
     {
-        if (ReferenceEquals(_desk.Derived.Current.Motion, _shown)) return;
-        _shown = _desk.Derived.Current.Motion;
+        if (ReferenceEquals(_desk.Derived.Current.Motion, _shown) || (!IsSeen && _shown is null)) return;
+        _shown = IsSeen ? _desk.Derived.Current.Motion : null; // hidden, it does not keep an old one
         Curve = _shown is null ? null : SpeedCurve.From(_shown);
         Tell(null);
     }

@@ -1,20 +1,28 @@
-using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Tables;
 using Engraver.App.Texts;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Commands.Properties;
+using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Properties;
 
-/// <summary>What is selected: type, layer, handle, and the 16 slots of each of its rows by name.</summary>
+/// <summary>What is selected: its properties, which can be edited, and in a section of their own the 16 slots of its rows by name.</summary>
 public sealed class PropertiesModel : Observable
 {
     /// <summary>Most rows that are listed; further ones are only counted.</summary>
     private const int MostRows = 20;
+
+    /// <summary>With more objects selected the table is not searched for their rows.</summary>
+    private const int MostObjects = 20;
+
     private readonly DesktopModel _desk;
-    private (IReadOnlyList<int>? Selection, EntityTable? Table) _shown;
+    private (Drawing? Drawing, IReadOnlyList<int>? Selection, EntityTable? Table, Figures Figures) _shown;
 
     public PropertiesModel(DesktopModel desk)
     {
@@ -29,47 +37,59 @@ public sealed class PropertiesModel : Observable
 
     private void Look()
     {
-        var (state, table) = (_desk.Session.Document.Current, _desk.Derived.Sequence?.Table);
-        if (ReferenceEquals(state.Selection, _shown.Selection) && ReferenceEquals(table, _shown.Table)) return;
-        _shown = (state.Selection, table);
+        var state = _desk.Session.Document.Current;
+        var derived = _desk.Derived.Current;
+        var table = ReferenceEquals(derived.State.Drawing, state.Drawing) ? derived.Sequence?.Table : null; // rows of an earlier drawing name other entities
+        var now = (state.Drawing, state.Selection, table, _desk.Session.Settings.Current.Figures());
+        if (now == _shown) return;
+        _shown = now;
         Summary = state.Selection.Count == 0 ? Text.Get("Properties.Nothing") : Text.Get("Properties.Selected", state.Selection.Count);
-        Lines = state.Drawing is { } drawing && state.Selection.Count > 0 ? LinesOf(drawing, table, state.Selection) : [];
+        Lines = state.Drawing is { } drawing && state.Selection.Count > 0 ? LinesOf(drawing, table, state.Selection, now.Item4) : [];
         Tell(null);
     }
 
-    private static List<PropertyLine> LinesOf(Drawing drawing, EntityTable? table, IReadOnlyList<int> selection)
+    private List<PropertyLine> LinesOf(Drawing drawing, EntityTable? table, IReadOnlyList<int> selection, Figures figures)
     {
         var lines = new List<PropertyLine>();
-        var shown = 0;
-        foreach (var entity in selection)
+        var values = ObjectProperties.Of(drawing, selection, figures);
+        string[] layers = [.. drawing.Layers.Select(layer => layer.Name)];
+        foreach (var section in values.GroupBy(value => value.Property.IsGeneral))
         {
-            if (shown++ == MostRows) break;
-            lines.AddRange(Head(drawing, entity));
-            if (table is null) continue;
-            foreach (var row in RowsOf(table, entity).Take(MostRows)) lines.AddRange(Slots(new TableRow(table, row)));
+            lines.Add(PropertyLine.Head(Text.Get(section.Key ? "Properties.General" : "Properties.Geometry")));
+            lines.AddRange(section.Select(value => LineOf(value, layers)));
         }
 
-        if (selection.Count > MostRows) lines.Add(new PropertyLine(Text.Get("Properties.More", Text.Count("Count.Object", selection.Count - MostRows)), "", IsHead: true));
+        if (table is not null && selection.Count <= MostObjects) lines.AddRange(TableLines(table, selection));
         return lines;
     }
 
-    private static IEnumerable<PropertyLine> Head(Drawing drawing, int index)
+    private PropertyLine LineOf(PropertyValue value, IReadOnlyList<string> layers)
     {
-        var entity = drawing.Entities[index];
-        yield return new PropertyLine(entity.Type.ToDxfName(), drawing.SourceOf(index).Handle ?? "", IsHead: true);
-        yield return new PropertyLine(Text.Get("Properties.Layer"), drawing.Layers[entity.Layer].Name);
-        yield return new PropertyLine(Text.Get("Properties.Line"), entity.SourceLine.ToString(CultureInfo.InvariantCulture));
+        var of = _desk.Session.Document.Current;
+        return new PropertyLine(value.Property.Title, value.Value, value.Property.IsEditable ? typed => ChangeAsync(value, typed, of) : null) { Choices = value.Property.Name == "LAyer" ? layers : [] };
     }
 
-    private static IEnumerable<PropertyLine> Slots(TableRow row)
+    /// <summary>CHPROP on what is selected, as if it were typed. Not of a line that is no longer shown, and not while a command asks: it would be ended and the selection with it.</summary>
+    /// <returns>False when nothing was changed.</returns>
+    private async Task<bool> ChangeAsync(PropertyValue value, string typed, DocumentState of)
     {
-        yield return new PropertyLine(Text.Get("Properties.Row", row.Index + 1), "", IsHead: true);
-        for (var slot = 0; slot < EntitySlot.Count; slot++) yield return new PropertyLine($"{SlotNames.NameOf(slot)} {SlotNames.UnitOf(slot)}".TrimEnd(), row.Figure(slot));
+        var state = _desk.Session.Document.Current;
+        if (typed.Length == 0 || _desk.Prompt.Command is not null || !ReferenceEquals(state.Drawing, of.Drawing) || !ReferenceEquals(state.Selection, of.Selection)) return false;
+        return await _desk.RunAsync("CHPROP", value.Property.Name, typed) is InputResult.Done;
     }
 
-    private static IEnumerable<int> RowsOf(EntityTable table, int entity) => Enumerable.Range(0, table.Count).Where(row => table.EntityIndexOf(row) == entity);
+    private static IEnumerable<PropertyLine> TableLines(EntityTable table, IReadOnlyList<int> selection)
+    {
+        var chosen = selection.ToHashSet();
+        int[] rows = [.. Enumerable.Range(0, table.Count).Where(row => chosen.Contains(table.EntityIndexOf(row))).Take(MostRows + 1)];
+        if (rows.Length == 0) yield break;
+        yield return PropertyLine.Head(Text.Get("Properties.Table"));
+        foreach (var row in rows.Take(MostRows))
+        {
+            yield return PropertyLine.Head(Text.Get("Properties.Row", row + 1));
+            for (var slot = 0; slot < EntitySlot.Count; slot++) yield return new PropertyLine($"{SlotNames.NameOf(slot)} {SlotNames.UnitOf(slot)}".TrimEnd(), new TableRow(table, row).Figure(slot), null);
+        }
+
+        if (rows.Length > MostRows) yield return PropertyLine.Head(Text.Get("Properties.MoreRows"));
+    }
 }
-
-/// <summary>A name and its value.</summary>
-/// <param name="IsHead">True: the beginning of an object.</param>
-public sealed record PropertyLine(string Name, string Value, bool IsHead = false);

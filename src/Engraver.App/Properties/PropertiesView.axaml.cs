@@ -1,9 +1,34 @@
 using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Interactivity;
 
 namespace Engraver.App.Properties;
 
-/// <summary>The palette of what is selected.</summary>
+/// <summary>The palette of what is selected. A field is taken on Enter or when the hand leaves it, and given up with Esc.</summary>
 public partial class PropertiesView : UserControl
 {
-    public PropertiesView() => InitializeComponent();
+    public PropertiesView()
+    {
+        InitializeComponent();
+        AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
+        LineList.AddHandler(LostFocusEvent, OnLeft, RoutingStrategies.Bubble);
+    }
+
+    /// <summary>Enter and Esc in a field belong to it, not to the window.</summary>
+    public static bool Takes(object? source, Key key) => key is Key.Enter or Key.Escape && source is TextBox { DataContext: PropertyLine };
+
+    private void OnKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Source is not TextBox { DataContext: PropertyLine line }) return;
+        if (e.Key == Key.Enter) line.Take();
+        else if (e.Key == Key.Escape) line.GiveUp();
+        else return;
+        e.Handled = true;
+        TopLevel.GetTopLevel(this)?.FocusManager?.Focus(null);
+    }
+
+    private static void OnLeft(object? sender, RoutedEventArgs e)
+    {
+        if (e.Source is TextBox { DataContext: PropertyLine line }) line.Take();
+    }
 }

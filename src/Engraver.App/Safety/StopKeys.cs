@@ -8,6 +8,9 @@ namespace Engraver.App.Safety;
 /// <param name="hold">The same.</param>
 public sealed class StopKeys(Func<bool> isMoving, Action stop, Action hold)
 {
+    /// <summary>Esc has held or stopped what moves; on the thread that reads the input. The window gives the keyboard back to the command line.</summary>
+    public event Action? Escaped;
+
     /// <summary>The on-screen STOP was pressed; the press goes on to the window, so that the key is seen going down.</summary>
     public bool PressStop()
     {
@@ -28,6 +31,7 @@ public sealed class StopKeys(Func<bool> isMoving, Action stop, Action hold)
         if (key == Key.Escape && isMoving())
         {
             hold();
+            Escaped?.Invoke();
             return true;
         }
 

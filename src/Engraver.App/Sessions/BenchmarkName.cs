@@ -22,5 +22,8 @@ internal static class BenchmarkName
     /// <summary>From OPEN to the first picture and to everything that follows.</summary>
     public const string Open = "open";
 
-    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Idle, StopOnDisplay];
+    /// <summary>What a large drawing weighs: processor time and memory of opening, planning, moving, closing and opening again.</summary>
+    public const string Weight = "weight";
+
+    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay];
 }

@@ -27,6 +27,9 @@ public sealed record DesktopOptions
     /// <summary>Pixels for each unit; null: as the display says.</summary>
     public double? Scale { get; init; }
 
+    /// <summary>Name of the culture whose language is spoken; null: that of LANGUAGE, else of the system.</summary>
+    public string? Culture { get; init; }
+
     /// <summary>What is measured instead of opening the desktop; null: nothing (<see cref="BenchmarkName"/>).</summary>
     public string? Benchmark { get; init; }
 
@@ -57,6 +60,7 @@ public sealed record DesktopOptions
 
     private DesktopOptions? With(string name, string value) => name switch
     {
+        "--culture" => this with { Culture = value },
         "--script" => this with { Script = value },
         "--screenshot" => this with { Screenshot = value },
         "--benchmark" => BenchmarkName.All.Contains(value) ? this with { Benchmark = value } : null,

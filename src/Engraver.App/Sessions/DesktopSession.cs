@@ -1,7 +1,9 @@
 using Engraver.App.Desk;
 using Engraver.App.Safety;
+using Engraver.App.Texts;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Sessions;
@@ -32,6 +34,9 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>Any thread.</summary>
     public FailureGuard Failures => field ??= new FailureGuard(() => StopKeys.PressStop(), _session.Machine.Alarms, FailureReports);
 
+    /// <summary>Code of the language that LANGUAGE keeps; null: that of the system.</summary>
+    public string? Language => _session.Settings.Current.Language;
+
     /// <summary>State that the platform keeps with this session; only the platform uses it.</summary>
     internal object? PlatformState { get; set; }
 
@@ -43,6 +48,17 @@ public sealed class DesktopSession : IAsyncDisposable
 
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
     public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null, KeepsHistory = false };
+
+    /// <summary>The display is gone, and with it the operator's hands: the machine is stopped first, and the journal of the job says why. Any thread; waits for nothing.</summary>
+    /// <returns>What happened and what to do, for whoever started the program.</returns>
+    public string LoseDisplay()
+    {
+        var moved = DesktopModel.Moves(_session.Machine);
+        var what = Text.Get(moved ? "Failure.DisplayLostInMotion" : "Failure.DisplayLost");
+        _session.Machine.Stop(what);
+        _session.Machine.Alarms.Raise(AlarmCause.DisplayLost, what, Text.Get("Failure.Display"), Text.Get("Failure.DisplayToDo"));
+        return moved ? $"{what} {Text.Get("Failure.DisplayToDo")}" : what;
+    }
 
     /// <summary>What cannot be held, as a move by hand, is stopped.</summary>
     private void HoldOrStop()

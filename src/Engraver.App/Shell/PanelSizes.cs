@@ -40,6 +40,9 @@ public sealed class PanelSizes
         ShowPalettes(IsFolded(PalettesName));
     }
 
+    /// <summary>Only the strip of tabs of the pages is seen.</summary>
+    public bool ArePagesFolded => IsFolded(PagesName);
+
     public void FoldPages()
     {
         var folded = !IsFolded(PagesName);

@@ -14,6 +14,7 @@ public static class ShellKeys
         (KeyModifiers.None, Key.F7) => "Switch.GRID",
         (KeyModifiers.None, Key.F8) => "Switch.ORTHO",
         (KeyModifiers.None, Key.F9) => "Switch.SNAP",
+        (KeyModifiers.None, Key.F10) => "Switch.POLAR",
         (KeyModifiers.None, Key.F12) => "Switch.DYNAMICINPUT",
         (KeyModifiers.Control or (KeyModifiers.Control | KeyModifiers.Shift), Key.OemPlus or Key.Add) => "Override.FeedFaster", // + stands with Shift on some keyboards
         (KeyModifiers.Control, Key.OemMinus or Key.Subtract) => "Override.FeedSlower",

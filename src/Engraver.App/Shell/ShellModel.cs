@@ -6,16 +6,19 @@ using Engraver.App.Commissioning;
 using Engraver.App.Connections;
 using Engraver.App.Contours;
 using Engraver.App.Desk;
+using Engraver.App.FileDialogs;
 using Engraver.App.Findings;
 using Engraver.App.HandMoves;
 using Engraver.App.Histories;
 using Engraver.App.Jobs;
 using Engraver.App.Layers;
 using Engraver.App.MachineStrip;
+using Engraver.App.Options;
 using Engraver.App.Playback;
 using Engraver.App.Plots;
 using Engraver.App.Programs;
 using Engraver.App.Properties;
+using Engraver.App.StartPage;
 using Engraver.App.StatusBar;
 using Engraver.App.Tables;
 using Engraver.App.Tabs;
@@ -40,6 +43,10 @@ public sealed class ShellModel : Observable
         Command = new CommandWindowModel(desk);
         Playback = new PlaybackModel(desk);
         Connect = new ConnectModel(desk);
+        Options = new OptionsModel(desk);
+        Files = new FileQuestions(desk, Command.TakeLine);
+        Recent = new RecentDrawings(desk);
+        StartPage = new StartPageModel(desk, Files, Recent, act("OPEN"));
         Tools = ToolColumn.For(desk, act);
         _alarms = new PageTab("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(desk) });
         desk.Changed += Look;
@@ -57,6 +64,17 @@ public sealed class ShellModel : Observable
 
     /// <summary>The sheet that asks where the controller is.</summary>
     public ConnectModel Connect { get; }
+
+    /// <summary>The sheet of the settings.</summary>
+    public OptionsModel Options { get; }
+
+    /// <summary>The file dialog, and the questions before a file is replaced or edits are lost.</summary>
+    public FileQuestions Files { get; }
+
+    public RecentDrawings Recent { get; }
+
+    /// <summary>What the empty canvas offers.</summary>
+    public StartPageModel StartPage { get; }
 
     public IReadOnlyList<ToolButton> Tools { get; }
 
@@ -95,6 +113,14 @@ public sealed class ShellModel : Observable
         new("History", () => new HistoryView { DataContext = new HistoryModel(Desk) }),
         new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),
     ];
+
+    /// <summary>A line over a page that shows what follows from the drawing, while that is not there yet; empty while nothing is to be said.</summary>
+    public string HintFor(string? page)
+    {
+        var derivation = Desk.Session.Derivation;
+        if (page is not ("Contours" or "Job" or "Program" or "Plots" or "Table") || Desk.Session.Document.Current.Drawing is null || derivation.IsCurrent) return "";
+        return derivation.IsGivenUp ? Text.Get("Tabs.GivenUp") : Status.IsWorking && derivation.Progress.Stage is { } stage ? Text.Get("Tabs.Planning", stage.Name) : "";
+    }
 
     private void Look()
     {

@@ -2,13 +2,20 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
+using Avalonia.Threading;
+using Avalonia.VisualTree;
 using Engraver.App.Binding;
 using Engraver.App.Canvas;
 using Engraver.App.CommandWindow;
 using Engraver.App.Desk;
+using Engraver.App.FileDialogs;
 using Engraver.App.HandMoves;
 using Engraver.App.Menus;
+using Engraver.App.Options;
+using Engraver.App.Properties;
 using Engraver.App.Safety;
+using Engraver.App.StartPage;
+using Engraver.App.Terminals;
 
 namespace Engraver.App.Shell;
 
@@ -17,7 +24,6 @@ public partial class ShellWindow : Window
 {
     private readonly DesktopModel _desk;
     private readonly StopKeys _stopKeys;
-    private readonly FileQuestions _files;
     private readonly PanelSizes _panels;
     private readonly ClosingGuard _guard;
 
@@ -25,21 +31,31 @@ public partial class ShellWindow : Window
     {
         (_desk, _stopKeys) = (desk, stopKeys);
         InitializeComponent();
-        _files = new FileQuestions(desk, () => StorageProvider);
         _guard = new ClosingGuard(desk);
         DataContext = Model = new ShellModel(desk, ActOf);
-        var menus = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf);
+        var menus = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf, new RecentMenu(Model.Recent, Model.StartPage.OpenRecent, ActOf("RECENT")));
         MainMenu.ItemsSource = menus.Build(MenuLayout.For(desk.Session.Catalog));
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
-        Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
+        Canvas.Children.Add(new StartPageView { Name = "StartSheet", DataContext = Model.StartPage });
+        Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.Point, () => new CanvasMenu(desk, menus, Model.Command).Make(Bounds.Height).Open(Canvas));
         CanvasSource = new CanvasSource(desk, Canvas);
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
-        (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
+        OpeningSize.Give(this, new Size(desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight));
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
         _ = new WindowPresence(this, desk);
+        _ = new FileDrop(this, desk, Model.Files);
+        Model.Files.Refused += _panels.BringCommandLine;
         MainMenu.Closed += GiveKeyboardBack;
+        MainMenu.AddHandler(MenuItem.SubmenuOpenedEvent, (_, e) => MenuBuilder.Fit(e.Source as MenuItem, this));
+        Pages.PageShown += (_, _) => ShownTerminal?.TakeKeyboard();
+        stopKeys.Escaped += OnHeld;
+        Closed += (_, _) => stopKeys.Escaped -= OnHeld;
+        Model.Status.PropertyChanged += (_, _) => Hint();
+        Pages.PageShown += (_, _) => Hint();
+        Palettes.PageShown += (_, _) => Hint();
+        OptionsDialog.Serve(desk, Model.Options, this);
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
     }
@@ -55,6 +71,12 @@ public partial class ShellWindow : Window
 
     private CommandWindowView CommandLine => (CommandWindowView)Pages.Pages[0].Page;
 
+    /// <summary>The terminal where it is in front; null otherwise.</summary>
+    private TerminalView? ShownTerminal => Pages.Current is { Key: "Terminal", Page: TerminalView terminal } && !_panels.ArePagesFolded ? terminal : null;
+
+    /// <summary>A sheet is open over the window and has the keyboard.</summary>
+    private bool IsSheetOpen => Model.Connect.IsOpen || Model.Options.IsOpen || Model.Files.Question.IsOpen || Model.Files.Dialog.IsOpen;
+
     protected override void OnClosing(WindowClosingEventArgs e)
     {
         base.OnClosing(e);
@@ -68,6 +90,12 @@ public partial class ShellWindow : Window
         _panels.Keep();
         var maximised = WindowState == WindowState.Maximized;
         _desk.Session.Settings.Change(settings => maximised ? settings with { WindowMaximised = true } : settings with { WindowMaximised = false, WindowWidth = Width, WindowHeight = Height });
+    }
+
+    private void Hint()
+    {
+        Pages.Hint(Model.HintFor(Pages.Current?.Key));
+        Palettes.Hint(Model.HintFor(Palettes.Current?.Key));
     }
 
     /// <summary>The command of an entry of menus and tools.</summary>
@@ -86,13 +114,13 @@ public partial class ShellWindow : Window
         "Override.RapidsSlower" => Model.Machine.RapidsSlower,
         _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
         "CNCCONNECT" => new Act(AskForController),
-        _ => new Act(() => _ = _files.RunAsync(name)),
+        _ => new Act(() => _ = _desk.RunAsync(name)),
     };
 
     private void AskForController()
     {
-        if (_files.WantsDialogs) Model.Connect.Open();
-        else _ = _files.RunAsync("CNCCONNECT");
+        if (Model.Files.WantsDialogs) Model.Connect.Open();
+        else _ = _desk.RunAsync("CNCCONNECT");
     }
 
     /// <summary>Selects everything: as an answer where objects are asked for, else for the next command.</summary>
@@ -113,27 +141,54 @@ public partial class ShellWindow : Window
         if (FocusManager?.GetFocusedElement() is MenuItem) FocusManager.Focus(null);
     }
 
-    /// <summary>True where a control that uses keys itself has the focus: a text box, an open menu, a slider.</summary>
-    private static bool HasKeyboard(object? source) => source is TextBox or MenuItem or Slider;
+    /// <summary>True where a control that takes text itself has the focus: a text box, an open menu.</summary>
+    private static bool HasKeyboard(object? source) => source is TextBox or MenuItem;
+
+    /// <summary>True for a key that the control with the focus uses itself.</summary>
+    private static bool Uses(object? source, Key key) => HasKeyboard(source)
+        || (source is Slider or ComboBox or ComboBoxItem && key is (Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End or Key.PageUp or Key.PageDown))
+        || (source is ComboBox { IsDropDownOpen: true } or ComboBoxItem && key is (Key.Enter or Key.Space));
 
     private void OnTyped(object? sender, TextInputEventArgs e)
     {
-        if (HasKeyboard(e.Source) || Model.Connect.IsOpen || string.IsNullOrEmpty(e.Text)) return;
+        if (TypeOnSheet(e)) return;
+        if (HasKeyboard(e.Source) || IsSheetOpen || string.IsNullOrEmpty(e.Text)) return;
+        e.Handled = true;
+        if (ShownTerminal is { } terminal && _desk.Prompt.Command is null)
+        {
+            terminal.Type(e.Text);
+            return;
+        }
+
         _panels.BringCommandLine();
         CommandLine.Type(e.Text);
-        e.Handled = true;
+    }
+
+    /// <summary>A question takes all letters, the file dialog those that no text box takes.</summary>
+    private bool TypeOnSheet(TextInputEventArgs e)
+    {
+        if (e.Text is not { Length: > 0 } text || !(Model.Files.Question.IsOpen || Model.Files.Dialog.IsOpen)) return false;
+        if (Model.Files.Question.IsOpen) Model.Files.Question.Type(text);
+        else if (HasKeyboard(e.Source) && e.Source is not TextBox { Name: "LineBox" }) return true;
+        else FileSheet.Type(text);
+        return e.Handled = true;
+    }
+
+    /// <summary>The keys of a sheet that is open; it keeps all others from the command line too.</summary>
+    private bool PressOnSheet(KeyEventArgs e)
+    {
+        if (Model.Files.Question.IsOpen) e.Handled = QuestionSheet.Press(e);
+        else if (Model.Files.Dialog.IsOpen) e.Handled = FileSheet.Press(e);
+        else if (Model.Connect.IsOpen) e.Handled = ConnectSheet.Press(e);
+        else if (Model.Options.IsOpen) e.Handled = OptionsSheet.Press(e);
+        else return false;
+        return true;
     }
 
     private void OnKey(object? sender, KeyEventArgs e)
     {
         e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
-        if (e.Handled || e.Source is MenuItem || JogPad.Takes(e.Source, e.Key)) return;
-        if (Model.Connect.IsOpen)
-        {
-            e.Handled = ConnectSheet.Press(e);
-            return;
-        }
-
+        if (e.Handled || PressOnSheet(e) || e.Source is MenuItem || JogPad.Takes(e.Source, e.Key) || PropertiesView.Takes(e.Source, e.Key)) return;
         if (!HasKeyboard(e.Source) && e is { Key: Key.V, KeyModifiers: KeyModifiers.Control })
         {
             _panels.BringCommandLine();
@@ -142,8 +197,50 @@ public partial class ShellWindow : Window
             return;
         }
 
-        e.Handled = e.Key == Key.Escape ? Escape() : CommandOf(e) is { } command ? Run(command) : !HasKeyboard(e.Source) && e.KeyModifiers == KeyModifiers.None && CommandLine.Press(e.Key);
+        e.Handled = e.Key switch
+        {
+            Key.Escape when e.Source is ComboBox { IsDropDownOpen: true } or ComboBoxItem => false, // closes its list
+            Key.Escape => Escape(),
+            Key.Tab when e.KeyModifiers is KeyModifiers.None or KeyModifiers.Shift => Tab(e.Source),
+            _ => CommandOf(e) is { } command ? Run(command) : !Uses(e.Source, e.Key) && e.KeyModifiers == KeyModifiers.None && PressElsewhere(e.Key),
+        };
     }
+
+    /// <summary>A key while nothing that uses keys has the keyboard: no button that was clicked before takes it.</summary>
+    private bool PressElsewhere(Key key)
+    {
+        if (ShownTerminal is { } terminal && _desk.Prompt.Command is null) return terminal.Press(key);
+        if (key != Key.Space) return CommandLine.Press(key);
+        _panels.BringCommandLine();
+        CommandLine.Type(" ");
+        return true;
+    }
+
+    /// <summary>Tab takes a suggestion. From a field it goes to the next field of the same page; from anywhere else the keyboard stays with the command line.</summary>
+    /// <returns>True when it is done; false leaves it to the fields.</returns>
+    private bool Tab(object? source)
+    {
+        if (HasKeyboard(source) && source != CommandLine.LineBox) return ShownTerminal is not null && Pages.IsVisualAncestorOf((Visual)source!);
+        if (Model.Command.HasSuggestions) CommandLine.Press(Key.Tab);
+        else TakeKeyboard();
+        return true;
+    }
+
+    /// <summary>The keyboard is at the command line: what is typed next arrives there.</summary>
+    private void TakeKeyboard()
+    {
+        if (ShownTerminal is not null) _panels.BringCommandLine();
+        if (Pages.Current?.Key == "Command" && !_panels.ArePagesFolded) CommandLine.LineBox.Focus();
+        else FocusManager?.Focus(null);
+    }
+
+    /// <summary>Esc has held the machine: a question that is asked beside the job ends, the job does not.</summary>
+    private void OnHeld() => Dispatcher.UIThread.Post(() =>
+    {
+        Model.Command.Line = "";
+        _ = _desk.EndQuestionAsync();
+        if (!IsSheetOpen) TakeKeyboard();
+    });
 
     /// <summary>The command of a key; null for none, and for keys that edit text while a text box other than the empty command line has the focus.</summary>
     private string? CommandOf(KeyEventArgs e) =>
@@ -152,6 +249,7 @@ public partial class ShellWindow : Window
     private bool Escape()
     {
         Canvas.Escape();
+        TakeKeyboard();
         return true;
     }
 

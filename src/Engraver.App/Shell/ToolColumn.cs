@@ -9,7 +9,7 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The buttons of the tool column.</summary>
+/// <summary>The buttons of the tool column. Their tips name the command and its alias, so that the hand learns to type them.</summary>
 public static class ToolColumn
 {
     private static readonly IReadOnlyList<(string Command, string[] Answers, string Icon, bool EndsGroup)> s_tools =
@@ -34,7 +34,8 @@ public static class ToolColumn
     private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, DesktopModel desk, Func<string, System.Windows.Input.ICommand> act)
     {
         var name = answers.Length == 0 ? command : $"{command}.{answers[0]}";
-        var tip = Text.Get("Tool.Tip", MenuTitle.Find(name), MenuTitle.Typed(desk.Session, command));
+        var typed = MenuTitle.Typed(desk.Session, command);
+        var tip = Text.Get("Tool.Tip", MenuTitle.Find(name), typed == command ? command : $"{command}, {typed}");
         var does = answers.Length == 0 ? act(command) : new Act(() => _ = desk.RunAsync([command, .. answers]));
         return new ToolButton(command, (Geometry)Application.Current!.FindResource(icon)!, tip, does, endsGroup);
     }

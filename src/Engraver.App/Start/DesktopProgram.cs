@@ -26,6 +26,7 @@ public static class DesktopProgram
     {
         if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.WithoutFiles() : DesktopSession.ForUser());
+        using var language = SpokenLanguage.Speak(SpokenLanguage.Choose(options.Culture, session.Language, options.Headless ? [] : SpokenLanguage.OfSystem()));
         AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
         try
         {

@@ -10,12 +10,14 @@ namespace Engraver.App.StatusBar;
 public sealed class StatusBarModel : Observable
 {
     private readonly DesktopModel _desk;
+    private readonly LongWork _work;
     private string _coordinates = "";
 
     public StatusBarModel(DesktopModel desk)
     {
         _desk = desk;
         Switches = StatusSwitch.All(desk);
+        _work = new LongWork(desk, Look);
         desk.Changed += Look;
         Point(Point2D.Origin);
     }
@@ -28,12 +30,15 @@ public sealed class StatusBarModel : Observable
         private set => Set(ref _coordinates, value);
     }
 
-    /// <summary>How far a long command is; empty while none is at work.</summary>
-    public string Progress => _desk.Session.Progress.Fraction is { } fraction ? Text.Get("Status.Progress", fraction * 100.0) : "";
+    /// <summary>What takes long, how far it is, and how it is ended; empty while nothing does.</summary>
+    public string Progress => _work.Text;
 
-    public bool IsWorking => _desk.Session.Progress.Fraction is not null;
+    public bool IsWorking => _work.IsShown;
 
-    public double Fraction => _desk.Session.Progress.Fraction ?? 0.0;
+    /// <summary>Nobody knows how far it is.</summary>
+    public bool IsEndless => _work.Fraction is null;
+
+    public double Fraction => _work.Fraction ?? 0.0;
 
     /// <summary>Of the drawing, and so of the coordinates; tolerances are millimetres whatever it is.</summary>
     public string Unit => Text.Get("Status.Unit", _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Get("Status.Millimetres"));
@@ -51,7 +56,9 @@ public sealed class StatusBarModel : Observable
 
     private void Look()
     {
+        _work.Look();
         Tell(nameof(IsWorking));
+        Tell(nameof(IsEndless));
         Tell(nameof(Progress));
         Tell(nameof(Fraction));
         Tell(nameof(Unit));

@@ -27,6 +27,7 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
         new("SNAP", "SNAP", view => view.Snap, desk),
         new("GRID", "GRID", view => view.Grid, desk),
         new("ORTHO", "ORTHO", view => view.Ortho, desk),
+        new("POLAR", "POLAR", view => view.Polar, desk),
         new("OSNAP", "OSNAP", view => view.ObjectSnap, desk),
         new("DYN", "DYNAMICINPUT", view => view.DynamicInput, desk),
     ];

@@ -2,12 +2,15 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Interactivity;
 using Avalonia.Media;
+using Engraver.App.Binding;
 
 namespace Engraver.App.Tabs;
 
 /// <summary>Pages behind a strip of tabs. A page is made when it is first shown and kept.</summary>
 public partial class PageTabs : UserControl
 {
+    private Control? _seen;
+
     public PageTabs() => InitializeComponent();
 
     /// <summary>Raised when the fold button was pressed; the shell folds or opens the panel.</summary>
@@ -35,17 +38,30 @@ public partial class PageTabs : UserControl
     public void ShowFolded(bool folded, string openIcon, string foldIcon)
     {
         Shown.IsVisible = !folded;
+        See(_seen);
         FoldIcon.Data = (Geometry)Application.Current!.FindResource(folded ? openIcon : foldIcon)!;
     }
 
     /// <summary>Hides the strip of tabs of a panel that is folded sideways.</summary>
     public void HideStrip(bool hidden) => Strip.IsVisible = !hidden;
 
+    /// <summary>Shows a line over the page in front; empty hides it.</summary>
+    public void Hint(string text) => (HintText.Text, HintText.IsVisible) = (text, text.Length > 0 && Shown.IsVisible);
+
     private void OnSelected(object? sender, SelectionChangedEventArgs e)
     {
         if (Current is not { } page) return;
         Shown.Content = page.Page;
+        See(page.Page);
         PageShown?.Invoke(this, EventArgs.Empty);
+    }
+
+    /// <summary>Tells the page in front that it is seen, unless the panel is folded, and the one before that it is not.</summary>
+    private void See(Control? page)
+    {
+        if (!ReferenceEquals(page, _seen) && _seen?.DataContext is ISeen hidden) hidden.IsSeen = false;
+        _seen = page;
+        if (page?.DataContext is ISeen shown) shown.IsSeen = Shown.IsVisible;
     }
 
     private void OnFold(object? sender, RoutedEventArgs e) => FoldWanted?.Invoke(this, EventArgs.Empty);

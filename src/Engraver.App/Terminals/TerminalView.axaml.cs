@@ -8,6 +8,26 @@ public partial class TerminalView : UserControl
 {
     public TerminalView() => InitializeComponent();
 
+    /// <summary>Text that was typed somewhere else while this page is in front.</summary>
+    public void Type(string text)
+    {
+        TakeKeyboard();
+        if (DataContext is TerminalModel model) model.Line += text;
+        LineBox.CaretIndex = LineBox.Text?.Length ?? 0;
+    }
+
+    /// <summary>A key that was pressed somewhere else.</summary>
+    /// <returns>True when it was one for the line.</returns>
+    public bool Press(Key key)
+    {
+        if (key == Key.Space) Type(" ");
+        else if (key == Key.Enter) TakeKeyboard(); // what is sent is what is seen in the line that has the keyboard
+        else return false;
+        return true;
+    }
+
+    public void TakeKeyboard() => LineBox.Focus();
+
     private async void OnKey(object? sender, KeyEventArgs e)
     {
         if (e.Key != Key.Enter || DataContext is not TerminalModel model) return;

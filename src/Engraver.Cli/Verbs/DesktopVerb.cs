@@ -73,6 +73,12 @@ internal sealed class DesktopVerb
     {
         if (parsed.GetValue(_file) is { } file) yield return file;
         if (parsed.GetValue(_headless)) yield return "--headless";
+        if (CultureInfo.CurrentUICulture.Name is { Length: > 0 } spoken)
+        {
+            yield return "--culture";
+            yield return spoken;
+        }
+
         foreach (var (name, value) in new[] { ("--script", parsed.GetValue(_script)), ("--screenshot", parsed.GetValue(_screenshot)), ("--size", parsed.GetValue(_size)), ("--benchmark", parsed.GetValue(_benchmark)), ("--scale", parsed.GetValue(_scale)?.ToString(CultureInfo.InvariantCulture)) })
         {
             if (value is null) continue;

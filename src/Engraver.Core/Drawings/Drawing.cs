@@ -29,15 +29,25 @@ public sealed record Drawing(
     /// <summary>What is drawn besides curves and texts and is visible when its layer is, blocks expanded.</summary>
     public IReadOnlyList<ConstructionCount> Construction { get; init; } = [];
 
+    /// <summary>Begun here and in no file yet: <see cref="FileName"/> is only what it is called.</summary>
+    public bool IsNew { get; init; }
+
     /// <summary>True when a diagnostic has severity error (exit code 1; a job does not start without consent).</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 
     /// <summary>A drawing from which nothing could be read, with the reason.</summary>
-    public static Drawing Unusable(string fileName, long bytes, Diagnostic why)
+    public static Drawing Unusable(string fileName, long bytes, Diagnostic why) => Bare(fileName, LengthUnit.AssumedMillimetres) with { Bytes = bytes, Diagnostics = [why] };
+
+    /// <summary>A new drawing with nothing in it.</summary>
+    /// <param name="name">What it is called until it is saved.</param>
+    public static Drawing Empty(string name, LengthUnit unit, Layer layer) => Bare(name, unit) with { Layers = [layer], IsNew = true };
+
+    /// <summary>The same drawing; its columns are those of an earlier reading of the file where they say the same, so that a drawing that is opened again takes no more memory.</summary>
+    public Drawing SharingColumnsOf(Drawing earlier)
     {
-        var nothing = new Dictionary<string, int>();
-        var balance = new DrawingBalance(nothing, 0, 0, [], [], nothing, 0);
-        return new Drawing(fileName, bytes, "", "ascii", LengthUnit.AssumedMillimetres, [], new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), balance, [why]);
+        ArgumentNullException.ThrowIfNull(earlier);
+        var isSame = earlier.FileName == FileName && earlier.Bytes == Bytes && Entities.HasRowsOf(earlier.Entities, DrawingEntity.AreSame) && Parts.HasRowsOf(earlier.Parts, DrawingPart.AreSame);
+        return isSame ? this with { Entities = earlier.Entities, Parts = earlier.Parts } : this;
     }
 
     public SourceRef SourceOf(int entityIndex)
@@ -58,6 +68,12 @@ public sealed record Drawing(
 
     /// <summary>Length of a part along the curve in space, drawing units.</summary>
     public double SpaceLengthOf(in DrawingPart part) => part.IsFreeCurve ? Curves[part.CurveIndex].SpaceLength : part.SpaceLength;
+
+    private static Drawing Bare(string fileName, LengthUnit unit)
+    {
+        var nothing = new Dictionary<string, int>();
+        return new Drawing(fileName, 0, "", "ascii", unit, [], new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), new DrawingBalance(nothing, 0, 0, [], [], nothing, 0), []);
+    }
 
     /// <summary>The first curve with a handle (hexadecimal, any case, leading zeros allowed); null when there is none.</summary>
     public int? IndexOfHandle(string handle)

@@ -28,4 +28,9 @@ public struct DrawingEntity
 
     /// <summary>A closed polyline, a circle.</summary>
     public bool Closed;
+
+    /// <summary>True when both say the same.</summary>
+    public static bool AreSame(in DrawingEntity one, in DrawingEntity other) =>
+        one.SourceLine == other.SourceLine && one.Handle == other.Handle && one.FirstPart == other.FirstPart && one.PartCount == other.PartCount && one.Layer == other.Layer
+        && one.Colour.Equals(other.Colour) && one.Type == other.Type && one.Hidden == other.Hidden && one.Closed == other.Closed;
 }

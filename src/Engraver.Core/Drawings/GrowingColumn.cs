@@ -55,6 +55,23 @@ public sealed class GrowingColumn<T>
         return edited;
     }
 
+    /// <summary>True when another column has as many rows and each is the same.</summary>
+    public bool HasRowsOf(GrowingColumn<T> other, RowComparison same)
+    {
+        ArgumentNullException.ThrowIfNull(other);
+        ArgumentNullException.ThrowIfNull(same);
+        if (other.Count != Count) return false;
+        for (var row = 0; row < Count; row++)
+        {
+            if (!same(this[row], other[row])) return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>Compares two rows.</summary>
+    public delegate bool RowComparison(in T one, in T other);
+
     private void Own(int chunk, HashSet<int> owned)
     {
         if (owned.Add(chunk)) _chunks[chunk] = [.. _chunks[chunk]];

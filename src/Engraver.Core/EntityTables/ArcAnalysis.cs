@@ -5,9 +5,10 @@ namespace Engraver.Core.EntityTables;
 /// <summary>The paper's "DXF analysis": end points and rotation angle of arcs, start point of circles (paper 001, section 4.2).</summary>
 public static class ArcAnalysis
 {
-    /// <summary>A new table with slots 1 to 6 and 15 filled for arcs and circles; circles start at their right quadrant point until sequencing decides. Lines, ellipses and splines pass unchanged.</summary>
+    /// <summary>The table with slots 1 to 6 and 15 filled for arcs and circles; circles start at their right quadrant point until sequencing decides. Lines, ellipses and splines pass unchanged; a table of these alone is returned as it is.</summary>
     public static EntityTable Analyse(EntityTable table)
     {
+        if (!HasArcs(table)) return table;
         var analysed = new EntityTable();
         for (var row = 0; row < table.Count; row++)
         {
@@ -17,6 +18,16 @@ public static class ArcAnalysis
         }
 
         return analysed;
+    }
+
+    private static bool HasArcs(EntityTable table)
+    {
+        for (var row = 0; row < table.Count; row++)
+        {
+            if (table[row].Kind is SegmentKind.Arc or SegmentKind.Circle) return true;
+        }
+
+        return false;
     }
 
     /// <summary>Rotation angle of a counter-clockwise arc, degrees in [0, 360): (end - start) mod 360 (paper 001, eq. 3, read so that it holds across 0 degrees).</summary>

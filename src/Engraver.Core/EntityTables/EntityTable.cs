@@ -4,10 +4,10 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.EntityTables;
 
 /// <summary>The paper's table with fixed slots: any number of rows of 16 doubles in millimetres, one row per directed segment. Immutable outside this folder's stages.</summary>
-/// <remarks>Paper 001 prints an array of 100 x 20; we read it as 16 slots without a limit of rows. Rows are stored in chunks, 128 bytes each plus 4 for the entity index; ellipses and splines (kinds 4 and 5) in a side column.</remarks>
+/// <remarks>Paper 001 prints an array of 100 x 20; we read it as 16 slots without a limit of rows. Rows are stored as columns in chunks: 8 bytes for each slot whose values differ within its chunk (a flat line has four, five when it is in sequence), plus 4 for the entity index; ellipses and splines (kinds 4 and 5) in a side column.</remarks>
 public sealed class EntityTable
 {
-    private readonly GrowingColumn<EntitySlots> _slots = new();
+    private readonly SlotColumns _slots = new();
     private readonly GrowingColumn<int> _entities = new();
     private readonly Dictionary<int, RationalCurve> _curves = [];
 
@@ -19,7 +19,7 @@ public sealed class EntityTable
 
     public int Count => _slots.Count;
 
-    public EntityRow this[int row] => new(_slots[row], _entities[row], CurveOf(row));
+    public EntityRow this[int row] => new(_slots.ChunkOf(row, out var place), place, _entities[row], CurveOf(row));
 
     /// <summary>The drawing entity of a row, without reading its slots.</summary>
     public int EntityIndexOf(int row) => _entities[row];
@@ -38,7 +38,7 @@ public sealed class EntityTable
         return segments;
     }
 
-    internal EntitySlots CopySlots(int row) => _slots[row];
+    internal EntitySlots CopySlots(int row) => _slots.Copy(row);
 
     internal void Append(in EntitySlots slots, int entityIndex, RationalCurve? curve)
     {
@@ -51,7 +51,7 @@ public sealed class EntityTable
     internal EntityTable Picking(ReadOnlySpan<int> rows)
     {
         var picked = new EntityTable();
-        foreach (var row in rows) picked.Append(_slots[row], _entities[row], CurveOf(row));
+        foreach (var row in rows) picked.Append(_slots.Copy(row), _entities[row], CurveOf(row));
         return picked;
     }
 }

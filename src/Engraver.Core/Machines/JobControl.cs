@@ -13,12 +13,27 @@ public sealed class JobControl
     private JobPhase _phase;
     private HeldMove? _move;
     private bool _isOver;
+    private string? _stopReason;
 
     /// <summary>Factors of the programmed feed that an operator may ask for.</summary>
     public static SpeedRange FeedRange { get; } = new(0.1, 2.0);
 
     /// <summary>The same of the rapid speed, which is the machine's fastest.</summary>
     public static SpeedRange RapidRange { get; } = new(0.1, 1.0);
+
+    /// <summary>Why the job is stopped, a sentence, where it is not by the operator's hand; null otherwise. Told before the stop itself.</summary>
+    public string? StopReason
+    {
+        get
+        {
+            lock (_guard) return _stopReason;
+        }
+
+        set
+        {
+            lock (_guard) _stopReason = value;
+        }
+    }
 
     /// <summary>The job is to brake on its path, or stay where it is held.</summary>
     public bool IsHoldWanted

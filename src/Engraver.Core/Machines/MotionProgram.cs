@@ -14,7 +14,7 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
     /// <summary>Where the machine goes behind the last stroke, tool off, job frame; null: it stays where it is. Posted programs end where their last stroke does.</summary>
     public CountsPoint? Finish { get; init; }
 
-    public int SegmentCount => Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Segments.Count));
+    public int SegmentCount => Strokes.Sum(stroke => stroke.SegmentCount);
 
     /// <summary>The segment after so many in the order of cutting, with its start and stroke; null after the last.</summary>
     public (CountsPoint Start, VectorSegment Segment, MotionStroke Stroke)? SegmentBehind(int executed)
@@ -33,7 +33,10 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
 }
 
 /// <summary>One stroke: rapid to <see cref="Start"/> with the tool off, tool on, every sequence in order (at rest between two of them), tool off. Where an axis is the tool drive, "on" is at the height of the start and "off" at clearance height; each pass is a stroke with the same index.</summary>
-public sealed record MotionStroke(int Index, CountsPoint Start, IReadOnlyList<VectorSequence> Sequences);
+public sealed record MotionStroke(int Index, CountsPoint Start, IReadOnlyList<VectorSequence> Sequences)
+{
+    public int SegmentCount => Sequences is StrokeSequences columns ? columns.SegmentCount : Sequences.Sum(sequence => sequence.Segments.Count);
+}
 
 /// <summary>VM ... VE: segments that are cut without a stop. It begins where the machine is.</summary>
 /// <param name="Start">Where the sequence begins, job frame.</param>

@@ -6,11 +6,22 @@ namespace Engraver.Core.Motion;
 /// <remarks>The tool is on from the settle before the first to the settle after the last sequence of a stroke.</remarks>
 public sealed class MotionTimeline
 {
-    private readonly List<MotionSpan> _spans = [];
+    private readonly SpanColumn _spans;
 
+    /// <summary>For each stroke its first sequence among those of all strokes; one more than there are strokes.</summary>
+    private readonly int[] _firstSequences;
+
+    /// <summary>For each sequence the span in which it is cut; 0 where it takes no time.</summary>
+    private readonly int[] _cuts;
     private readonly CommandTimes _commands;
 
-    private MotionTimeline(MotionProgram program, CommandTimes commands) => (Program, _commands) = (program, commands);
+    private MotionTimeline(MotionProgram program, CommandTimes commands)
+    {
+        (Program, _commands) = (program, commands);
+        _firstSequences = new int[program.Strokes.Count + 1];
+        for (var stroke = 0; stroke < program.Strokes.Count; stroke++) _firstSequences[stroke + 1] = _firstSequences[stroke] + program.Strokes[stroke].Sequences.Count;
+        (_spans, _cuts) = (new SpanColumn(program, _firstSequences), new int[_firstSequences[^1]]);
+    }
 
     public MotionProgram Program { get; }
 
@@ -25,14 +36,14 @@ public sealed class MotionTimeline
     public IReadOnlyList<MotionSpan> Spans => _spans;
 
     /// <summary>Seconds of the whole job; 0 when there is nothing to cut.</summary>
-    public double Seconds => _spans.Count == 0 ? 0.0 : _spans[^1].End;
+    public double Seconds => _spans.End;
 
     /// <param name="commands">How long the machine stands, and how fast it travels.</param>
     public static MotionTimeline From(MotionProgram program, CommandTimes commands, CancellationToken cancellation)
     {
         var timeline = new MotionTimeline(program, commands);
         var at = program.Start;
-        if (program is { Strokes.Count: > 0, Profile.Height: not null } && MotionTime.ToolAt(at, on: false, program, commands) is var raise) timeline.Add(MotionSpanKind.Dwell, raise.Dwell + raise.Rapid, 0, 0, at, at, toolOn: false);
+        if (program is { Strokes.Count: > 0, Profile.Height: not null } && MotionTime.ToolAt(at, on: false, program, commands) is var raise) timeline.Add(SpanColumn.SpanPart.Raise, raise.Dwell + raise.Rapid, 0, 0);
         for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -46,38 +57,31 @@ public sealed class MotionTimeline
 
     /// <summary>The span at a moment; moments before and after the job belong to the first and the last.</summary>
     /// <returns>Its index; -1 when there is none.</returns>
-    public int SpanAt(double seconds)
-    {
-        var (low, high) = (0, _spans.Count - 1);
-        while (low < high)
-        {
-            var middle = (low + high + 1) / 2;
-            if (_spans[middle].Start <= seconds) low = middle;
-            else high = middle - 1;
-        }
+    public int SpanAt(double seconds) => _spans.At(seconds);
 
-        return high;
-    }
+    /// <summary>The span in which a sequence is cut.</summary>
+    /// <param name="sequence">Among the sequences of all strokes.</param>
+    public MotionSpan CutOf(int sequence) => _spans[_cuts[sequence]];
 
     private void AddStroke(int index, CountsPoint from)
     {
         var stroke = Program.Strokes[index];
         var rapid = MotionTime.RapidTo(stroke.Start, from, Program, _commands);
-        Add(MotionSpanKind.Dwell, rapid.Dwell, index, 0, from, from, toolOn: false);
-        Add(MotionSpanKind.Rapid, rapid.Rapid, index, 0, from, stroke.Start, toolOn: false);
+        Add(SpanColumn.SpanPart.Wait, rapid.Dwell, index, 0);
+        Add(SpanColumn.SpanPart.Rapid, rapid.Rapid, index, 0);
         var on = MotionTime.ToolAt(stroke.Start, on: true, Program, _commands);
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
-            var sequence = stroke.Sequences[i];
-            var cut = MotionTime.Cut(sequence, Program, _commands);
-            Add(MotionSpanKind.Dwell, cut.Dwell, index, i, sequence.Start, sequence.Start, toolOn: i > 0);
-            if (i == 0) Add(MotionSpanKind.Dwell, on.Dwell + on.Rapid, index, 0, sequence.Start, sequence.Start, toolOn: true);
-            Add(MotionSpanKind.Cut, cut.Cutting, index, i, sequence.Start, sequence.End, toolOn: true);
+            var cut = MotionTime.Cut(stroke.Sequences[i], Program, _commands);
+            Add(SpanColumn.SpanPart.Load, cut.Dwell, index, i);
+            if (i == 0) Add(SpanColumn.SpanPart.ToolOn, on.Dwell + on.Rapid, index, 0);
+            if (cut.Cutting > 0.0) _cuts[_firstSequences[index] + i] = _spans.Count;
+            Add(SpanColumn.SpanPart.Cut, cut.Cutting, index, i);
         }
 
         var last = stroke.Sequences.Count - 1;
         var off = MotionTime.ToolAt(stroke.Sequences[last].End, on: false, Program, _commands);
-        Add(MotionSpanKind.Dwell, off.Dwell + off.Rapid, index, last, stroke.Sequences[last].End, stroke.Sequences[last].End, toolOn: false);
+        Add(SpanColumn.SpanPart.ToolOff, off.Dwell + off.Rapid, index, last);
     }
 
     /// <summary>The way to where the program finishes belongs to its last sequence.</summary>
@@ -85,12 +89,12 @@ public sealed class MotionTimeline
     {
         var (stroke, sequence) = (Program.Strokes.Count - 1, Program.Strokes[^1].Sequences.Count - 1);
         var rapid = MotionTime.RapidTo(finish, from, Program, _commands);
-        Add(MotionSpanKind.Dwell, rapid.Dwell, stroke, sequence, from, from, toolOn: false);
-        Add(MotionSpanKind.Rapid, rapid.Rapid, stroke, sequence, from, finish, toolOn: false);
+        Add(SpanColumn.SpanPart.ToolOff, rapid.Dwell, stroke, sequence); // it waits where the last sequence ended
+        Add(SpanColumn.SpanPart.Finish, rapid.Rapid, stroke, sequence);
     }
 
-    private void Add(MotionSpanKind kind, double seconds, int stroke, int sequence, CountsPoint from, CountsPoint to, bool toolOn)
+    private void Add(SpanColumn.SpanPart part, double seconds, int stroke, int sequence)
     {
-        if (seconds > 0.0) _spans.Add(new MotionSpan(kind, Seconds, seconds, stroke, sequence, from, to, toolOn));
+        if (seconds > 0.0) _spans.Add(part, seconds, _firstSequences[stroke] + sequence);
     }
 }

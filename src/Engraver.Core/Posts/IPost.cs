@@ -26,6 +26,9 @@ public interface IPost
     IReadOnlyList<PostOption> Options { get; }
 
     PostText Write(PostRequest request);
+
+    /// <summary>What <see cref="Write"/> would find. A post that knows it without writing says so at once.</summary>
+    IReadOnlyList<Diagnostic> Findings(PostRequest request) => Write(request).Diagnostics;
 }
 
 /// <summary>What a post is written from.</summary>

@@ -8,13 +8,14 @@ internal sealed class CurveCount(Drawing? drawing)
 {
     private readonly HashSet<int> _counted = [];
 
-    public int Add(IReadOnlyList<StrokeMove> moves)
+    /// <param name="entities">Of the moves of a stroke.</param>
+    public int Add(IEnumerable<int> entities)
     {
-        if (drawing is null) return moves.Count;
+        if (drawing is null) return entities.Count();
         var count = 0;
-        foreach (var move in moves)
+        foreach (var entity in entities)
         {
-            if (drawing.Entities[move.EntityIndex].Type is not (CurveType.Ellipse or CurveType.Spline) || _counted.Add(move.EntityIndex)) count++;
+            if (drawing.Entities[entity].Type is not (CurveType.Ellipse or CurveType.Spline) || _counted.Add(entity)) count++;
         }
 
         return count;

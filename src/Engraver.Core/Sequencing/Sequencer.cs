@@ -91,7 +91,7 @@ public static class Sequencer
 
         return options.Order == StrokeOrder.Drawn
             ? TravelOrder.Drawn(contours, segments, inside, options.ToolStart, first)
-            : TravelOrder.Nearest(contours, segments, inside, depth, options.ToolStart, first);
+            : TravelOrder.Nearest(contours, chained.Segments, inside, depth, options.ToolStart, first);
     }
 
     private static SequencedStroke[] Strokes(ChainedTable chained, IReadOnlyList<StrokeEntry> entries, EntityTable table)
@@ -106,8 +106,7 @@ public static class Sequencer
             var contour = chained.Chain.Contours[entries[i].Contour];
             var outer = chained.Inside[entries[i].Contour];
             var moves = new TableMoves(table, row, contour.Pieces.Length);
-            var length = moves.Sum(move => move.Segment.Length);
-            strokes[i] = new SequencedStroke(i, contour.Closed, moves, curves.Add(moves), length, outer < 0 ? -1 : place[outer]);
+            strokes[i] = new SequencedStroke(i, contour.Closed, moves, curves.Add(moves.Entities), moves.Length, outer < 0 ? -1 : place[outer]);
             row += moves.Count;
         }
 

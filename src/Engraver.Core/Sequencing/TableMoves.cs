@@ -19,6 +19,20 @@ internal sealed class TableMoves(EntityTable table, int firstRow, int count) : I
         }
     }
 
+    /// <summary>Along the path, millimetres.</summary>
+    public double Length
+    {
+        get
+        {
+            var length = 0.0;
+            for (var row = firstRow; row < firstRow + count; row++) length += table[row].ToSegment().Length;
+            return length;
+        }
+    }
+
+    /// <summary>The drawing entities of the moves.</summary>
+    public IEnumerable<int> Entities => Enumerable.Range(firstRow, count).Select(table.EntityIndexOf);
+
     public IEnumerator<StrokeMove> GetEnumerator()
     {
         for (var i = 0; i < count; i++) yield return this[i];

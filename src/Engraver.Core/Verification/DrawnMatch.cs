@@ -1,3 +1,4 @@
+using System.Numerics;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
@@ -12,23 +13,15 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
 {
     public static DrawnMatch From(EntityTable drawn, Toolpath toolpath)
     {
-        var last = new Dictionary<PairKey, int>(drawn.Count);
-        var before = new int[drawn.Count];
+        var pairs = new RowsByPair(drawn);
         var rows = new List<StrokeMove>();
-        for (var row = 0; row < drawn.Count; row++)
-        {
-            before[row] = -1;
-            var key = PairKey.From(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
-            if (!last.TryAdd(key, row)) (before[row], last[key]) = (last[key], row);
-        }
-
         var moves = new List<StrokeMove>();
         var paired = new bool[drawn.Count];
         foreach (var stroke in toolpath.Strokes)
         {
             foreach (var move in stroke.Moves)
             {
-                if (!Pair(drawn, move, last, before, paired)) moves.Add(move);
+                if (!Pair(drawn, move, pairs, paired)) moves.Add(move);
             }
         }
 
@@ -40,12 +33,16 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         return new DrawnMatch(rows, moves);
     }
 
-    private static bool Pair(EntityTable drawn, in StrokeMove move, Dictionary<PairKey, int> last, int[] before, bool[] paired)
+    private static bool Pair(EntityTable drawn, in StrokeMove move, RowsByPair pairs, bool[] paired)
     {
-        if (!last.TryGetValue(PairKey.From(move.Segment, move.EntityIndex), out var row)) return false;
-        while (row >= 0 && (paired[row] || !AreSame(drawn, row, move.Segment))) row = before[row];
-        if (row >= 0) paired[row] = true;
-        return row >= 0;
+        var key = PairKey.From(move.Segment, move.EntityIndex);
+        for (var row = pairs.Last(key); row >= 0; row = pairs.Before(row, key))
+        {
+            if (paired[row] || !AreSame(drawn, row, move.Segment)) continue;
+            return paired[row] = true;
+        }
+
+        return false;
     }
 
     /// <summary>For segments with the same ends: lines and circles are then the same, arcs when they also have the same middle, curves when all spans are.</summary>
@@ -84,5 +81,59 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
             var (a, b) = (segment.Start, segment.End);
             return a.X < b.X || (a.X == b.X && a.Y <= b.Y) ? new PairKey(entity, segment.Kind, a.X, a.Y, b.X, b.Y) : new PairKey(entity, segment.Kind, b.X, b.Y, a.X, a.Y);
         }
+    }
+
+    /// <summary>The rows of a table by their pair, the last first: chains of rows with the same hash, whose keys are read from the rows. An entity with few rows is a chain of its own, so that nothing need be hashed for it.</summary>
+    private sealed class RowsByPair
+    {
+        private const int None = -1;
+        private const int FewRows = 8;
+        private readonly EntityTable _drawn;
+
+        /// <summary>By entity: its number of rows, and the last of them where they are few.</summary>
+        private readonly int[] _rowsOf;
+        private readonly int[] _lastOf;
+        private readonly int[] _heads;
+        private readonly int[] _next;
+
+        public RowsByPair(EntityTable drawn)
+        {
+            _drawn = drawn;
+            _rowsOf = RowsOfEntities(drawn);
+            _lastOf = new int[_rowsOf.Length];
+            _heads = new int[BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, _rowsOf.Where(count => count > FewRows).Sum()))];
+            _next = new int[drawn.Count];
+            Array.Fill(_lastOf, None);
+            Array.Fill(_heads, None);
+            for (var row = 0; row < drawn.Count; row++)
+            {
+                var entity = drawn.EntityIndexOf(row);
+                ref var head = ref _rowsOf[entity] <= FewRows ? ref _lastOf[entity] : ref _heads[BucketOf(KeyOf(row))];
+                (_next[row], head) = (head, row);
+            }
+        }
+
+        public int Last(in PairKey key) => (uint)key.Entity >= (uint)_rowsOf.Length ? None : FirstOf(_rowsOf[key.Entity] <= FewRows ? _lastOf[key.Entity] : _heads[BucketOf(key)], key);
+
+        public int Before(int row, in PairKey key) => FirstOf(_next[row], key);
+
+        private static int[] RowsOfEntities(EntityTable drawn)
+        {
+            var most = -1;
+            for (var row = 0; row < drawn.Count; row++) most = Math.Max(most, drawn.EntityIndexOf(row));
+            var rows = new int[most + 1];
+            for (var row = 0; row < drawn.Count; row++) rows[drawn.EntityIndexOf(row)]++;
+            return rows;
+        }
+
+        private int FirstOf(int row, in PairKey key)
+        {
+            while (row >= 0 && KeyOf(row) != key) row = _next[row];
+            return row;
+        }
+
+        private PairKey KeyOf(int row) => PairKey.From(_drawn[row].ToSegment(), _drawn.EntityIndexOf(row));
+
+        private int BucketOf(in PairKey key) => (int)(((uint)key.GetHashCode() * 0x9E3779B97F4A7C15UL) >> 32) & (_heads.Length - 1);
     }
 }

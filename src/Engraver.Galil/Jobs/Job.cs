@@ -88,7 +88,7 @@ internal sealed class Job
         return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
-    private static JobStep Stopped => new(JobOutcome.Stopped, Wording.Get("Job.StoppedOperator"), null);
+    private JobStep Stopped => new(JobOutcome.Stopped, _options.Control?.StopReason ?? Wording.Get("Job.StoppedOperator"), null);
 
     private JobResult Journalled(JobResult result)
     {

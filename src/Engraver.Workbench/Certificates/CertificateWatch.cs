@@ -30,6 +30,16 @@ public sealed class CertificateWatch
         return Task.Run(() => Looked(job, CertificateStanding.OfRun(job, program), turn), cancellation);
     }
 
+    /// <summary>There is no job any more: what was known of the last one is not kept.</summary>
+    public void Forget()
+    {
+        lock (_guard)
+        {
+            _turn++;
+            (_job, _found) = (null, null);
+        }
+    }
+
     private CertificateStanding Looked(PreparedJob job, CertificateStanding found, int turn)
     {
         lock (_guard)

@@ -14,7 +14,10 @@ public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Mea
     /// <summary>First point of the measured vector, drawing units; null: the point that is given is the first one, and the second is asked for next.</summary>
     public Point2D? From { get; init; }
 
-    public override PointAim Aim => new(PointUse.Place, From);
+    /// <summary>What a place would give (<see cref="PointAim.Ghost"/>).</summary>
+    public GhostOf? Ghost { get; init; }
+
+    public override PointAim Aim => new(PointUse.Place, From) { Ghost = Ghost };
 
     public override Reading<Amount> Read(string typed, Point2D lastPoint)
     {

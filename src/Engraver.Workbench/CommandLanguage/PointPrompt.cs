@@ -15,7 +15,10 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
     /// <summary>What a place would give (<see cref="PointAim.Ghost"/>).</summary>
     public GhostOf? Ghost { get; init; }
 
-    public override PointAim Aim => new(Use, From) { Ghost = Ghost };
+    /// <summary>What is pointed at is taken out of what was picked (<see cref="PointAim.Removes"/>).</summary>
+    public bool Removes { get; init; }
+
+    public override PointAim Aim => new(Use, From) { Ghost = Ghost, Removes = Removes };
 
     public override Reading<Point2D> Read(string typed, Point2D lastPoint)
     {
@@ -51,6 +54,12 @@ public sealed record PointAim(PointUse Use, Point2D? From)
 {
     /// <summary>What a click at a place would give, so that it can be seen before; null when there is nothing to be seen beforehand.</summary>
     public GhostOf? Ghost { get; init; }
+
+    /// <summary>What is pointed at is taken out of what was picked.</summary>
+    public bool Removes { get; init; }
+
+    /// <summary>What stands before the coordinates of a click with Shift; null when Shift means nothing here.</summary>
+    public string? ShiftMark { get; init; }
 
     /// <summary>A place that stands alone.</summary>
     public static PointAim Place { get; } = new(PointUse.Place, null);

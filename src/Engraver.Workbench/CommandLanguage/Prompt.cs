@@ -1,5 +1,4 @@
 using System.Text;
-using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.CommandLanguage;
 
@@ -22,22 +21,28 @@ public abstract record Prompt(string Instruction)
     /// <summary>The place of the drawing that is an answer (a click on the canvas enters its coordinates); null when none is.</summary>
     public virtual PointAim? Aim => null;
 
+    /// <summary>The files that fit, where the name of one is asked for; null where none is.</summary>
+    public virtual FileWanted? File => null;
+
+    /// <summary>True where Yes means that a file of which the name was given is replaced: who was asked before need not be asked again.</summary>
+    public bool Replaces { get; init; }
+
     /// <summary>What Enter alone would lead to, wherever the cursor is, so that it can be seen before; null when there is nothing to be seen.</summary>
     public GhostOf? Preview { get; init; }
 
     /// <summary>True when nothing but an option is an answer.</summary>
     public virtual bool OnlyOptions => false;
 
+    /// <summary>The prompt as it stands in the command window, its default with as many decimals as at the first start.</summary>
+    public string Text => TextIn(Figures.Usual);
+
     /// <summary>The prompt as it stands in the command window.</summary>
-    public string Text
+    public string TextIn(Figures figures)
     {
-        get
-        {
-            var text = new StringBuilder(Instruction);
-            if (Options.Count > 0) text.Append(OnlyOptions ? " [" : Wording.Get("Prompt.Or")).AppendJoin('/', Options.Select(option => option.Name)).Append(']');
-            if (Default is { } standard) text.Append(" <").Append(TextCatalogue.Fact(standard)).Append('>');
-            return text.Append(':').ToString();
-        }
+        var text = new StringBuilder(Instruction);
+        if (Options.Count > 0) text.Append(OnlyOptions ? " [" : Wording.Get("Prompt.Or")).AppendJoin('/', Options.Select(option => option.Shown)).Append(']');
+        if (Default is { } standard) text.Append(" <").Append(Keyword.ShowDefault(Options, figures.Default(standard))).Append('>');
+        return text.Append(':').ToString();
     }
 }
 

@@ -1,8 +1,12 @@
 using Engraver.Workbench.Commands.Commissioning;
+using Engraver.Workbench.Commands.Drafting;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Commands.Files;
+using Engraver.Workbench.Commands.Grips;
 using Engraver.Workbench.Commands.Inquiry;
 using Engraver.Workbench.Commands.Machine;
+using Engraver.Workbench.Commands.Properties;
+using Engraver.Workbench.Commands.Reshaping;
 using Engraver.Workbench.Commands.Sequencing;
 using Engraver.Workbench.Commands.Session;
 using Engraver.Workbench.Commands.Settings;
@@ -28,10 +32,12 @@ public sealed class CommandCatalog
     /// <summary>Everything that is built.</summary>
     public static CommandCatalog Built() => new(
     [
-        new OpenCommand(), new RecentCommand(), new HistoryCommand(), new CloseCommand(), new SaveAsCommand(), new QSaveCommand(), new ExportCommand(), new OptionsCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(),
-        new ZoomCommand(), new PanCommand(), new RegenCommand(), new OsnapCommand(), new ThemeCommand(), new ShowCommand(), new PlaybackCommand(), .. SwitchCommand.All, .. SpacingCommand.All,
+        new NewCommand(), new OpenCommand(), new RecentCommand(), new HistoryCommand(), new CloseCommand(), new SaveAsCommand(), new QSaveCommand(), new ExportCommand(), new OptionsCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(),
+        new ZoomCommand(), new PanCommand(), new RegenCommand(), new OsnapCommand(), new ThemeCommand(), new LanguageCommand(), new ShowCommand(), new PlaybackCommand(), .. SwitchCommand.All, .. SpacingCommand.All,
         new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new AreaCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
-        new EraseCommand(), new MoveCommand(), new CopyCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new OffsetCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
+        new LineCommand(), new PolylineCommand(), new CircleCommand(), new ArcCommand(), new RectangleCommand(), new PolygonCommand(), new EllipseCommand(),
+        new EraseCommand(), new MoveCommand(), new CopyCommand(), new GripEditCommand(), new ChPropCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new OffsetCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
+        .. TrimCommand.All, .. FilletCommand.All, new BreakCommand(), new StretchCommand(), new MatchPropertiesCommand(),
         new PocketCommand(), new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new SacePathCommand(), new SaceOffsetCommand(), new SaceUniformOffsetCommand(), new SaceConstantOffsetsCommand(), new SaceDeepEngravingCommand(), new SaceHelicalDrillCommand(), .. SaceLengthCommand.All, new SaceToggleDensityCommand(), new SaceCornersCommand(),
@@ -41,6 +47,6 @@ public sealed class CommandCatalog
         new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(),
         new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
         new CncTraceCommand(), new AlarmsCommand(), new CncTerminalCommand(),
-        .. SettingCommand.All, new KerfCommand(), .. SystemVariableCommand.All,
+        .. SettingCommand.All, new KerfCommand(), new CurrentLayerCommand(), .. SystemVariableCommand.All,
     ]);
 }

@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
@@ -62,7 +63,11 @@ public sealed class CommandContext
     public Drawing Drawing => Document.Current.Drawing ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CommandContext.NoDrawingOpenOpen"));
 
     /// <summary>What <c>@</c> is relative to, drawing units.</summary>
-    public Point2D LastPoint => _session.LastPoint;
+    public Point2D LastPoint
+    {
+        get => _session.LastPoint;
+        internal set => _session.LastPoint = value;
+    }
 
     /// <summary>Asks the operator.</summary>
     /// <exception cref="OperationCanceledException">Esc.</exception>
@@ -84,6 +89,14 @@ public sealed class CommandContext
     /// <summary>Asks a question whose Enter means no.</summary>
     public async Task<bool> ConfirmAsync(string question) => await ChoiceAsync(question, Keyword.List("Yes", "No"), "No").ConfigureAwait(false) == "Yes";
 
+    /// <summary>Asks whether a file that is there already is replaced; Enter means no.</summary>
+    /// <exception cref="CommandException">It is not to be.</exception>
+    public async Task ConfirmReplaceAsync(string name, string question)
+    {
+        var prompt = new ChoicePrompt(question) { Options = Keyword.List("Yes", "No"), Default = "No", Replaces = true };
+        if (await AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Chosen { Option: "Yes" }) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
+    }
+
     public void Say(string text, MessageKind kind = MessageKind.Note) => _session.Say(kind, text);
 
     /// <summary>Says a result of several lines, as a stage writes it.</summary>
@@ -95,7 +108,46 @@ public sealed class CommandContext
     }
 
     /// <summary>Takes a document step under the command's own name.</summary>
-    public void Take(DocumentState next) => Document.Take(_frame.Info.Name, next);
+    /// <exception cref="OperationCanceledException">Esc came while the command was at work: nothing is changed.</exception>
+    /// <exception cref="CommandException">The command runs beside another one, which may need the document as it is.</exception>
+    public void Take(DocumentState next)
+    {
+        BeforeStep();
+        Document.Take(_frame.Info.Name, next);
+    }
+
+    /// <summary>Changes the document within the step that this command took before, so that undoing goes back behind both.</summary>
+    /// <exception cref="OperationCanceledException">Esc came while the command was at work: nothing is changed.</exception>
+    /// <exception cref="CommandException">The command runs beside another one, which may need the document as it is.</exception>
+    public void Amend(DocumentState next)
+    {
+        BeforeStep();
+        Document.Amend(next);
+    }
+
+    /// <summary>Lights up what was picked for this command, until it ends or takes a step.</summary>
+    public void ShowPicked(IReadOnlyList<int> picked) => _frame.Picked = picked;
+
+    /// <summary>How lengths and angles are printed (LUPREC, AUPREC).</summary>
+    public Figures Figures => Settings.Current.Figures();
+
+    private void BeforeStep()
+    {
+        if (_frame.IsCancelled) throw new OperationCanceledException();
+        RefuseBeside();
+        _frame.Picked = null; // its indices are those of the drawing before
+    }
+
+    /// <summary>For the part of a command that changes the document, where another part of it only looks and is heard while another command is at work.</summary>
+    /// <exception cref="CommandException">Another command is at work.</exception>
+    internal void RefuseBeside()
+    {
+        if (_frame.IsBeside) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.NotBesideDrawing", _frame.Info.Name, _session.Running ?? Wording.Get("CommandSession.AnotherCommand")));
+    }
+
+    /// <summary>Asks a window to show its dialog instead of asking at the command line: not for a script, and not when a dash was typed before the name.</summary>
+    /// <returns>False when there is no such window.</returns>
+    internal bool OpensDialog() => !_frame.HasNoDialog && !IsScripted && _session.OpensDialog(_frame.Info.Name);
 
     /// <summary>The value that was used last at a prompt of this name, or a first one.</summary>
     public string Remembered(string prompt, string first) => _session.Memory.GetValueOrDefault(prompt, first);
@@ -107,6 +159,9 @@ public sealed class CommandContext
 
     /// <summary>A file to read: in the working folder, else beside the script that runs.</summary>
     public string FileToRead(string name) => _session.FileToRead(name);
+
+    /// <summary>The path of a result that is called as the drawing is, beside it; null while none is open.</summary>
+    public string? BesideDrawing(string ending) => Document.FilePath is { } drawing ? Path.ChangeExtension(Path.GetFullPath(FileToWrite(drawing)), ending) : null;
 
     /// <summary>A file to write, in the working folder.</summary>
     public string FileToWrite(string name) => Path.Combine(_session.Environment.Folder, name);
@@ -127,6 +182,9 @@ public sealed class CommandContext
     internal bool StartIsForHands => _session.StartIsForHands;
 
     internal bool IsScripted => _session.IsScripted;
+
+    /// <summary>The name of the command inside which this one runs; null when it runs by itself.</summary>
+    internal string? Outer => _session.Outer;
 
     /// <summary>Adds a job to the history; that it cannot be kept is said.</summary>
     internal void Remember(HistoryEntry entry)

@@ -10,13 +10,26 @@ internal sealed class CommandFrame : IDisposable
 {
     private readonly CancellationTokenSource _cancel = new();
     private TaskCompletionSource _asks = new();
+    private volatile bool _isCancelled;
 
     public CommandFrame(CommandInfo info) => Info = info;
 
     public CommandInfo Info { get; }
 
+    /// <summary>It runs beside another command that is at work, and changes nothing that one may need.</summary>
+    public bool IsBeside { get; init; }
+
+    /// <summary>A dash was typed before its name: it asks at the command line, whatever windows there are.</summary>
+    public bool HasNoDialog { get; init; }
+
+    /// <summary>It was told to end.</summary>
+    public bool IsCancelled => _isCancelled;
+
     /// <summary>What it waits for; null while it is at work.</summary>
     public PendingAsk? Pending { get; private set; }
+
+    /// <summary>What the operator has picked for it so far, indices into the drawing's entities; null while nothing was asked for.</summary>
+    public IReadOnlyList<int>? Picked { get; set; }
 
     /// <summary>How it ended; runs until then.</summary>
     public Task<InputResult> Ended { get; private set; } = Task.FromResult<InputResult>(new InputResult.Done());
@@ -28,6 +41,7 @@ internal sealed class CommandFrame : IDisposable
     {
         var pending = new PendingValue<T>(prompt);
         Pending = pending;
+        if (IsCancelled) pending.Cancel(); // Esc came just before the question
         _asks.TrySetResult();
         return await pending.Answer.ConfigureAwait(false);
     }
@@ -54,7 +68,16 @@ internal sealed class CommandFrame : IDisposable
 
     public void Cancel()
     {
-        _cancel.Cancel();
+        _isCancelled = true;
+        try
+        {
+            _cancel.Cancel();
+        }
+        catch (ObjectDisposedException)
+        {
+            return; // it has ended meanwhile: Esc comes from another thread
+        }
+
         Pending?.Cancel();
     }
 

@@ -1,4 +1,5 @@
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Machine;
 
 namespace Engraver.Workbench.Commands;
 
@@ -12,7 +13,7 @@ internal static class CommandNames
         return catalog.Find(name) ?? (aliases.CommandOf(name) is { } meant ? catalog.Find(meant) : null);
     }
 
-    /// <summary>Commands whose name or alias begins with what is typed; an alias that is meant exactly comes first.</summary>
+    /// <summary>All commands that match: aliases that begin with what is typed (the one that is meant exactly comes first), then names that begin so (CNCSTOP before the others of CNC), then names that hold it inside.</summary>
     public static IReadOnlyList<CommandSuggestion> Suggest(string typed, CommandCatalog catalog, AliasTable table)
     {
         var name = CommandWord.Bare(typed);
@@ -24,7 +25,10 @@ internal static class CommandNames
             .Where(pair => pair.Command is not null)
             .Select(pair => new CommandSuggestion(pair.Alias, pair.Command!.Info));
         var names = catalog.All.Where(info => info.Name.StartsWith(name, StringComparison.OrdinalIgnoreCase)).Select(info => new CommandSuggestion(null, info));
-        return [.. aliases, .. names];
+        var inside = catalog.All.Where(info => info.Name.IndexOf(name, StringComparison.OrdinalIgnoreCase) > 0).Select(info => new CommandSuggestion(null, info));
+        return [.. aliases, .. names.OrderByDescending(IsStop), .. inside];
+
+        static bool IsStop(CommandSuggestion suggestion) => suggestion.Command.Name == CncStopCommand.Name; // who begins to type CNC in a hurry means this one
     }
 }
 
@@ -35,8 +39,13 @@ public sealed record CommandSuggestion(string? Alias, CommandInfo Command)
     public string Text => Alias is null ? Command.Name : $"{Alias} ({Command.Name})";
 }
 
-/// <summary>A typed command name without AutoCAD's prefixes: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a dialog (there are none here).</summary>
+/// <summary>A typed command name and AutoCAD's prefixes before it: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a dialog.</summary>
 internal static class CommandWord
 {
-    public static string Bare(string typed) => typed.TrimStart('\'', '_', '.', '-');
+    private const string Prefixes = "'_.-";
+
+    public static string Bare(string typed) => typed.TrimStart([.. Prefixes]);
+
+    /// <summary>A dash stands among the prefixes.</summary>
+    public static bool HasDash(string typed) => typed[..^Bare(typed).Length].Contains('-', StringComparison.Ordinal);
 }

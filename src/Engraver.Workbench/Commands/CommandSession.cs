@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
@@ -14,14 +16,14 @@ using Engraver.Workbench.Views;
 namespace Engraver.Workbench.Commands;
 
 /// <summary>What the command line is to AutoCAD: takes one input at a time, runs commands on the document and the machine, and always says what it waits for.</summary>
-/// <remarks>One caller at a time, except that while a job runs commands that are heard then (CNCSTOP, CNCSTATUS) and <see cref="CancelAsync"/> may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
-public sealed class CommandSession : IAsyncDisposable
+/// <remarks>One caller at a time, except that while a command is at work those that are heard beside it (CNCSTOP, ZOOM, LIST) and <see cref="CancelAsync"/> may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
+public sealed partial class CommandSession : IAsyncDisposable
 {
     private readonly FrameStack _frames = new();
     private readonly ScriptQueue _scripts = new();
     private readonly SessionTies _ties;
     private ICommand? _last;
-    private CommandFrame? _aside;
+    private int _taking;
 
     public CommandSession(CommandEnvironment environment, CommandCatalog catalog)
     {
@@ -40,6 +42,9 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
     public event EventHandler<CommandMessage>? Said;
+
+    /// <summary>A window's dialogs: it is given the name of a command and answers whether it shows one for it. On the thread of the command; null where there is no window.</summary>
+    public Func<string, bool>? Dialogs { get; set; }
 
     public DocumentSession Document { get; } = new();
 
@@ -74,18 +79,41 @@ public sealed class CommandSession : IAsyncDisposable
 
     public CommandCatalog Catalog { get; }
 
+    /// <summary>The command that Enter would repeat; null for none, and for one that starts motion.</summary>
+    public string? Repeatable => _last is { Info: { StartsMotion: false } info } ? info.Name : null;
+
     /// <summary>What becomes of inputs that are typed while a command works.</summary>
     public TypedAhead Ahead { get; }
 
     public AliasTable Aliases { get; private set; }
 
     /// <summary>True while a command is at work and asks nothing.</summary>
-    public bool IsBusy => _frames.Top is { Pending: null };
+    public bool IsBusy => Volatile.Read(ref _taking) != 0 || _frames.Top is { Pending: null };
+
+    /// <summary>Name of the command that is at work or asks, the outer one; null while none runs.</summary>
+    public string? Running => _frames.Outermost?.Info.Name;
+
+    /// <summary>The command at work was told to end (Esc) and has not ended yet.</summary>
+    public bool IsEnding => IsBusy && _frames.Outermost is { IsCancelled: true };
 
     /// <summary>What is waited for now.</summary>
-    public PromptView Prompt => (_aside is { Pending: not null } aside ? aside : _frames.Top) is { Pending: { } asks } frame
-        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.Prompt.Aim) { Preview = asks.Prompt.Preview }
-        : PromptView.Idle;
+    public PromptView Prompt
+    {
+        get
+        {
+            if (_aside is { Pending: { } beside } aside) return View(aside, "", beside.Prompt);
+            return _frames.Top is { Pending: { } asks } frame ? View(frame, _frames.Before, asks.Prompt) : PromptView.Idle;
+
+            PromptView View(CommandFrame frame, string before, Prompt asks) =>
+                new(frame.Info.Name, before + asks.TextIn(Settings.Current.Figures()), asks.Options, asks.Default, asks.TakesSpaces, asks.Aim) { Preview = asks.Preview, File = asks.File, Replaces = asks.Replaces };
+        }
+    }
+
+    /// <summary>What the operator sees lit up, indices into the drawing's entities: what was picked for the command that runs, else the selection.</summary>
+    public IReadOnlyList<int> Lit => _frames.Picked ?? Document.Current.Selection;
+
+    /// <summary>File names that are not rooted are looked for and written here.</summary>
+    public string Folder => Environment.Folder;
 
     internal CommandEnvironment Environment { get; }
 
@@ -98,26 +126,43 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>True while inputs come from a script.</summary>
     internal bool IsScripted => _scripts.IsRunnable;
 
+    /// <summary>The name of the command inside which another runs; null when none does.</summary>
+    internal string? Outer => _frames.IsNested ? _frames.Outermost!.Info.Name : null;
+
+    internal bool OpensDialog(string command) => Dialogs?.Invoke(command) ?? false;
+    /// <summary>Where a number alone is measured from, towards the cursor, when a place is asked for (direct distance entry), drawing units; null when it is no place, or one that stands alone.</summary>
+    public Point2D? DistanceFrom => _frames.Top is { Pending.Prompt: PointPrompt { Use: PointUse.Place, From: { } from } } ? from : null;
+
     internal Point2D LastPoint { get; set; }
 
-    internal Dictionary<string, string> Memory { get; } = new(StringComparer.Ordinal);
+    internal ConcurrentDictionary<string, string> Memory { get; } = new(StringComparer.Ordinal);
 
     /// <summary>Takes one input, as typed up to Enter (or Space, where the prompt does not take spaces). Empty is Enter alone: the default, the end of a list, or the last command again.</summary>
     /// <param name="cancellation">The operator's stop: a job under way is ended, with the machine standing, before this returns.</param>
-    public async Task<InputResult> EnterAsync(string input, CancellationToken cancellation)
+    public Task<InputResult> EnterAsync(string input, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(input);
-        Environment.Journal?.WriteLine(ScriptText.Write(input.Trim()));
-        var result = await EnterOneAsync(input.Trim(), cancellation).ConfigureAwait(false);
-        if (_scripts.IsRunnable && !IsBusy) result = await RunScriptsAsync(cancellation).ConfigureAwait(false);
-        return Told(result);
+        return EnterAsync(input.Trim(), input.Trim(), cancellation);
     }
 
-    /// <summary>While a command is at work: this input is taken at once, beside it, for it is a command that is heard then or the answer to one.</summary>
-    public bool Hears(string input)
+    /// <summary>Takes a place that was pointed at, exactly; the history shows it as lengths are printed.</summary>
+    /// <param name="cancellation">As for one input.</param>
+    public Task<InputResult> PointAsync(Point2D place, CancellationToken cancellation) =>
+        EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}"), Settings.Current.Figures().Place(place), cancellation);
+
+    private async Task<InputResult> EnterAsync(string input, string shown, CancellationToken cancellation)
     {
-        ArgumentNullException.ThrowIfNull(input);
-        return _aside is { Pending: not null } || (input.Split(' ', StringSplitOptions.RemoveEmptyEntries) is [var word, ..] && Find(word) is { Info.HeardDuringJob: true });
+        Environment.Journal?.WriteLine(ScriptText.Write(input));
+        if (_aside is { Pending: not null } || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(input, cancellation).ConfigureAwait(false));
+        try
+        {
+            var result = await EnterOneAsync(input, cancellation, shown).ConfigureAwait(false);
+            return Told(_scripts.IsRunnable ? await RunScriptsAsync(cancellation).ConfigureAwait(false) : result);
+        }
+        finally
+        {
+            Volatile.Write(ref _taking, 0);
+        }
     }
 
     /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is a letter. With nothing asked it begins by itself.</summary>
@@ -125,9 +170,17 @@ public sealed class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterInsideAsync(string command, CancellationToken cancellation)
     {
         if (_frames.Top is not { Pending: not null } frame) return await EnterAsync(command, cancellation).ConfigureAwait(false);
-        Environment.Journal?.WriteLine("'" + command);
-        Echo("'" + command);
-        return Told(await BeginInsideAsync(frame, command, cancellation).ConfigureAwait(false));
+        if (Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(command, cancellation).ConfigureAwait(false));
+        try
+        {
+            Environment.Journal?.WriteLine("'" + command);
+            Echo("'" + command);
+            return Told(await BeginInsideAsync(frame, command, cancellation).ConfigureAwait(false));
+        }
+        finally
+        {
+            Volatile.Write(ref _taking, 0);
+        }
     }
 
     /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is taken.</summary>
@@ -135,31 +188,32 @@ public sealed class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterLinesAsync(string lines, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(lines);
-        if (IsBusy) return Told(new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkPastedLines")));
-        Environment.Journal?.WriteLine(lines.TrimEnd());
-        QueueScript(Wording.Get("CommandSession.PastedLines"), lines);
-        return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
+        if (IsBusy || Interlocked.Exchange(ref _taking, 1) != 0) return Told(new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkPastedLines")));
+        try
+        {
+            Environment.Journal?.WriteLine(lines.TrimEnd());
+            QueueScript(Wording.Get("CommandSession.PastedLines"), lines);
+            return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
+        }
+        finally
+        {
+            Volatile.Write(ref _taking, 0);
+        }
     }
 
     /// <summary>Esc: ends what asks and clears the selection. A command at work is cancelled (a job stops the machine first); the caller that entered it gets the result.</summary>
     public async Task CancelAsync()
     {
-        if (_aside is { Pending: not null } aside)
-        {
-            aside.Cancel();
-            await aside.Ended.ConfigureAwait(false);
-            _aside = null;
-            aside.Dispose();
-            return;
-        }
-
+        if (await EndBesideAsync().ConfigureAwait(false)) return;
         if (IsBusy)
         {
             _scripts.Clear();
             _frames.Cancel();
+            Say(MessageKind.Note, Wording.Get("CommandSession.Cancel"));
             return;
         }
 
+        SnapOverride.End(this);
         await EndAllAsync().ConfigureAwait(false);
         Say(MessageKind.Note, Wording.Get("CommandSession.Cancel"));
         if (Document.Current.Selection.Count > 0) Document.Select([], Document.Current.Previous);
@@ -174,6 +228,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
+        await EndBesideAsync().ConfigureAwait(false);
         await EndAllAsync().ConfigureAwait(false);
         _ties.Dispose();
         Derivation.Dispose();
@@ -196,43 +251,16 @@ public sealed class CommandSession : IAsyncDisposable
 
     internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
 
-    private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation)
+    private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation, string? shown = null)
     {
-        if (IsBusy || _aside is { Pending: not null }) return await HearAsync(input, cancellation).ConfigureAwait(false);
-        Echo(input);
+        if (_frames.Top is { Pending: null }) return await HearAsync(input, cancellation).ConfigureAwait(false);
+        Echo(shown ?? input);
         if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
-        return frame.Answer(input, LastPoint) is { } wanted ? new InputResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
-    }
-
-    /// <summary>Takes an input while a command is at work: only a command that is heard then is run.</summary>
-    /// <remarks>Answers may follow the command's name in the same input; what is still asked then is answered by the next input.</remarks>
-    private async Task<InputResult> HearAsync(string input, CancellationToken cancellation)
-    {
-        if (_aside is { Pending: not null } asking) return await AnswerAsideAsync(asking, input, cancellation).ConfigureAwait(false);
-        var words = input.Split(' ', StringSplitOptions.RemoveEmptyEntries);
-        if (words.Length == 0 || Find(words[0]) is not { Info.HeardDuringJob: true } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkOnlyCncstop"));
-        var frame = new CommandFrame(command.Info);
-        frame.Start(command, new CommandContext(this, frame));
-        var result = await SettleAsideAsync(frame, cancellation).ConfigureAwait(false);
-        foreach (var word in words.Skip(1))
-        {
-            if (result is not InputResult.Asking) return result;
-            result = await AnswerAsideAsync(frame, word, cancellation).ConfigureAwait(false);
-        }
-
-        return result;
-    }
-
-    private async Task<InputResult> AnswerAsideAsync(CommandFrame frame, string answer, CancellationToken cancellation) =>
-        frame.Answer(answer, LastPoint) is { } wanted ? new InputResult.NotUnderstood(wanted) : await SettleAsideAsync(frame, cancellation).ConfigureAwait(false);
-
-    private async Task<InputResult> SettleAsideAsync(CommandFrame frame, CancellationToken cancellation)
-    {
-        var result = await frame.SettledAsync(cancellation).ConfigureAwait(false);
-        _aside = result is InputResult.Asking ? frame : null;
-        if (_aside is null) frame.Dispose();
-        return result;
+        if (SnapOverride.Take(this, frame.Pending, input)) return new InputResult.Asking();
+        if (frame.Answer(input, LastPoint) is { } wanted) return new InputResult.NotUnderstood(wanted);
+        SnapOverride.End(this);
+        return await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
     private async Task<InputResult> BeginAsync(string input, CancellationToken cancellation)
@@ -240,7 +268,7 @@ public sealed class CommandSession : IAsyncDisposable
         if (input.Length == 0) return await RepeatAsync(cancellation).ConfigureAwait(false);
         if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
         _last = command;
-        return await StartAsync(command, cancellation).ConfigureAwait(false);
+        return await StartAsync(command, cancellation, CommandWord.HasDash(input)).ConfigureAwait(false);
     }
 
     private async Task<InputResult> RepeatAsync(CancellationToken cancellation)
@@ -255,12 +283,13 @@ public sealed class CommandSession : IAsyncDisposable
     {
         if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
         if (!command.Info.Transparent || _frames.IsNested) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CannotUsedInsideEnd", command.Info.Name, outer.Info.Name));
-        return await StartAsync(command, cancellation).ConfigureAwait(false);
+        return await StartAsync(command, cancellation, CommandWord.HasDash(input)).ConfigureAwait(false);
     }
 
-    private async Task<InputResult> StartAsync(ICommand command, CancellationToken cancellation)
+    /// <param name="hasNoDialog">A dash was typed before the name.</param>
+    private async Task<InputResult> StartAsync(ICommand command, CancellationToken cancellation, bool hasNoDialog = false)
     {
-        var frame = _frames.Push(command.Info);
+        var frame = _frames.Push(command.Info, hasNoDialog);
         frame.Start(command, new CommandContext(this, frame));
         return await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
@@ -320,6 +349,12 @@ public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyw
 {
     /// <summary>What Enter alone would lead to (<see cref="CommandLanguage.Prompt.Preview"/>); null when there is nothing to be seen.</summary>
     public GhostOf? Preview { get; init; }
+
+    /// <summary>The files that fit, where the name of one is asked for; null where none is.</summary>
+    public FileWanted? File { get; init; }
+
+    /// <summary>The question whether a file is replaced.</summary>
+    public bool Replaces { get; init; }
 
     public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);
 }

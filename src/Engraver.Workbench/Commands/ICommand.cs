@@ -40,6 +40,12 @@ public sealed record CommandInfo(string Name, CommandGroup Group)
     /// <summary>True when it runs other commands, whatever they do.</summary>
     public bool RunsOthers { get; init; }
 
-    /// <summary>True when it is heard while a job runs; it must not ask anything.</summary>
+    /// <summary>True when it is heard while another command is at work, a job or a computation, though it may not be used inside one that asks. What it asks is asked beside the other.</summary>
     public bool HeardDuringJob { get; init; }
+
+    /// <summary>True when it is run at once while another command is at work.</summary>
+    public bool IsHeardBeside => HeardDuringJob || Transparent;
+
+    /// <summary>True when another drawing is there behind it: what is typed about the view meanwhile is meant for that one.</summary>
+    public bool BringsDrawing { get; init; }
 }

@@ -25,12 +25,17 @@ internal static class ObjectSelection
 
     /// <summary>Asks for objects again and again until Enter.</summary>
     /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
-    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context)
+    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context) =>
+        await PickAsync(context, Wording.Get("ObjectSelection.SelectObjects")).ConfigureAwait(false) is { Count: > 0 } picked ? picked : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
+
+    /// <summary>The same with another instruction; empty when nothing was selected.</summary>
+    /// <exception cref="CommandException">Nothing is open.</exception>
+    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context, string instruction)
     {
         var drawing = context.Drawing;
         var picking = new Picking();
-        var prompt = new PointPrompt(Wording.Get("ObjectSelection.SelectObjects")) { Options = s_options, EnterEnds = true, Use = PointUse.Object };
-        while (await context.AskAsync(prompt).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
+        context.ShowPicked(picking.Selected);
+        while (await context.AskAsync(Prompt(instruction, picking.Adding)).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
         {
             switch (answer)
             {
@@ -40,17 +45,27 @@ internal static class ObjectSelection
                 case Answer<Point2D>.Chosen { Option: var option }: context.Say(picking.Take(await ByOptionAsync(context, drawing, option).ConfigureAwait(false))); break;
                 case Answer<Point2D>.Value { Of: var point }: context.Say(picking.Take(await ByPointAsync(context, drawing, point).ConfigureAwait(false))); break;
             }
+
+            context.ShowPicked(picking.Selected);
         }
 
-        return picking.Selected.Count > 0 ? picking.Selected : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
+        return picking.Selected;
     }
 
+    private static PointPrompt Prompt(string instruction, bool adding) => new(adding ? instruction : Wording.Get("ObjectSelection.RemoveObjects"))
+    {
+        Options = s_options, EnterEnds = true, Use = PointUse.Object, Removes = !adding,
+    };
+
     /// <summary>The visible object under a point; null when there is none.</summary>
-    public static int? At(CommandContext context, Point2D point)
+    public static int? At(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, Reach(context));
+
+    /// <summary>How far a pick reaches, drawing units.</summary>
+    public static double Reach(CommandContext context)
     {
         var (drawing, view) = (context.Drawing, context.View.Current.Window);
         var box = DrawingPick.BoundsOf(drawing, DrawingPick.Visible(drawing));
-        return DrawingPick.Nearest(drawing, point, PickboxShare * Math.Min(Math.Max(box.Width, box.Height), Math.Max(view.Width, view.Height)));
+        return PickboxShare * Math.Min(Math.Max(box.Width, box.Height), Math.Max(view.Width, view.Height));
     }
 
     private static async Task<IReadOnlyList<int>> ByOptionAsync(CommandContext context, Drawing drawing, string option) => option switch

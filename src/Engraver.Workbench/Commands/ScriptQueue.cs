@@ -9,40 +9,63 @@ internal sealed class ScriptQueue
     private const int Deepest = 16;
 
     private readonly Stack<(string Path, IEnumerator<ScriptToken> Tokens)> _scripts = new();
+    private readonly Lock _guard = new(); // Esc clears it from another thread
 
-    public bool IsRunnable => _scripts.Count > 0;
+    public bool IsRunnable
+    {
+        get
+        {
+            lock (_guard) return _scripts.Count > 0;
+        }
+    }
 
     /// <summary>A file in the working folder, else beside the script under way; where there is none, the path in the working folder.</summary>
     public string FileToRead(string folder, string name)
     {
         var here = Path.Combine(folder, name);
-        if (File.Exists(here) || !_scripts.TryPeek(out var script) || Path.GetDirectoryName(Path.GetFullPath(script.Path)) is not { } own) return here;
+        if (File.Exists(here) || !TryPeek(out var script) || Path.GetDirectoryName(Path.GetFullPath(script.Path)) is not { } own) return here;
         var beside = Path.Combine(own, name);
         return File.Exists(beside) ? beside : here;
     }
 
     public void Add(string path, string text)
     {
+        lock (_guard) Push(path, text);
+    }
+
+    private void Push(string path, string text)
+    {
         if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, Wording.Get("ScriptQueue.ScriptsCallEachOther", Deepest));
         _scripts.Push((path, ScriptText.Read(text).GetEnumerator()));
+    }
+
+    private bool TryPeek(out (string Path, IEnumerator<ScriptToken> Tokens) script)
+    {
+        lock (_guard) return _scripts.TryPeek(out script);
     }
 
     /// <summary>The next input; null when all scripts are through.</summary>
     public ScriptInput? Next()
     {
-        while (_scripts.TryPeek(out var script))
+        lock (_guard)
         {
-            if (script.Tokens.MoveNext()) return new ScriptInput(script.Path, script.Tokens.Current);
-            script.Tokens.Dispose();
-            _scripts.Pop();
-        }
+            while (_scripts.TryPeek(out var script))
+            {
+                if (script.Tokens.MoveNext()) return new ScriptInput(script.Path, script.Tokens.Current);
+                script.Tokens.Dispose();
+                _scripts.Pop();
+            }
 
-        return null;
+            return null;
+        }
     }
 
     public void Clear()
     {
-        while (_scripts.TryPop(out var script)) script.Tokens.Dispose();
+        lock (_guard)
+        {
+            while (_scripts.TryPop(out var script)) script.Tokens.Dispose();
+        }
     }
 }
 

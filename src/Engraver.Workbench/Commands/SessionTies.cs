@@ -45,7 +45,14 @@ internal sealed class SessionTies : IDisposable
     private void OnDerived(object? sender, EventArgs e)
     {
         if (!ReferenceEquals(_playback.Motion, _derivation.Current.Motion)) _playback.Load(_derivation.Current.Motion);
-        if (_derivation.Current is not { Job: { Motion.Program: { } program } job } derived || ReferenceEquals(job, _certified)) return;
+        if (_derivation.Current is not { Job: { Motion.Program: { } program } job } derived)
+        {
+            _certified = null;
+            _certificates.Forget();
+            return;
+        }
+
+        if (ReferenceEquals(job, _certified)) return;
         _certified = job;
         _ = _certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Mode, job.Drawing).Program, _ended.Token);
     }

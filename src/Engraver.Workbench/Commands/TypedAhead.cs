@@ -19,6 +19,7 @@ public sealed class TypedAhead(CommandSession session)
     {
         ArgumentNullException.ThrowIfNull(input);
         if (input.Trim().Length == 0) return Wording.Get("TypedAhead.EnterAlone");
+        if (session.IsMachineAtWork) return session.WhyNotBeside(input) ?? Wording.Get("TypedAhead.MachineAtWork", input.Trim());
         return Meant(input) is { } command && MayMove(command) ? Wording.Get("TypedAhead.ActsOnTheMachine", command.Name) : null;
     }
 

@@ -52,6 +52,9 @@ public static class PostTable
         return (readable.FirstOrDefault(entry => fileName.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) ?? readable[0]).Reader!;
     }
 
+    /// <summary>Endings of the files that can be read back.</summary>
+    public static IReadOnlyList<string> ReadEndings => [.. All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Ending).Distinct()];
+
     /// <summary>The text of docs/posts.md.</summary>
     public static string ToMarkdown()
     {

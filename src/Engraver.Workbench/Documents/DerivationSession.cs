@@ -12,6 +12,7 @@ public sealed class DerivationSession : IDisposable
     private JobMode _mode = JobMode.Stream;
     private SerialAddress? _line;
     private bool _keepsUp;
+    private DerivedDocument? _givenUp;
 
     public DerivationSession(DocumentSession document)
     {
@@ -22,6 +23,12 @@ public sealed class DerivationSession : IDisposable
 
     /// <summary>Raised after <see cref="Current"/> has become another one, on a thread of the pool.</summary>
     public event EventHandler? Changed;
+
+    /// <summary>The stage that is computed now; null while nothing is. Its event comes on a thread of the pool.</summary>
+    public DerivationProgress Progress { get; } = new();
+
+    /// <summary>The work on the document as it stands was ended by <see cref="GiveUp"/>: it is begun again when the document changes or somebody asks.</summary>
+    public bool IsGivenUp => _givenUp is { } wanted && IsOf(wanted, _document.Current, _mode, _line);
 
     /// <summary>The last one that was finished; it may lag behind the document.</summary>
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
@@ -77,6 +84,22 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
+    /// <summary>Ends the work under way; nothing is changed.</summary>
+    /// <returns>False when there is none.</returns>
+    public bool GiveUp()
+    {
+        lock (_guard)
+        {
+            if (_work is null) return false;
+            _work.Cancel.Cancel();
+            (_givenUp, _work) = (_work.Wanted, null);
+        }
+
+        Progress.End();
+        Changed?.Invoke(this, EventArgs.Empty);
+        return true;
+    }
+
     public void Dispose()
     {
         _document.Changed -= OnDocumentChanged;
@@ -91,15 +114,16 @@ public sealed class DerivationSession : IDisposable
     private void Begin(DerivedDocument wanted)
     {
         _work?.Cancel.Cancel();
+        _givenUp = null;
         var cancel = new CancellationTokenSource();
         var known = IsOf(Current, wanted.State, wanted.Mode) ? Current : null;
-        var work = Task.Run(() => (known ?? DerivedDocument.Create(wanted.State, wanted.Mode, cancel.Token)).Over(wanted.Line), cancel.Token);
+        var work = Task.Run(() => (known ?? DerivedDocument.Create(wanted.State, wanted.Mode, cancel.Token, Progress.For(cancel.Token))).Over(wanted.Line), cancel.Token);
         _work = new Work(wanted, cancel, FinishAsync(work, cancel));
     }
 
     private async Task<DerivedDocument> FinishAsync(Task<DerivedDocument> work, CancellationTokenSource cancel)
     {
-        var derived = await work.ConfigureAwait(ConfigureAwaitOptions.ForceYielding); // never inside the caller's lock
+        var derived = await UnlessFailedAsync(work, cancel).ConfigureAwait(ConfigureAwaitOptions.ForceYielding); // never inside the caller's lock
         lock (_guard)
         {
             cancel.Token.ThrowIfCancellationRequested();
@@ -107,8 +131,22 @@ public sealed class DerivationSession : IDisposable
             if (ReferenceEquals(_work?.Cancel, cancel)) _work = null;
         }
 
+        Progress.End();
+
         Changed?.Invoke(this, EventArgs.Empty);
         return derived;
+    }
+
+    private async Task<DerivedDocument> UnlessFailedAsync(Task<DerivedDocument> work, CancellationTokenSource cancel)
+    {
+        try
+        {
+            return await work.ConfigureAwait(false);
+        }
+        finally
+        {
+            if (work.IsFaulted && !cancel.IsCancellationRequested) Progress.End();
+        }
     }
 
     private void OnDocumentChanged(object? sender, EventArgs e)
@@ -122,8 +160,63 @@ public sealed class DerivationSession : IDisposable
             }
         }
 
-        if (_keepsUp) _ = ForCurrentAsync(CancellationToken.None);
+        if (_keepsUp && !IsGivenUp) _ = ForCurrentAsync(CancellationToken.None);
+        else if (_work is null) Progress.End();
     }
 
     private sealed record Work(DerivedDocument Wanted, CancellationTokenSource Cancel, Task<DerivedDocument> Result);
+}
+
+/// <summary>How far the work on what follows from a document is. Any thread.</summary>
+public sealed class DerivationProgress
+{
+    private volatile DerivationStage? _stage;
+
+    /// <summary>Raised with each stage and at the end, on the thread of the work.</summary>
+    public event EventHandler? Changed;
+
+    /// <summary>What is computed now; null while nothing is.</summary>
+    public DerivationStage? Stage => _stage;
+
+    /// <summary>For one piece of work: what it reports behind its cancellation is not heard.</summary>
+    internal IProgress<DerivationStage> For(CancellationToken cancellation) => new Work(this, cancellation);
+
+    internal void End() => Take(null);
+
+    private void Take(DerivationStage? stage)
+    {
+        if (ReferenceEquals(_stage, stage)) return;
+        _stage = stage;
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+
+    private sealed class Work(DerivationProgress owner, CancellationToken cancellation) : IProgress<DerivationStage>
+    {
+        public void Report(DerivationStage value)
+        {
+            if (!cancellation.IsCancellationRequested) owner.Take(value);
+        }
+    }
+}
+
+/// <summary>One stage of the work on a document.</summary>
+/// <param name="Key">Name of its text, <c>Derivation.KEY</c>.</param>
+/// <param name="Before">The part of the whole work that stands before it, 0 to 1: roughly, for a bar that moves. Other drawings take other shares.</param>
+public sealed record DerivationStage(string Key, double Before)
+{
+    /// <summary>What is read, layers and arcs.</summary>
+    public static DerivationStage Table { get; } = new("Table", 0.0);
+
+    /// <summary>Contours and their order.</summary>
+    public static DerivationStage Order { get; } = new("Order", 0.10);
+
+    public static DerivationStage Path { get; } = new("Path", 0.50);
+
+    public static DerivationStage Motion { get; } = new("Motion", 0.60);
+
+    /// <summary>The program text and its times.</summary>
+    public static DerivationStage Program { get; } = new("Program", 0.80);
+
+    /// <summary>In words.</summary>
+    public string Name => Wording.Get("Derivation." + Key);
 }

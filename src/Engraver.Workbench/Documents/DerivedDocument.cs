@@ -35,8 +35,13 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     /// <summary>The planned motion; null when there is nothing to cut.</summary>
     public PlannedMotion? Motion { get; init; }
 
-    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut.</summary>
-    public PostText? Program { get; init; }
+    private Lazy<PostText?> Posted { get; init; } = new((PostText?)null);
+
+    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut. Written when it is first asked for, which takes a while: only a page that shows it asks.</summary>
+    public PostText? Program => Posted.Value;
+
+    /// <summary>False while nobody has asked for <see cref="Program"/>.</summary>
+    public bool IsPosted => Posted.IsValueCreated;
 
     /// <summary>Findings of every stage, worst first, in the words of the command line.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
@@ -46,14 +51,15 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     /// <summary>All stages. Between two of them a cancellation is honoured.</summary>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static DerivedDocument Create(DocumentState state, JobMode mode, CancellationToken cancellation)
+    public static DerivedDocument Create(DocumentState state, JobMode mode, CancellationToken cancellation, IProgress<DerivationStage>? progress = null)
     {
         var derived = new DerivedDocument(state, mode);
         if (state.Drawing is not { } drawing) return derived;
         try
         {
             cancellation.ThrowIfCancellationRequested();
-            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, JobPlan.StyleOf(mode), cancellation);
+            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, JobPlan.StyleOf(mode), cancellation, progress);
+            progress?.Report(DerivationStage.Program);
             return (derived with { Job = job }).WithMotion(job, cancellation);
         }
         catch (SettingException unfit)
@@ -74,14 +80,16 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)
     {
         if (job.Motion.Program is not { SegmentCount: > 0 } program) return this with { Findings = Sorted(job.Diagnostics) };
-        var post = PostTable.ForMotion(program.Style).Post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions));
+        var (post, request) = (PostTable.ForMotion(program.Style).Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions));
+        var posted = new Lazy<PostText?>(() => post.Write(request));
+        var findings = post.Findings(request);
         cancellation.ThrowIfCancellationRequested();
         return this with
         {
             Plan = JobPlan.NetworkTimes(program),
-            Program = post,
-            Motion = PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, post.SegmentLines, cancellation),
-            Findings = Sorted([.. job.Diagnostics, .. post.Diagnostics]),
+            Posted = posted,
+            Motion = PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, () => posted.Value!.SegmentLines, cancellation),
+            Findings = Sorted([.. job.Diagnostics, .. findings]),
         };
     }
 

@@ -21,6 +21,9 @@ public sealed record DocumentState
 
     public DrawingSettings Settings { get; init; } = new();
 
+    /// <summary>Name of the layer on which new objects are drawn (CLAYER). Where the drawing has no such layer, they go on layer 0 (<see cref="Documents.CurrentLayer"/>).</summary>
+    public string CurrentLayer { get; init; } = Documents.CurrentLayer.First;
+
     /// <summary>What belongs to the drawing and stands in a file of its own beside it: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 

@@ -9,6 +9,7 @@ internal sealed class DrawingRebuild
     private readonly GrowingColumn<DrawingEntity> _entities = new();
     private readonly GrowingColumn<DrawingPart> _parts = new();
     private readonly Dictionary<int, int> _places = [];
+    private readonly List<Core.Geometry.RationalCurve> _curves = [];
     private ulong _handle;
 
     public DrawingRebuild(Drawing drawing)
@@ -32,10 +33,24 @@ internal sealed class DrawingRebuild
     public void Add(in DrawingEntity like, CurveType type, bool closed, IReadOnlyList<DrawingPart> parts) =>
         Append(like with { Type = type, Closed = closed, Handle = ++_handle, PartCount = parts.Count }, parts);
 
+    /// <summary>Takes an entity over with another shape; it stays the same one, with its handle.</summary>
+    public void Change(int index, CurveType type, bool closed, IReadOnlyList<DrawingPart> parts)
+    {
+        _places[index] = Count;
+        Append(_drawing.Entities[index] with { Type = type, Closed = closed, PartCount = parts.Count }, parts);
+    }
+
+    /// <summary>A part for an ellipse or spline that the old drawing does not have.</summary>
+    public DrawingPart PartOf(Core.Geometry.RationalCurve curve)
+    {
+        _curves.Add(curve);
+        return DrawingPart.FreeCurve(0, curve.Kind, _drawing.Curves.Count + _curves.Count - 1);
+    }
+
     /// <summary>Where entities of the old drawing stand now; those that were replaced are left out.</summary>
     public IReadOnlyList<int> Places(IEnumerable<int> indices) => [.. indices.Where(_places.ContainsKey).Select(index => _places[index])];
 
-    public Drawing Finish() => _drawing with { Entities = _entities, Parts = _parts };
+    public Drawing Finish() => _drawing with { Entities = _entities, Parts = _parts, Curves = _curves.Count == 0 ? _drawing.Curves : [.. _drawing.Curves, .. _curves] };
 
     public static List<DrawingPart> PartsOf(Drawing drawing, int index)
     {

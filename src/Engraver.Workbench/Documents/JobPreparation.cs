@@ -111,14 +111,18 @@ public static class JobPreparation
     /// <summary>All stages; between two of them a cancellation is honoured.</summary>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static PreparedJob PrepareUnlessCancelled(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation)
+    public static PreparedJob PrepareUnlessCancelled(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation, IProgress<DerivationStage>? progress = null)
     {
+        progress?.Report(DerivationStage.Table);
         var cut = ToCut(drawing, settings);
         cancellation.ThrowIfCancellationRequested();
+        progress?.Report(DerivationStage.Order);
         var sequence = Sequence(drawing, cut, settings);
         cancellation.ThrowIfCancellationRequested();
+        progress?.Report(DerivationStage.Path);
         var toolpath = PathOf(sequence, settings);
         cancellation.ThrowIfCancellationRequested();
+        progress?.Report(DerivationStage.Motion);
         var job = FromPath(drawing, settings, cut.Table, sequence, toolpath, style);
         return job with { Kerf = cut.Kerf, Findings = [.. job.Findings, .. cut.FindingsBeside(sequence)] };
     }

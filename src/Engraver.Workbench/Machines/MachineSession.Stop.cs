@@ -6,9 +6,11 @@ namespace Engraver.Workbench.Machines;
 public sealed partial class MachineSession
 {
     /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
+    /// <param name="reason">Why, a sentence for the journal and the history, where it is not the operator's hand; null otherwise.</param>
     /// <returns>False when no job runs.</returns>
-    public bool Stop()
+    public bool Stop(string? reason = null)
     {
+        if (reason is not null && _overrides.Control is { } control) control.StopReason = reason;
         var (job, watch) = AtWork();
         if (job is not null) UrgentThread.Run(job.Cancel);
         else if (watch is not null) _watched.ActUrgently(watch, one => one.StopAsync(Profile.OffAtStop));

@@ -11,7 +11,13 @@ public sealed record DesktopSettings
     /// <summary>Full paths, the last one opened first.</summary>
     public IReadOnlyList<string> RecentFiles { get; init; } = [];
 
+    /// <summary>The folder that was used last for each kind of file, full paths.</summary>
+    public IReadOnlyDictionary<string, string> FileFolders { get; init; } = new Dictionary<string, string>();
+
     public DesktopTheme Theme { get; init; }
+
+    /// <summary>Code of the language of the desktop (<c>en</c>, <c>de</c>); null: that of the system.</summary>
+    public string? Language { get; init; }
 
     /// <summary>Scale of the whole window, 1 is 100 %.</summary>
     public double Scale { get; init; } = 1.0;
@@ -48,6 +54,11 @@ public sealed record DesktopSettings
         return this with { RecentFiles = recent, Views = Views.Where(view => recent.Contains(view.Key)).ToDictionary() };
     }
 
+    /// <summary>These settings without a file that is gone.</summary>
+    public DesktopSettings WithoutRecent(string path) => this with { RecentFiles = [.. RecentFiles.Where(file => file != path)], Views = Views.Where(view => view.Key != path).ToDictionary() };
+
+    public DesktopSettings WithFileFolder(string kind, string folder) => FileFolders.GetValueOrDefault(kind) == folder ? this : this with { FileFolders = new Dictionary<string, string>(FileFolders) { [kind] = folder } };
+
     public DesktopSettings WithVariable(string name, double value) => this with { Variables = new Dictionary<string, double>(Variables) { [name] = value } };
 
     public DesktopSettings WithPanelSize(string panel, double size) => this with { PanelSizes = new Dictionary<string, double>(PanelSizes) { [panel] = size } };
@@ -65,4 +76,7 @@ public enum DesktopTheme
 {
     Dark,
     Light,
+
+    /// <summary>White on black.</summary>
+    HighContrast,
 }

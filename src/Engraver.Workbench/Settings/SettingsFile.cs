@@ -52,6 +52,7 @@ public static class SettingsFile
     private static DesktopSettings Checked(DesktopSettings read) => read with
     {
         RecentFiles = [.. (read.RecentFiles ?? []).OfType<string>().Take(DesktopSettings.MostRecentFiles)],
+        FileFolders = read.FileFolders ?? DesktopSettings.Default.FileFolders,
         PanelSizes = read.PanelSizes ?? DesktopSettings.Default.PanelSizes,
         FoldedPanels = read.FoldedPanels ?? [],
         Variables = read.Variables ?? DesktopSettings.Default.Variables,

@@ -21,9 +21,10 @@ public static class ProgramVerification
     /// <summary>Runs the program and compares.</summary>
     /// <param name="reader">Of the language that the program is written in.</param>
     /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
+    /// <param name="origin">The drawing's zero by the program's own, as it was posted; null for a program that begins where the machine stands, at the drawing's start.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, ProgramOrigin? origin = null)
     {
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
         var tolerances = TolerancesOf(job, reader);
@@ -33,7 +34,7 @@ public static class ProgramVerification
         var machine = job.Settings.Machine;
         var feeds = new FeedJudge(machine.FeedMmPerMinute, reader.TellsHeights ? machine.Height?.PlungeMmPerMinute : null);
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
-        var request = new ReplayRequest(machine, machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null, Feeds = feeds };
+        var request = new ReplayRequest(machine, origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (origin?.Way(machine) ?? TimeSpan.Zero))), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null, Feeds = feeds };
         var faults = program.Text is { } text ? await reader.ReplayAsync(text, request, progress, cancellation).ConfigureAwait(false) : program.Diagnostics;
         var report = Report(job, tolerances, faults.Count > 0 || feeds.Finding is not { } other ? faults : [other], [.. judges.Select(judge => judge.Verdict())], bridges);
         return report with { SlowestMmPerMinute = feeds.Slowest, FastestMmPerMinute = feeds.Fastest, LowestZMm = feeds.Lowest };
@@ -70,6 +71,33 @@ public static class ProgramVerification
     }
 
     private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+}
+
+/// <summary>Where a program takes the drawing's zero to be, mm by the controller's own zero.</summary>
+/// <param name="Z">Null: the height at which the tool stands when the program begins.</param>
+public sealed record ProgramOrigin(double X, double Y, double? Z)
+{
+    /// <summary>Two or three finite numbers apart by commas; null for any other text.</summary>
+    public static ProgramOrigin? TryParse(string text)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var numbers = text.Split(',').Select(word => double.TryParse(word, NumberStyles.AllowDecimalPoint | NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number) ? number : double.NaN).ToList();
+        if (!numbers.TrueForAll(double.IsFinite)) return null;
+        return numbers switch
+        {
+            [var x, var y] => new ProgramOrigin(x, y, null),
+            [var x, var y, var z] => new ProgramOrigin(x, y, z),
+            _ => null,
+        };
+    }
+
+    /// <summary>Where the machine stands in the frame of the drawing while it stands on the controller's zero, counts.</summary>
+    internal CountsPoint Beginning(CountsScale scale) => new(Counts(-X * scale.X), Counts(-Y * scale.Y), Counts(-(Z ?? 0.0) * scale.Z));
+
+    /// <summary>Time of the rapid from the controller's zero to the drawing's.</summary>
+    internal TimeSpan Way(MachineProfile machine) => TimeSpan.FromMinutes((Math.Abs(X) + Math.Abs(Y) + Math.Abs(Z ?? 0.0)) / machine.RapidMmPerMinute);
+
+    private static int Counts(double value) => (int)Math.Clamp(Math.Round(value), int.MinValue, int.MaxValue);
 }
 
 /// <summary>How a posted program and a drawing agree, millimetres.</summary>

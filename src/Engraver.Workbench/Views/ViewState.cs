@@ -26,8 +26,17 @@ public sealed record ViewState
 
     public bool ObjectSnap { get; init; } = true;
 
-    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 16 quadrant, 32 intersection.</summary>
+    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 16 quadrant, 32 intersection, 128 perpendicular, 256 tangent, 512 nearest.</summary>
     public int ObjectSnapModes { get; init; } = 1 + 2 + 4 + 16 + 32;
+
+    /// <summary>The object snap for the next place alone, as <see cref="ObjectSnapModes"/> counts them (0: none at all); null: those that are on.</summary>
+    public int? OneTimeSnap { get; init; }
+
+    /// <summary>The cursor is drawn to multiples of <see cref="PolarAngle"/> from the point before (POLAR); never together with <see cref="Ortho"/>.</summary>
+    public bool Polar { get; init; }
+
+    /// <summary>Step of polar tracking, degrees, above 0 (POLARANG).</summary>
+    public double PolarAngle { get; init; } = 90.0;
 
     public bool DynamicInput { get; init; } = true;
 

@@ -277,26 +277,5 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
 
     private void Draw() => fixture.Desktop.Step();
 
-    private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => fixture.Runner.RunAsync(() =>
-    {
-        var (view, heard) = (new ViewSession(), new HeardCommands());
-        view.Change(state => state with { Grid = false, Shown = CanvasLayers.Drawing });
-        var canvas = new DrawingCanvas { View = view, Scene = CanvasScene.From(s_drawing), Commands = heard };
-        var window = new Window { Width = 400.0, Height = 300.0, Content = canvas };
-        window.Show();
-        fixture.Desktop.Step();
-        view.SetCentre(Point2D.Origin, 300.0);
-        fixture.Desktop.Step();
-        try
-        {
-            test(canvas, view, fixture.Desktop.Windows[^1], heard);
-        }
-        finally
-        {
-            window.Close();
-            fixture.Desktop.Step();
-        }
-
-        return Task.CompletedTask;
-    });
+    private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => CanvasAlone.WithAsync(fixture, s_drawing, test);
 }

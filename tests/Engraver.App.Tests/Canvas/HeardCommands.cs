@@ -1,4 +1,5 @@
 using Engraver.App.Canvas;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 
@@ -17,7 +18,7 @@ internal sealed class HeardCommands : ICanvasCommands
 
     public string Asked => "Specify a place:";
 
-    public void PickAt(Point2D place, int entity, bool remove) => Heard.Add(remove ? $"unpick {entity}" : $"pick {entity}");
+    public void PickAt(Point2D place, int entity, Drawing shown, bool remove) => Heard.Add(remove ? $"unpick {entity}" : $"pick {entity}");
 
     public void SelectBox(Point2D from, Point2D to, bool crossing, bool remove)
     {
@@ -27,9 +28,13 @@ internal sealed class HeardCommands : ICanvasCommands
 
     public void Cancel() => Heard.Add("cancel");
 
-    public void PointGiven(Point2D place)
+    public void GripHeld(Point2D grip) => Heard.Add("grip");
+
+    public void GripDropped(Point2D place) => Heard.Add("drop");
+
+    public void PointGiven(Point2D place, bool remove)
     {
-        Heard.Add("point");
+        Heard.Add(remove ? "point with shift" : "point");
         Points.Add(place);
     }
 

@@ -51,7 +51,7 @@ public sealed class TypingTests(DesktopFixture fixture)
     [Fact]
     public Task One_pasted_line_with_its_end_is_still_one_answer() => fixture.WithOperator(here =>
     {
-        here.Enter("open");
+        here.Enter("FILEDIA", "0", "open");
         fixture.Desktop.ClipboardText = "no such drawing.dxf\n";
         here.Hands.Press(Key.V, RawInputModifiers.Control);
         here.Until(() => here.Window.Model.Command.Line.Length > 0);
@@ -75,6 +75,7 @@ public sealed class TypingTests(DesktopFixture fixture)
     [Fact]
     public Task Space_is_enter_until_an_answer_may_hold_spaces() => fixture.WithOperator(here =>
     {
+        here.Enter("FILEDIA", "0");
         here.Hands.Type("open ");
         here.Rest();
         Assert.Equal("OPEN", here.Desk.Prompt.Command);

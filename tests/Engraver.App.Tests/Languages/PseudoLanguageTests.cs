@@ -18,7 +18,7 @@ public sealed class PseudoLanguageTests(DesktopFixture fixture)
     private static readonly string[] s_scrollBar = ["Line", "Page", "Position", "up", "down"];
 
     /// <summary>Names of commands, work origins and units; they are the same in every language.</summary>
-    private static readonly string[] s_stays = ["mm", "s", "x", "SNAP", "GRID", "ORTHO", "OSNAP", "DYN", "G", .. s_scrollBar];
+    private static readonly string[] s_stays = ["mm", "s", "x", "SNAP", "GRID", "ORTHO", "POLAR", "OSNAP", "DYN", "G", .. s_scrollBar];
 
     [Fact]
     public Task Every_word_of_the_window_and_its_pages_is_in_the_language() => fixture.WithOperator(op =>

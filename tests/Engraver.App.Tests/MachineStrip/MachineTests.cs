@@ -131,12 +131,12 @@ public sealed class MachineTests(DesktopFixture fixture)
     public Task Escape_holds_a_job_and_the_start_key_lets_it_go_on() => fixture.WithOperator(here =>
     {
         StartSlowly(here);
-        Assert.Equal("START", here.Find<Button>("StartKey").Content);
+        Assert.Equal("START", here.Find<TextBlock>("StartText").Text);
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Find<TextBlock>("StateText").Text == "HELD");
         Assert.False(here.Commands.Machine.Status.ToolCommanded);
         Assert.False(here.Find<Button>("HoldKey").IsEffectivelyEnabled);
-        Assert.Equal("RESUME", here.Find<Button>("StartKey").Content);
+        Assert.Equal("RESUME", here.Find<TextBlock>("StartText").Text);
         here.Hands.Press(Key.Escape); // a second time it is held already
         here.Step();
         Assert.Equal("HELD", here.Find<TextBlock>("StateText").Text);

@@ -21,14 +21,14 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         Assert.Equal(moment.Entity, here.Window.Canvas.Highlight);
         Assert.NotEqual(before, here.Window.Canvas.ToolPosition);
         here.Show("Program");
-        Assert.Equal(moment.Line - 1, here.Find<ListBox>("LineList").SelectedIndex);
+        Assert.Equal(here.Commands.Playback.Motion!.LineOf(moment.Segment) - 1, here.Find<ListBox>("LineList").SelectedIndex);
     });
 
     [Fact]
     public Task While_a_job_runs_the_playback_stands_where_the_machine_is() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");
-        here.Enter("CNCCONNECT", "sim:?speed=20");
+        here.Enter("CNCCONNECT", "sim:?speed=5");
         here.Show("Table");
         here.Click(here.Find<Button>("ArmKey"));
         here.Rest();
@@ -103,7 +103,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         here.Until(() => here.Window.Canvas.IsFresh);
         var canvas = here.Window.Canvas;
         var entity = here.Commands.Derivation.Current.Sequence!.Table.EntityIndexOf(2);
-        canvas.Commands!.PickAt(default, entity, remove: false);
+        canvas.Commands!.PickAt(default, entity, canvas.Scene!.Drawing, remove: false);
         here.Rest();
 
         Assert.Equal([entity], here.Commands.Document.Current.Selection);

@@ -57,6 +57,8 @@ internal sealed class ShownDesktop : IDisposable
         }
     }
 
+    public void Type(string text) => _server.Run("xdotool", "type", text);
+
     /// <summary>Types words until the window is called so: what acts on the machine is refused while a command is at work, and an operator types it again.</summary>
     public void EnterUntil(string beginning, params ReadOnlySpan<string> words)
     {
@@ -93,6 +95,15 @@ internal sealed class ShownDesktop : IDisposable
     /// <summary>Presses the mouse button and keeps it down.</summary>
     public void HoldDown(Point place) => _server.Run("xdotool", "mousemove", "--window", Id, Whole(place.X), Whole(place.Y), "mousedown", "1");
 
+    /// <summary>Drags files from another program over a place of the window and lets go there.</summary>
+    /// <returns>True when the window took them.</returns>
+    public bool Drop(Point place, params IEnumerable<string> paths)
+    {
+        using var other = new OtherProgram(_server);
+        var corner = Corner();
+        return other.Drop((nint)long.Parse(Id, CultureInfo.InvariantCulture), corner.X + (int)place.X, corner.Y + (int)place.Y, string.Concat(paths.Select(path => new Uri(path).AbsoluteUri + "\r\n")));
+    }
+
     public void LetGo() => _server.Run("xdotool", "mouseup", "1");
 
     /// <summary>The program dies at once: nothing of it is run any more.</summary>
@@ -101,6 +112,14 @@ internal sealed class ShownDesktop : IDisposable
         _desktop.Kill();
         _desktop.WaitForExit();
     }
+
+    /// <summary>The X server dies.</summary>
+    public void LoseDisplay() => _server.Kill();
+
+    public int WaitForExit() => _desktop.WaitForExit();
+
+    /// <summary>What the program has said so far, on both outputs.</summary>
+    public IReadOnlyCollection<string> Heard => _desktop.Heard;
 
     /// <summary>What the operator sees when the window has come to rest, without the frame of the window manager.</summary>
     public byte[] Picture()

@@ -38,6 +38,7 @@ public sealed class FailureTests(DesktopFixture fixture)
     [Fact]
     public Task What_fails_in_a_command_is_reported_and_the_next_one_runs() => fixture.WithOperator(here =>
     {
+        here.Enter("FILEDIA", "0");
         here.Commands.Document.Changed += Fail;
         here.Hands.Type("OPEN gasket.dxf");
         here.Hands.Press(Avalonia.Input.Key.Enter);

@@ -191,7 +191,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     public Task A_switch_is_no_answer_to_a_question_for_a_name() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");
-        here.Enter("SAVEAS");
+        here.Enter("FILEDIA", "0", "SAVEAS");
         here.Hands.Press(Key.F7);
         here.Rest();
 
@@ -258,7 +258,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         var switches = here.Find<ItemsControl>("SwitchList").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.ToggleButton>().ToList();
-        Assert.Equal(5, switches.Count);
+        Assert.Equal(6, switches.Count);
         Assert.All(switches, button => Assert.Contains("(F", ToolTip.GetTip(button) as string, StringComparison.Ordinal));
         var names = here.Find<ListBox>("LayerList").GetVisualDescendants().OfType<TextBlock>().Where(text => text.TextTrimming != Avalonia.Media.TextTrimming.None).ToList();
         Assert.Equal(5, names.Count);
@@ -491,7 +491,7 @@ public sealed class ShellTests(DesktopFixture fixture)
 
         using var goOn = new ManualResetEventSlim();
         here.Commands.Progress.Changed += Hold;
-        here.Enter("OPEN");
+        here.Enter("FILEDIA", "0", "OPEN");
         here.Hands.Type(file);
         here.Hands.Press(Key.Enter);
         Assert.True(here.Desk.IsBusy);

@@ -29,6 +29,14 @@ public class SavedFileTests
         (0, "LINE"), (8, "TRUE"), (420, 0xFF8000), (10, 0.0), (20, 9.0), (11, 3.0), (21, 9.0),
     ];
 
+    private static readonly (int, object)[] s_yard =
+    [
+        (0, "LINE"), (8, "0"), (10, 0.0), (20, 0.0), (11, 100.0), (21, 0.0), (0, "LINE"), (8, "0"), (10, 0.0), (20, 100.0), (11, 0.0), (21, 0.0),
+        (0, "LINE"), (8, "0"), (10, 30.0), (20, -9.0), (11, 30.0), (21, 80.0), (0, "LINE"), (8, "0"), (10, 50.0), (20, -9.0), (11, 50.0), (21, 80.0),
+        (0, "CIRCLE"), (8, "0"), (10, 50.0), (20, 50.0), (40, 10.0), (0, "ELLIPSE"), (8, "0"), (10, 200.0), (20, 50.0), (11, 10.0), (21, 0.0), (40, 0.5), (41, 0.0), (42, 2.0 * Math.PI),
+        (0, "LWPOLYLINE"), (8, "0"), (90, 4), (70, 1), (10, 300.0), (20, 0.0), (10, 310.0), (20, 0.0), (42, 0.5), (10, 310.0), (20, 10.0), (10, 300.0), (20, 10.0),
+    ];
+
     [EzdxfTheory]
     [InlineData(1)]
     [InlineData(4)]
@@ -43,6 +51,31 @@ public class SavedFileTests
         var layers = audit.GetProperty("layers").EnumerateArray().ToDictionary(layer => layer[0].GetString()!, layer => string.Join(' ', layer.EnumerateArray().Skip(1).Select(value => value.GetRawText())));
         Assert.Contains("5 false false true", layers.Values);
         Assert.Equal("7 true true false", layers["TRUE"]);
+    }
+
+    /// <summary>Four lines about a circle, an ellipse and a bulged polyline; each command of reshaping works on them, and the stranger finds what must be left.</summary>
+    [EzdxfTheory]
+    [InlineData("TRIM  40,0 ", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("TRIM  60,50 ", "ARC,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("TRIM  60,50 shift:48,59 ", "ARC,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("FILLET R 3 10,0 0,10", "ARC,CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("CHAMFER D 3 4 10,0 0,10", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("BREAK 60,50 F 60,50 50,60", "ARC,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("BREAK 210,50 F 210,50 200,45", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("FILLET R 2 P 305,0", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("STRETCH C 308,-2 312,2  0,0 5,1", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    [InlineData("LAYER M Deep  MATCHPROP 10,0 60,50 ", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
+    public async Task A_stranger_finds_what_was_reshaped(string commands, string types)
+    {
+        using var folder = new TemporaryFolder();
+        var (drawing, file) = (folder.PathOf("in.dxf"), folder.PathOf("out.dxf"));
+        File.WriteAllBytes(drawing, new DxfText().Header("AC1021", 4).Section("ENTITIES", s_yard).End().ToAscii());
+        var run = await CliRun.RunAsync("script", folder.WithFile("reshape.scr", $"OPEN \"{drawing}\"\n{commands}\nSAVEAS \"{file}\"\n"));
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        var audit = await AuditAsync(file, folder);
+
+        Assert.Equal((0, 0), (audit.GetProperty("errors").GetInt32(), audit.GetProperty("fixes").GetInt32()));
+        Assert.Equal(types, string.Join(',', audit.GetProperty("types").EnumerateArray().Select(type => type.GetString())));
     }
 
     [EzdxfTheory]

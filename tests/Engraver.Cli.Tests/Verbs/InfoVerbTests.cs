@@ -106,7 +106,7 @@ public class InfoVerbTests
     public async Task Quiet_says_nothing_about_warnings_and_the_culture_changes_no_number()
     {
         var loud = await CliRun.RunAsync("info", SampleDrawing.PathOf("pcb-outline"), "--json");
-        var quiet = await CliRun.RunAsync("info", SampleDrawing.PathOf("pcb-outline"), "--json", "--quiet", "--culture", "de-DE");
+        var quiet = await CliRun.RunAsync("info", SampleDrawing.PathOf("pcb-outline"), "--json", "--quiet", "--culture", "fr-FR");
 
         Assert.Contains("warning", loud.Error, StringComparison.Ordinal);
         Assert.Empty(quiet.Error);

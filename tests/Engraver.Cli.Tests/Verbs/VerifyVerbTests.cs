@@ -19,6 +19,36 @@ public class VerifyVerbTests
     }
 
     [Theory]
+    [InlineData("galil", "40,-12.5")]
+    [InlineData("galil-calls", "-200.25,3")]
+    public async Task A_program_with_an_origin_of_its_own_is_judged_by_that_place_and_by_no_other(string target, string origin)
+    {
+        using var folder = new TemporaryFolder();
+        string[] read = ["verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--target", target, "--start", "5,5", "--json"];
+        await CliRun.RunAsync("post", SampleDrawing.PathOf("nameplate"), "--target", target, "--start", "5,5", $"--origin={origin}", "-o", folder.PathOf("job.dmc"));
+
+        var told = await CliRun.RunAsync([.. read, $"--origin={origin}"]);
+        var beside = await CliRun.RunAsync([.. read, "--origin=40,-12"]);
+        var untold = await CliRun.RunAsync(read);
+
+        Assert.Equal((ExitCode.Done, ExitCode.DrawingError, ExitCode.DrawingError), (told.ExitCode, beside.ExitCode, untold.ExitCode));
+        Assert.InRange(JsonText.Of(told).GetProperty("maxDeviation").GetDouble(), 0.0, JsonText.Of(told).GetProperty("tolerance").GetDouble());
+    }
+
+    [Theory]
+    [InlineData("gcode", "1,2")]
+    [InlineData("galil", "work")]
+    [InlineData("galil", "1")]
+    [InlineData("sace", "1,2")]
+    public async Task An_origin_is_a_place_of_a_target_that_has_one(string target, string origin)
+    {
+        var run = await CliRun.RunAsync("verify", "job.dmc", "--against", SampleDrawing.PathOf("paper-001"), "--target", target, "--origin", origin);
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("--origin", run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
     [InlineData("gcode", "linuxcnc", 0)] // reads grbl's program too
     [InlineData("gcode", "grbl", 0)]
     [InlineData("xps-linearc", null, 0)]

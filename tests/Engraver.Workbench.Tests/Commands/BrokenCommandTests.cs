@@ -20,12 +20,12 @@ public sealed class BrokenCommandTests : IDisposable
     {
         await using var session = Session(late);
 
-        var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAK", _limit.Token));
-        Assert.Equal((CommandFailure.Internal, "BREAK ended by an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
+        var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token));
+        Assert.Equal((CommandFailure.Internal, "BREAKDOWN ended by an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
         Assert.IsType<KeyNotFoundException>(failed.Bug);
         Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // where it was
         var alarm = Assert.Single(session.Machine.Alarms.Open);
-        Assert.Equal((AlarmCause.InternalError, "BREAK", true), (alarm.Cause, alarm.Where, alarm.NeedsAcknowledging));
+        Assert.Equal((AlarmCause.InternalError, "BREAKDOWN", true), (alarm.Cause, alarm.Where, alarm.NeedsAcknowledging));
         Assert.Equal(PromptView.Idle, session.Prompt);
         Assert.IsType<InputResult.Done>(await session.EnterAsync("GRID", _limit.Token) is InputResult.Asking ? await session.EnterAsync("OFF", _limit.Token) : new InputResult.Cancelled());
     }
@@ -34,7 +34,7 @@ public sealed class BrokenCommandTests : IDisposable
     public async Task In_a_script_it_ends_the_script_with_its_line()
     {
         await using var session = Session(late: false);
-        await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "a.scr"), "GRID OFF\nBREAK\nGRID ON\n");
+        await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "a.scr"), "GRID OFF\nBREAKDOWN\nGRID ON\n");
         await session.EnterAsync("SCRIPT", _limit.Token);
 
         var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("a.scr", _limit.Token));
@@ -53,7 +53,7 @@ public sealed class BrokenCommandTests : IDisposable
         var job = session.EnterAsync("Yes", _limit.Token);
         await cutting.Task.WaitAsync(_limit.Token);
 
-        Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAK", _limit.Token)).Sentence, StringComparison.Ordinal);
+        Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token)).Sentence, StringComparison.Ordinal);
         Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job).Why);
         Assert.Equal((JobOutcome.Stopped, false), (session.Machine.LastRun!.Result.Outcome, session.Machine.Status.ToolCommanded!.Value));
     }
@@ -95,7 +95,7 @@ public sealed class BrokenCommandTests : IDisposable
 
     private sealed class BreakCommand(bool late) : ICommand
     {
-        public CommandInfo Info { get; } = new("BREAK", CommandGroup.Ask) { HeardDuringJob = true };
+        public CommandInfo Info { get; } = new("BREAKDOWN", CommandGroup.Ask) { HeardDuringJob = true };
 
         public async Task RunAsync(CommandContext context, CancellationToken cancellation)
         {

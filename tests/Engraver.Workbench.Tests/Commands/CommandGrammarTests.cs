@@ -28,7 +28,7 @@ public class CommandGrammarTests
 
         Assert.Equal(("ROTATE", "Specify rotation angle or [Copy/Reference] <0>:"), (prompt.Command, prompt.Text));
         Assert.Equal(["Copy", "Reference"], prompt.Options.Select(option => option.Name));
-        Assert.Equal(new PointAim(PointUse.Place, new Point2D(0, 0)), prompt.Aim);
+        Assert.Equal(new PointAim(PointUse.Place, new Point2D(0, 0)), prompt.Aim! with { Ghost = null });
     }
 
     /// <summary>A key of the desktop begins a command inside all the same.</summary>
@@ -47,7 +47,7 @@ public class CommandGrammarTests
         await talk.TypeAsync("1,2");
         Assert.Equal("SAVEAS", talk.Session.Prompt.Command);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("'DIST"));
-        Assert.True(File.Exists(talk.PathOf("'DIST")));
+        Assert.True(File.Exists(talk.PathOf("'DIST.dxf")));
     }
 
     [Fact]

@@ -21,7 +21,7 @@ public class CurveAreaTests
     {
         await using var talk = new CommandTalk();
         await File.WriteAllTextAsync(talk.PathOf("curves.dxf"), "0\nSECTION\n2\nENTITIES\n" + Ellipse + HalfEllipse + Parabola + "0\nENDSEC\n0\nEOF\n");
-        await talk.TypeAsync("OPEN", talk.PathOf("curves.dxf"), "AREA", "O", "H", handle, "");
+        await talk.TypeAsync("OPEN", talk.PathOf("curves.dxf"), "LUPREC", "8", "AREA", "O", "H", handle, "");
         var line = talk.Said.Split('\n').Single(text => text.StartsWith("Area = ", StringComparison.Ordinal));
 
         Assert.Equal(area, double.Parse(line["Area = ".Length..line.IndexOf(',', StringComparison.Ordinal)], CultureInfo.InvariantCulture), 1e-5 * area);

@@ -208,7 +208,7 @@ public class DrawingCommandTests
         await talk.Session.CancelAsync();
         await talk.TypeAsync("PROPERTIES");
 
-        Assert.Contains("ARC, handle A2, layer 0, length 7.679449\n    arc from 8.939231,4.305407 to 4.305407,8.939231, centre 5,5, radius 4, sweep 110", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("ARC, handle A2, layer 0, length 7.6794\n    arc from 8.9392,4.3054 to 4.3054,8.9392, centre 5,5, radius 4, sweep 110", talk.Said, StringComparison.Ordinal);
         Assert.Contains("4 objects: 1 LINE, 1 ARC, 1 CIRCLE, 1 LWPOLYLINE", talk.Said, StringComparison.Ordinal);
         Assert.Contains("size 38 x", talk.Said, StringComparison.Ordinal);
     }

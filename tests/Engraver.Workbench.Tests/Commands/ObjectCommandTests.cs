@@ -16,10 +16,10 @@ public class ObjectCommandTests
         var lines = talk.Said.Split('\n').Where(line => line.StartsWith("Area", StringComparison.Ordinal)).ToArray();
 
         Assert.Equal("Area = 6, Perimeter = 12", lines[0]);
-        Assert.Equal(FormattableString.Invariant($"Area = {9 * Math.PI:0.##########}, Circumference = {6 * Math.PI:0.##########}"), lines[1]);
+        Assert.Equal(FormattableString.Invariant($"Area = {9 * Math.PI:0.####}, Circumference = {6 * Math.PI:0.####}"), lines[1]);
         Assert.Equal("Area = 64, Perimeter = 32", lines[2]);
         var sweep = 110.0 * Math.PI / 180.0; // 350 to 100 degrees, closed by its chord
-        Assert.Equal(FormattableString.Invariant($"Area = {8.0 * (sweep - Math.Sin(sweep)):0.##########}, Length = {4.0 * sweep:0.##########}"), lines[3]);
+        Assert.Equal(FormattableString.Invariant($"Area = {8.0 * (sweep - Math.Sin(sweep)):0.####}, Length = {4.0 * sweep:0.####}"), lines[3]);
     }
 
     [Fact]

@@ -57,7 +57,7 @@ public class TextEditTests
     public async Task Copies_and_arrays_of_everything_have_texts_of_their_own()
     {
         await using var talk = await OpenAsync();
-        await talk.TypeAsync("COPY", "ALL", "", "0,0", "100,0");
+        await talk.TypeAsync("COPY", "ALL", "", "0,0", "100,0", "");
         Assert.Equal((4, 102.0), (talk.State.Drawing!.Texts.Count, talk.State.Drawing.Texts[2].Position.X));
         await talk.TypeAsync("U", "ARRAY", "ALL", "", "R", "1", "3", "50");
 

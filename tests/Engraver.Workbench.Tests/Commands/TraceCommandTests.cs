@@ -17,7 +17,7 @@ public class TraceCommandTests
         var last = talk.Session.Machine.Recorded!;
         await talk.TypeAsync("CNCTRACE", "Off");
         Assert.Null(talk.Session.Machine.Recorded);
-        await talk.TypeAsync("SHOW", "recordeD", "OFF");
+        await talk.TypeAsync("SHOW", "RECorded", "OFF");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTRACE", "LAst"));
 

@@ -56,6 +56,27 @@ public class PlannedMotionTests
         }
     }
 
+    /// <summary>What is picked on the canvas, the lit row of the table and the listed rows of the properties are one thing.</summary>
+    [Theory]
+    [InlineData("gasket.dxf")]
+    [InlineData("paper-001.dxf")]
+    [InlineData("nested-logo.dxf")]
+    [InlineData("clock-dial.dxf")]
+    [InlineData("nameplate.dxf")]
+    public void The_moment_at_which_an_entity_or_a_row_begins_is_its_own(string sample)
+    {
+        var (job, motion) = Motion(sample);
+        var table = job.Sequence.Table;
+        for (var row = 0; row < table.Count; row++)
+        {
+            if (motion.TimeOfRow(row) is not { } begins) continue;
+            Assert.Equal(row, motion.At(begins).Row);
+            var entity = table.EntityIndexOf(row);
+            var first = Enumerable.Range(0, table.Count).First(other => table.EntityIndexOf(other) == entity && motion.TimeOfRow(other) is not null);
+            Assert.Equal((entity, first), (motion.At(motion.TimeOfEntity(entity)!.Value).Entity, motion.At(motion.TimeOfEntity(entity)!.Value).Row));
+        }
+    }
+
     [Fact]
     public void The_program_line_under_the_tool_is_the_one_that_commands_it()
     {
@@ -67,8 +88,8 @@ public class PlannedMotionTests
             foreach (var segment in sequence.Segments)
             {
                 var at = motion.At(motion.TimeOfSegment(place++) + 1e-6);
-                Assert.Contains(DmcFormat.Command(segment, sequence.Start), text[at.Line - 1], StringComparison.Ordinal);
-                Assert.True(motion.TimeOfLine(at.Line) <= at.Seconds);
+                Assert.Contains(DmcFormat.Command(segment, sequence.Start), text[motion.LineOf(at.Segment) - 1], StringComparison.Ordinal);
+                Assert.True(motion.TimeOfLine(motion.LineOf(at.Segment)) <= at.Seconds);
             }
         }
 
@@ -94,7 +115,7 @@ public class PlannedMotionTests
     public void A_line_is_run_by_its_trapezoid_and_with_the_tool_settled()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 30, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
         var begins = motion.TimeOfEntity(0)!.Value;
         var ramp = 20_000.0 / 256_000.0;
 
@@ -105,14 +126,14 @@ public class PlannedMotionTests
         Assert.Equal((true, 0.0), (motion.At(begins - 0.05).ToolOn, motion.At(begins - 0.05).Speed));
         Assert.False(motion.At(begins - 0.15).ToolOn);
         Assert.False(motion.At(motion.DurationSeconds).ToolOn);
-        Assert.Equal(0, motion.At(begins).Line);
+        Assert.Equal(0, motion.LineOf(motion.At(begins).Segment));
     }
 
     [Fact]
     public void A_rapid_moves_each_axis_at_its_own_pace()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(50, 5, 60, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
         var rapid = motion.Timeline.Spans.First(span => span.Kind == MotionSpanKind.Rapid);
         var middle = motion.At(rapid.Start + (rapid.Seconds / 2.0));
 
@@ -125,7 +146,7 @@ public class PlannedMotionTests
     public void A_job_with_nothing_to_cut_stands_at_its_start()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings { Start = new Point2D(3, 4) }, MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
 
         Assert.Equal((0.0, new Point2D(3, 4), -1), (motion.DurationSeconds, motion.At(1.0).Position, motion.At(1.0).Segment));
     }

@@ -1,3 +1,5 @@
+using Engraver.Workbench.Settings;
+
 namespace Engraver.App.Canvas.Colours;
 
 /// <summary>The colours of the canvas itself, 0xAARRGGBB.</summary>
@@ -18,6 +20,15 @@ public sealed record CanvasTheme
         Crosshair = 0xFF000000, Selected = 0xFF0B63CE, Hover = 0xFF5B9BE6, Tool = 0xFFC77700,
         ClosedContour = 0xFF0077B6, InsideContour = 0xFF4C8A14, OpenContour = 0xFFC8501E, Rapid = 0xFF7A8590, Direction = 0xFF9A7400, Start = 0xFF1E8E3E, Machine = 0xFF6A48C9, Finding = 0xFFD6215F, Engraved = 0xFF0B8A4B, Remaining = 0xFFA0A9B4,
         SlowCut = 0xFF2148C8, FastCut = 0xFFD1261A,
+    };
+
+    /// <summary>Black, and every mark at least 7 to 1 upon it but the grid, which only helps.</summary>
+    public static CanvasTheme HighContrast { get; } = new()
+    {
+        Background = 0xFF000000, Foreground = 0xFFFFFFFF, MinorGrid = 0xFF1C1C1C, MajorGrid = 0xFF3A3A3A, AxisX = 0xFFB05050, AxisY = 0xFF4FA05F,
+        Crosshair = 0xFFFFFFFF, Selected = 0xFF7CC4FF, Hover = 0xFFC4E2FF, Tool = 0xFFFFC640,
+        ClosedContour = 0xFF66D4FF, InsideContour = 0xFFB4F085, OpenContour = 0xFFFFA581, Rapid = 0xFFB4BEC9, Direction = 0xFFFFE58A, Start = 0xFF98F5A6, Machine = 0xFFCDBBFF, Finding = 0xFFFF8FB0, Engraved = 0xFF5CF0A0, Remaining = 0xFFA4B0BE,
+        SlowCut = 0xFF8FA9FF, FastCut = 0xFFFF8578,
     };
 
     public required uint Background { get; init; }
@@ -73,4 +84,11 @@ public sealed record CanvasTheme
 
     /// <summary>The cut path where it is planned fastest.</summary>
     public required uint FastCut { get; init; }
+
+    public static CanvasTheme Of(DesktopTheme theme) => theme switch
+    {
+        DesktopTheme.Light => Light,
+        DesktopTheme.HighContrast => HighContrast,
+        _ => Dark,
+    };
 }

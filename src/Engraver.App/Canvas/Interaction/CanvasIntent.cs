@@ -27,8 +27,14 @@ internal abstract record CanvasIntent
     /// <summary>Selects what is in the box, or takes it out of the selection.</summary>
     public sealed record Select(SelectionBox Box, bool Remove) : CanvasIntent;
 
-    /// <summary>The point that a command asked for.</summary>
-    public sealed record GivePoint(Point2D At) : CanvasIntent;
+    /// <summary>The point that a command asked for; with Shift what is there is to be removed.</summary>
+    public sealed record GivePoint(Point2D At, bool Remove = false) : CanvasIntent;
+
+    /// <summary>Takes hold of the grip at the place.</summary>
+    public sealed record HoldGrip(Point2D At) : CanvasIntent;
+
+    /// <summary>Lets the grip go that was dragged here.</summary>
+    public sealed record DropGrip(Point2D At) : CanvasIntent;
 
     /// <summary>Double click: centres the finding at the place and zooms in.</summary>
     public sealed record Open(Point2D At) : CanvasIntent;

@@ -14,9 +14,14 @@ internal sealed class PointerMachine
     private Point2D _cursor;
     private bool _boxPressed;
     private bool _boxRemoves;
+    private Point2D? _gripFrom;
+    private Point2D? _pointFrom;
 
     /// <summary>A command asks for a point: clicks are points, not picks.</summary>
     public bool AsksForPoint { get; set; }
+
+    /// <summary>The point that is asked for is the opposite corner of a box.</summary>
+    public bool AsksForCorner { get; set; }
 
     /// <summary>Zoom of one notch of the wheel.</summary>
     public double NotchFactor { get; set; } = 1.25;
@@ -28,14 +33,26 @@ internal sealed class PointerMachine
 
     /// <param name="hits">Whether something lies under the pickbox; called only where it matters.</param>
     /// <param name="clicks">2 for the second click of a double click.</param>
-    public CanvasIntent Press(Point2D at, PointerButton button, bool shift, int clicks, Func<bool> hits)
+    /// <param name="grips">Whether a grip lies there; null where none are shown.</param>
+    public CanvasIntent Press(Point2D at, PointerButton button, bool shift, int clicks, Func<bool> hits, Func<bool>? grips = null)
     {
         _cursor = at;
         if (button == PointerButton.Middle) return PressWheel(at, clicks);
         if (button == PointerButton.Right) return new CanvasIntent.Menu(at);
-        if (AsksForPoint) return new CanvasIntent.GivePoint(at);
+        if (AsksForPoint)
+        {
+            _pointFrom = at;
+            return new CanvasIntent.GivePoint(at, shift);
+        }
+
         if (clicks >= 2) return OpenAt(at);
         if (_boxFrom is not null) return FinishBox(at, _boxRemoves || shift);
+        if (!shift && grips is not null && grips())
+        {
+            _gripFrom = at;
+            return new CanvasIntent.HoldGrip(at);
+        }
+
         if (hits()) return new CanvasIntent.Pick(at, shift);
         (_boxFrom, _boxPressed, _boxRemoves) = (at, true, shift);
         return CanvasIntent.None;
@@ -53,9 +70,19 @@ internal sealed class PointerMachine
     {
         _cursor = at;
         if (button == PointerButton.Middle) _panFrom = null;
+        if (button == PointerButton.Left && Dragged(at) is { } dropped) return dropped;
         if (button != PointerButton.Left || !_boxPressed || _boxFrom is not { } from) return CanvasIntent.None;
         _boxPressed = false;
         return from.DistanceTo(at) > DragDistance ? FinishBox(at, _boxRemoves) : CanvasIntent.None;
+    }
+
+    /// <summary>A grip that was pressed, or the first corner of a box at "Select objects", and then dragged is let go here; after a click a second one gives the place.</summary>
+    private CanvasIntent? Dragged(Point2D at)
+    {
+        var (grip, point) = (_gripFrom, _pointFrom);
+        (_gripFrom, _pointFrom) = (null, null);
+        if (grip is { } held && held.DistanceTo(at) > DragDistance) return new CanvasIntent.DropGrip(at);
+        return AsksForCorner && point is { } corner && corner.DistanceTo(at) > DragDistance ? new CanvasIntent.GivePoint(at) : null;
     }
 
     /// <param name="notches">Forward (away from the hand) positive: nearer.</param>
@@ -76,7 +103,7 @@ internal sealed class PointerMachine
     /// <summary>The canvas lost the mouse (another window, a lost capture): no button counts as pressed.</summary>
     public void Lost()
     {
-        _panFrom = null;
+        (_panFrom, _gripFrom, _pointFrom) = (null, null, null);
         DropBox();
     }
 

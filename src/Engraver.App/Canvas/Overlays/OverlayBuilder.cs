@@ -12,18 +12,23 @@ internal static class OverlayBuilder
     /// <param name="scale">Drawing units for a millimetre.</param>
     public static OverlayScene Build(SequencingResult sequence, Toolpath toolpath, double scale, OverlayInputs inputs) => new()
     {
-        Contours = Contours(sequence, scale),
+        MoveCount = toolpath.Strokes.Sum(stroke => stroke.Moves.Count),
+        Unseen = new UnseenOverlays(
+            new(() => Contours(sequence, scale)),
+            new(() => CutPath(toolpath, scale, inputs.MoveSpeedsWhenSeen?.Invoke() ?? inputs.MoveSpeeds)),
+            new(() => OrderMarks(toolpath, scale))),
         Rapids = Rapids(toolpath, scale),
-        CutPath = CutPath(toolpath, scale, inputs.MoveSpeeds),
         Recorded = RecordedPath(inputs.Recorded),
         Machine = Envelope(inputs.MachineEnvelope),
-        OrderMarks = [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Order, stroke.Moves[0].Segment.StartTangent, stroke.Index + 1))],
         StartMarks = [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Start))],
         FindingMarks = [.. sequence.Discontinuities.Select(end => new SceneMark(Scaled(end.Place, scale), MarkKind.Finding)), .. inputs.Findings.Select(place => new SceneMark(place, MarkKind.Finding))],
         OriginMarks = OriginMark(inputs.WorkOrigin),
         LastEnd = LastEndOf(toolpath, scale),
         Finish = WayTo(LastEndOf(toolpath, scale), inputs.Finish),
     };
+
+    private static SceneMark[] OrderMarks(Toolpath toolpath, double scale) =>
+        [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Order, stroke.Moves[0].Segment.StartTangent, stroke.Index + 1))];
 
     public static IReadOnlyList<SceneMark> OriginMark(Point2D? origin) => origin is { } place ? [new SceneMark(place, MarkKind.Origin)] : [];
 

@@ -10,6 +10,9 @@ public sealed record OverlayInputs
     /// <summary>Planned speed of each cutting move in the order of cutting, as a part of the fastest (0 to 1); what is missing counts as fastest.</summary>
     public IReadOnlyList<double> MoveSpeeds { get; init; } = [];
 
+    /// <summary>Computes <see cref="MoveSpeeds"/> when they are seen; null: they are known.</summary>
+    public Func<IReadOnlyList<double>>? MoveSpeedsWhenSeen { get; init; }
+
     /// <summary>Places of the findings of CHECK, drawing units; the discontinuities of the job need not be among them.</summary>
     public IReadOnlyList<Point2D> Findings { get; init; } = [];
 

@@ -24,15 +24,15 @@ public sealed class OverlayScene
     public static OverlayScene Empty { get; } = new();
 
     /// <summary>Cutting moves of the job; the numbers of the engraved layer run from 0 to it.</summary>
-    public int MoveCount => CutPath.Count;
+    public int MoveCount { get; internal init; }
 
-    /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds.</summary>
-    internal PrimitiveStore Contours { get; init; } = PrimitiveStore.Empty;
+    /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds. Made by the first picture that shows them.</summary>
+    internal PrimitiveStore Contours => Unseen.Contours.Value;
 
     internal PrimitiveStore Rapids { get; init; } = PrimitiveStore.Empty;
 
-    /// <summary>The moves as they are cut; the entity of a primitive is the number of the move in the whole job, the colour its speed.</summary>
-    internal PrimitiveStore CutPath { get; init; } = PrimitiveStore.Empty;
+    /// <summary>The moves as they are cut; the entity of a primitive is the number of the move in the whole job, the colour its speed. Made by the first picture that shows them.</summary>
+    internal PrimitiveStore CutPath => Unseen.CutPath.Value;
 
     /// <summary>Colour: what the operator chose (CNCTRACE).</summary>
     internal PrimitiveStore Recorded { get; init; } = PrimitiveStore.Empty;
@@ -49,7 +49,11 @@ public sealed class OverlayScene
     /// <summary>The corners and points of the trajectories.</summary>
     internal IReadOnlyList<SceneMark> TrajectoryMarks { get; init; } = [];
 
-    internal IReadOnlyList<SceneMark> OrderMarks { get; init; } = [];
+    /// <summary>Made by the first picture that shows them.</summary>
+    internal IReadOnlyList<SceneMark> OrderMarks => Unseen.OrderMarks.Value;
+
+    /// <summary>What most pictures do not show; 42 bytes and more a segment.</summary>
+    internal UnseenOverlays Unseen { get; init; } = UnseenOverlays.None;
 
     internal IReadOnlyList<SceneMark> StartMarks { get; init; } = [];
 
@@ -85,7 +89,7 @@ public sealed class OverlayScene
         ArgumentNullException.ThrowIfNull(inputs);
         return new OverlayScene
         {
-            Contours = Contours, Rapids = Rapids, CutPath = CutPath, OrderMarks = OrderMarks, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Unseen = Unseen, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
             Trajectories = Trajectories, TrajectoryMarks = TrajectoryMarks,
             Machine = OverlayBuilder.Envelope(inputs.MachineEnvelope),
             OriginMarks = OverlayBuilder.OriginMark(inputs.WorkOrigin),
@@ -101,7 +105,7 @@ public sealed class OverlayScene
         ArgumentNullException.ThrowIfNull(trajectories);
         return new OverlayScene
         {
-            Contours = Contours, Rapids = Rapids, CutPath = CutPath, OrderMarks = OrderMarks, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Unseen = Unseen, MoveCount = MoveCount, Rapids = Rapids, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
             Machine = Machine, OriginMarks = OriginMarks, Finish = Finish, Recorded = Recorded,
             Trajectories = TrajectoryOverlay.Curves(trajectories, scale),
             TrajectoryMarks = TrajectoryOverlay.Marks(trajectories, scale),
@@ -110,6 +114,15 @@ public sealed class OverlayScene
 
     /// <summary>Where the last stroke ends, drawing units; null when there is none.</summary>
     internal Point2D? LastEnd { get; init; }
+}
+
+/// <summary>Overlays that are made when a picture shows them for the first time, on the thread that draws it.</summary>
+internal sealed record UnseenOverlays(Lazy<PrimitiveStore> Contours, Lazy<PrimitiveStore> CutPath, Lazy<IReadOnlyList<SceneMark>> OrderMarks)
+{
+    public static UnseenOverlays None { get; } = new(new(PrimitiveStore.Empty), new(PrimitiveStore.Empty), new(Array.Empty<SceneMark>()));
+
+    /// <summary>One of them has been made.</summary>
+    public bool IsAnyMade => Contours.IsValueCreated || CutPath.IsValueCreated || OrderMarks.IsValueCreated;
 }
 
 /// <summary>A recorded position of the machine.</summary>

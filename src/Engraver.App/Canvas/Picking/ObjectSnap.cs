@@ -1,18 +1,20 @@
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Geometry;
+using Engraver.Core.Reshaping;
 
 namespace Engraver.App.Canvas.Picking;
 
-/// <summary>Finds the end, middle, centre, quadrant or intersection near the cursor. Drawing units.</summary>
+/// <summary>Finds the end, middle, centre, quadrant or intersection near the cursor, and of what lies under it the foot, the tangent and the nearest place. Drawing units.</summary>
 public static class ObjectSnap
 {
     /// <summary>In a crowd only so many curves are crossed with each other.</summary>
     private const int MostCrossed = 48;
 
-    /// <summary>The nearest snap place within the aperture. A circle or arc under the cursor offers its centre however far it is, when nothing else is nearer; null when there is nothing.</summary>
+    /// <summary>The nearest snap place within the aperture. What lies under the cursor offers its centre, its foot and its tangent however far they are, when nothing else is nearer, and at last its nearest place; null when there is nothing.</summary>
     /// <param name="kinds">Which snaps are on.</param>
     /// <param name="aperture">Half the side of the snap box.</param>
-    public static SnapPoint? Find(CanvasScene scene, Point2D place, double aperture, SnapKinds kinds)
+    /// <param name="from">The point before, of which feet and tangents are; null: there are none.</param>
+    public static SnapPoint? Find(CanvasScene scene, Point2D place, double aperture, SnapKinds kinds, Point2D? from = null)
     {
         ArgumentNullException.ThrowIfNull(scene);
         var search = new Search(place, aperture);
@@ -24,7 +26,7 @@ public static class ObjectSnap
         }
 
         if (kinds.HasFlag(SnapKinds.Intersection)) OfferCrossings(under, ref search);
-        return search.Best ?? CentreUnder(under, place, kinds);
+        return search.Best ?? SnapsUnder(under, kinds, from).OrderBy(snap => snap.Place.DistanceTo(place)).Select(snap => (SnapPoint?)snap).FirstOrDefault() ?? NearestUnder(under, place, kinds);
     }
 
     private static void Offer(PrimitiveStore store, in ScenePrimitive primitive, SnapKinds kinds, List<Segment> under, ref Search search)
@@ -51,17 +53,21 @@ public static class ObjectSnap
         }
     }
 
-    private static SnapPoint? CentreUnder(List<Segment> under, Point2D place, SnapKinds kinds)
+    /// <summary>What the curves under the cursor offer however far it is.</summary>
+    private static IEnumerable<SnapPoint> SnapsUnder(List<Segment> under, SnapKinds kinds, Point2D? from)
     {
-        if (!kinds.HasFlag(SnapKinds.Centre)) return null;
-        Segment? nearest = null;
         foreach (var segment in under)
         {
-            if (SnapPlaces.CentreOf(segment) is not null && (nearest is null || segment.DistanceTo(place) < nearest.Value.DistanceTo(place))) nearest = segment;
+            if (kinds.HasFlag(SnapKinds.Centre) && SnapPlaces.CentreOf(segment) is { } centre) yield return new SnapPoint(centre, SnapKinds.Centre);
+            if (from is not { } start) continue;
+            foreach (var foot in kinds.HasFlag(SnapKinds.Perpendicular) ? SegmentFeet.Perpendicular(segment, start) : []) yield return new SnapPoint(foot, SnapKinds.Perpendicular);
+            foreach (var touch in kinds.HasFlag(SnapKinds.Tangent) ? SegmentFeet.Tangent(segment, start) : []) yield return new SnapPoint(touch, SnapKinds.Tangent);
         }
-
-        return nearest is { } found && SnapPlaces.CentreOf(found) is { } centre ? new SnapPoint(centre, SnapKinds.Centre) : null;
     }
+
+    private static SnapPoint? NearestUnder(List<Segment> under, Point2D place, SnapKinds kinds) => kinds.HasFlag(SnapKinds.Nearest) && under.Count > 0
+        ? new SnapPoint(under.Select(segment => PathPlace.Nearest(0, segment, place).At).MinBy(at => at.DistanceTo(place)), SnapKinds.Nearest)
+        : null;
 
     private struct Search(Point2D place, double aperture)
     {

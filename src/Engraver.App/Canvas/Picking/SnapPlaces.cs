@@ -58,6 +58,15 @@ public enum SnapKinds
     Centre = 4,
     Quadrant = 16,
     Intersection = 32,
+
+    /// <summary>The foot of the line from the point before.</summary>
+    Perpendicular = 128,
+
+    /// <summary>Where a line from the point before touches.</summary>
+    Tangent = 256,
+
+    /// <summary>Any place of an object.</summary>
+    Nearest = 512,
     All = End | Middle | Centre | Quadrant | Intersection,
 }
 

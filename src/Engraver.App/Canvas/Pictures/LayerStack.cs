@@ -49,15 +49,15 @@ internal static class LayerStack
     private static void AddMarks(CanvasContent content, CanvasView view, List<IPictureLayer> layers)
     {
         var (overlay, theme) = (content.Overlay, content.Theme);
-        Add(CanvasLayers.StartPoints, overlay.StartMarks, theme.Start);
-        Add(CanvasLayers.OrderNumbers, overlay.OrderMarks, theme.Direction);
-        Add(CanvasLayers.WorkOrigin, overlay.OriginMarks, theme.Machine);
-        Add(CanvasLayers.Trajectories, overlay.TrajectoryMarks, theme.Direction);
-        Add(CanvasLayers.Findings, overlay.FindingMarks, theme.Finding);
+        Add(CanvasLayers.StartPoints, () => overlay.StartMarks, theme.Start);
+        Add(CanvasLayers.OrderNumbers, () => overlay.OrderMarks, theme.Direction);
+        Add(CanvasLayers.WorkOrigin, () => overlay.OriginMarks, theme.Machine);
+        Add(CanvasLayers.Trajectories, () => overlay.TrajectoryMarks, theme.Direction);
+        Add(CanvasLayers.Findings, () => overlay.FindingMarks, theme.Finding);
 
-        void Add(CanvasLayers kind, IReadOnlyList<SceneMark> marks, uint colour)
+        void Add(CanvasLayers kind, Func<IReadOnlyList<SceneMark>> made, uint colour)
         {
-            if (marks.Count > 0 && content.Shown.HasFlag(kind)) layers.Add(new MarkLayer(marks, view, colour, content.Scaling));
+            if (content.Shown.HasFlag(kind) && made() is { Count: > 0 } marks) layers.Add(new MarkLayer(marks, view, colour, content.Scaling));
         }
     }
 }

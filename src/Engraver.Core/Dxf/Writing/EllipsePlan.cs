@@ -12,6 +12,9 @@ internal readonly record struct EllipsePlan(Point2D Centre, Vector2D Major, doub
     /// <summary>Smallest ratio that AutoCAD accepts.</summary>
     private const double SmallestRatio = 1e-6;
 
+    /// <summary>What rounding makes of a start at 0, radians: just before it would be written as a whole turn.</summary>
+    private const double Rounding = 1e-13;
+
     public static EllipsePlan From(RationalCurve curve)
     {
         var (centre, first, second, half) = Halves(curve.Spans[0]);
@@ -20,7 +23,7 @@ internal readonly record struct EllipsePlan(Point2D Centre, Vector2D Major, doub
         if (minor.LengthSquared > major.LengthSquared) (major, minor, turn) = (minor, -major, turn + (Math.PI / 2.0));
         var sweep = curve.Spans.ToArray().Sum(span => 2.0 * HalfAngle(span));
         var start = Math.IEEERemainder(-half - turn, Math.Tau);
-        if (start < 0.0) start += Math.Tau;
+        if (start < 0.0) start = start > -Rounding ? 0.0 : start + Math.Tau;
         var ratio = Math.Max(minor.Length / major.Length, SmallestRatio);
         return new EllipsePlan(centre, major, ratio, start, start + (curve.IsClosed ? Math.Tau : sweep), major.Cross(minor) >= 0.0);
     }

@@ -16,8 +16,14 @@ public static class ContourChainer
     /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are in plan.</summary>
     public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance, EndHeights heights)
     {
+        return Chain(segments.ToArray(), joinTolerance, heights);
+    }
+
+    /// <summary>The same; the segments are read, not copied.</summary>
+    internal static ChainResult Chain(Segment[] segments, double joinTolerance, EndHeights heights)
+    {
         ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
-        var walker = new ContourWalker(segments.ToArray(), joinTolerance, heights);
+        var walker = new ContourWalker(segments, joinTolerance, heights);
         var contours = walker.WalkAll();
         return new ChainResult(contours, OpenEndSearch.Find(contours, segments, heights), walker.Branches) { Looks = walker.Looks };
     }

@@ -8,10 +8,14 @@ namespace Engraver.Core.Sequencing.Chaining;
 internal sealed class EndGrid
 {
     private const int None = -1;
+    private const int BitsForEach = 8;
     private const double OutermostCell = 1L << 60;
     private readonly Point2D[] _places;
     private readonly int[] _heads;
     private readonly int[] _next;
+
+    /// <summary>One bit for some cells each: 0 where all of them are empty, so that most looks at an empty cell end without a walk through the memory.</summary>
+    private readonly ulong[] _occupied;
     private readonly bool[] _taken;
     private readonly double _tolerance;
     private readonly double _cell;
@@ -25,6 +29,7 @@ internal sealed class EndGrid
         _cell = Math.Max(2.5 * tolerance, 1e-6);
         _heads = new int[(int)BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, places.Length))];
         _next = new int[places.Length];
+        _occupied = new ulong[_heads.Length / (64 / BitsForEach)];
         _taken = new bool[places.Length];
         Array.Fill(_heads, None);
         for (var i = places.Length - 1; i >= 0; i--) Link(i);
@@ -44,9 +49,14 @@ internal sealed class EndGrid
     public bool TryNear(Point2D here, Predicate<int> counts, int most, List<int> found)
     {
         found.Clear();
-        foreach (var (x, y) in CellsNear(here))
+        var (left, right) = (CellOf(here.X - _tolerance), CellOf(here.X + _tolerance));
+        var (lower, upper) = (CellOf(here.Y - _tolerance), CellOf(here.Y + _tolerance));
+        for (var x = left; x <= right; x++)
         {
-            if (!TryNearInCell(x, y, here, counts, ref most, found)) return false;
+            for (var y = lower; y <= upper; y++)
+            {
+                if (!TryNearInCell(x, y, here, counts, ref most, found)) return false;
+            }
         }
 
         return true;
@@ -82,8 +92,10 @@ internal sealed class EndGrid
 
     private bool TryNearInCell(long x, long y, Point2D here, Predicate<int> counts, ref int most, List<int> found)
     {
+        var hash = HashOf(x, y);
+        if (!IsOccupied(hash)) return true;
         var previous = None;
-        var head = Bucket(x, y);
+        var head = (int)(hash >> 33) & (_heads.Length - 1);
         for (var i = _heads[head]; i != None; i = _next[i])
         {
             Looks++;
@@ -96,7 +108,7 @@ internal sealed class EndGrid
 
             previous = i;
             if (most-- == 0) return false;
-            if (IsIn(i, x, y) && _places[i].IsNear(here, _tolerance) && counts(i)) found.Add(i);
+            if (_places[i].IsNear(here, _tolerance) && IsIn(i, x, y) && counts(i)) found.Add(i);
         }
 
         return true;
@@ -104,7 +116,9 @@ internal sealed class EndGrid
 
     private void Link(int i)
     {
-        var bucket = Bucket(CellOf(_places[i].X), CellOf(_places[i].Y));
+        var hash = HashOf(CellOf(_places[i].X), CellOf(_places[i].Y));
+        var (bucket, bit) = ((int)(hash >> 33) & (_heads.Length - 1), BitOf(hash));
+        _occupied[bit >> 6] |= 1UL << (bit & 63);
         _next[i] = _heads[bucket];
         _heads[bucket] = i;
     }
@@ -112,9 +126,19 @@ internal sealed class EndGrid
     /// <summary>The cell of a coordinate. Extreme coordinates share the outermost cell, because a number that overflowed would never be found again.</summary>
     private long CellOf(double coordinate) => (long)Math.Floor(Math.Clamp(coordinate / _cell, -OutermostCell, OutermostCell));
 
-    private int Bucket(long x, long y)
+    private int Bucket(long x, long y) => (int)(HashOf(x, y) >> 33) & (_heads.Length - 1);
+
+    private bool IsOccupied(ulong hash)
+    {
+        var bit = BitOf(hash);
+        return (_occupied[bit >> 6] & (1UL << (bit & 63))) != 0;
+    }
+
+    private int BitOf(ulong hash) => (int)((hash >> 24) & (((ulong)_occupied.Length * 64) - 1));
+
+    private static ulong HashOf(long x, long y)
     {
         var hash = ((ulong)x * 0x9E3779B97F4A7C15UL) ^ ((ulong)y * 0xC2B2AE3D27D4EB4FUL);
-        return (int)((hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9UL >> 33) & (_heads.Length - 1);
+        return (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9UL;
     }
 }

@@ -7,7 +7,7 @@ namespace Engraver.Core.Sequencing.Ordering;
 internal sealed class NearestStartSearch
 {
     private readonly IReadOnlyList<Contour> _contours;
-    private readonly Segment[] _segments;
+    private readonly ReadOnlyMemory<Segment> _segments;
     private readonly int[] _inside;
     private readonly int[] _waitsFor;
     private readonly List<int>?[] _below;
@@ -20,10 +20,10 @@ internal sealed class NearestStartSearch
     private bool[]? _within;
     private int _left;
 
-    public NearestStartSearch(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth)
+    public NearestStartSearch(IReadOnlyList<Contour> contours, ReadOnlyMemory<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth)
     {
         (_contours, _depth, _left) = (contours, depth, contours.Count);
-        _segments = segments.ToArray();
+        _segments = segments;
         _inside = inside.ToArray();
         _done = new bool[contours.Count];
         _waitsFor = new int[contours.Count];
@@ -41,7 +41,7 @@ internal sealed class NearestStartSearch
 
         _firstEntry = new int[contours.Count + 1];
         _entries = AllEntries();
-        _tree = BoxTree.Build([.. _entries.Select(entry => entry.Place)]);
+        _tree = BoxTree.Build(PlacesOf(_entries));
         _measure = (entry, place) => _entries[entry].Place.DistanceTo(place);
         ForEach(_ => true, contour => Set(contour, _waitsFor[contour] == 0));
     }
@@ -84,7 +84,7 @@ internal sealed class NearestStartSearch
         ForEach(contour => !_done[contour] && _waitsFor[contour] == 0, contour => Set(contour, true));
     }
 
-    public Point2D EndOf(StrokeEntry entry) => TravelOrder.EndOf(entry, _contours[entry.Contour], _segments);
+    public Point2D EndOf(StrokeEntry entry) => TravelOrder.EndOf(entry, _contours[entry.Contour], _segments.Span);
 
     private int Nearest(Point2D tool) => _tree.Nearest(tool, _measure, double.PositiveInfinity, out _);
 
@@ -95,14 +95,21 @@ internal sealed class NearestStartSearch
 
     private StrokeEntry[] AllEntries()
     {
-        var entries = new List<StrokeEntry>();
+        var entries = new List<StrokeEntry>(_segments.Length + _contours.Count);
         for (var contour = 0; contour < _contours.Count; contour++)
         {
-            StrokeEntry.AddAll(contour, _contours[contour], _segments, entries);
+            StrokeEntry.AddAll(contour, _contours[contour], _segments.Span, entries);
             _firstEntry[contour + 1] = entries.Count;
         }
 
         return [.. entries];
+    }
+
+    private static Point2D[] PlacesOf(StrokeEntry[] entries)
+    {
+        var places = new Point2D[entries.Length];
+        for (var entry = 0; entry < places.Length; entry++) places[entry] = entries[entry].Place;
+        return places;
     }
 
     private bool[] WithinFlags(int contour)

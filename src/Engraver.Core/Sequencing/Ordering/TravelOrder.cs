@@ -36,7 +36,7 @@ public static class TravelOrder
     /// <param name="toolStart">Position of the tool at the start.</param>
     /// <param name="first">The entry of the contour that must come first (after what lies inside it); null when none must.</param>
     internal static IReadOnlyList<StrokeEntry> Nearest(
-        IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth, Point2D toolStart, StrokeEntry? first)
+        IReadOnlyList<Contour> contours, ReadOnlyMemory<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth, Point2D toolStart, StrokeEntry? first)
     {
         var search = new NearestStartSearch(contours, segments, inside, depth);
         var order = new List<StrokeEntry>(contours.Count);

@@ -46,10 +46,10 @@ public static class MotionProgramGenerator
 
         if (BridgedGaps.Warning(toolpath, AllowedDeviation(profile, maxErrorMm), Source) is { } beside) findings.Add(beside);
         if (!profile.Scale.KeepsCircles && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
-        var strokes = new List<MotionStroke>(toolpath.Strokes.Count);
+        var (strokes, columns) = (new List<MotionStroke>(toolpath.Strokes.Count), new VectorColumns(toolpath.Strokes.Sum(stroke => stroke.Moves.Count)));
         foreach (var stroke in toolpath.Strokes)
         {
-            var passes = DrawnHeights.Lifts(stroke, profile).Select(lift => StrokeGenerator.Generate(stroke, profile, maxErrorMm, style, lift)).Where(motion => motion.Sequences.Count > 0).ToList();
+            var passes = DrawnHeights.Lifts(stroke, profile).Select(lift => StrokeGenerator.Generate(stroke, profile, maxErrorMm, style, lift, columns)).Where(motion => motion.Sequences.Count > 0).ToList();
             if (passes.Count > 0) strokes.AddRange(passes);
             else findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }

@@ -9,14 +9,14 @@ namespace Engraver.Galil.Programs.Generation;
 /// <param name="wantedSpeed">VS in plan, unless a sequence needs a lower one.</param>
 /// <param name="slope">Speed of lines that rise or fall.</param>
 /// <param name="style">With Calls the sequence ends after every segment.</param>
-internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, SlopeSpeed slope, MotionStyle style)
+/// <param name="columns">Of the whole program; the sequences are appended to them.</param>
+internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, SlopeSpeed slope, MotionStyle style, VectorColumns columns)
 {
     /// <summary>Counts. The controller may refuse a shorter segment (TC 30).</summary>
     private const double ShortestLine = 1.0;
 
-    private readonly List<VectorSequence> _finished = [];
-    private List<VectorSegment> _segments = [];
-    private CountsPoint _start = start;
+    private readonly int _firstSequence = columns.SequenceCount;
+    private readonly List<VectorSegment> _segments = [];
     private double _length;
     private int _slopeSpeed = int.MaxValue;
     private bool _hasArcs;
@@ -34,17 +34,17 @@ internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, SlopeS
     public IReadOnlyList<VectorSequence> Finish()
     {
         EndSequence();
-        return _finished;
+        return columns.StrokeFrom(start, _firstSequence);
     }
 
     /// <summary>VE: the machine stops here, and the next sequence begins at whole counts.</summary>
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
-        _finished.Add(new VectorSequence(_start, FeedLimit.For(_segments, Math.Min(wantedSpeed, _slopeSpeed)), _segments) { ChangesHeight = ChangesHeight });
-        _start = _segments[^1].End;
-        Position = new Point2D(_start.X, _start.Y);
-        _segments = [];
+        columns.Append(FeedLimit.For(_segments, Math.Min(wantedSpeed, _slopeSpeed)), _segments, ChangesHeight);
+        var end = _segments[^1].End;
+        Position = new Point2D(end.X, end.Y);
+        _segments.Clear();
         (_length, _slopeSpeed, _hasArcs) = (0.0, int.MaxValue, false);
     }
 

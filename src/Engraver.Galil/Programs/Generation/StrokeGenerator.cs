@@ -26,23 +26,24 @@ internal sealed class StrokeGenerator
     private int _entity;
     private double? _slope;
 
-    private StrokeGenerator(CountsPoint start, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift)
+    private StrokeGenerator(CountsPoint start, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift, VectorColumns columns)
     {
         (_profile, _lift) = (profile, lift);
         _scale = profile.Scale;
         _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
         _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
-        _builder = new SequenceBuilder(start, profile.VectorSpeed(), new SlopeSpeed(profile), style);
+        _builder = new SequenceBuilder(start, profile.VectorSpeed(), new SlopeSpeed(profile), style, columns);
         _corners = new CornerDetector(profile, profile.VectorSpeed());
         _reached = start;
     }
 
     /// <summary>The stroke in counts; without sequences when all of it is shorter than a count.</summary>
     /// <param name="lift">How far above its depth the pass runs, millimetres; 0 for the last one, and for a machine without a tool axis.</param>
-    public static MotionStroke Generate(ToolpathStroke stroke, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift = 0.0)
+    /// <param name="columns">Of the whole program.</param>
+    public static MotionStroke Generate(ToolpathStroke stroke, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift, VectorColumns columns)
     {
         var start = profile.Scale.ToCounts(stroke.Start) with { Z = HeightOf(stroke.Moves[0].StartZ, profile, lift) };
-        var generator = new StrokeGenerator(start, profile, maxErrorMm, style, lift);
+        var generator = new StrokeGenerator(start, profile, maxErrorMm, style, lift, columns);
         foreach (var move in stroke.Moves) generator.Move(move);
         return new MotionStroke(stroke.Index, start, generator._builder.Finish());
     }

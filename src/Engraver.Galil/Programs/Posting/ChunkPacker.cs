@@ -36,6 +36,20 @@ internal sealed class ChunkPacker
         return packer.Finish();
     }
 
+    /// <summary>The findings of <see cref="Pack"/>. A stroke that certainly fits is not written: only those that do not fit are found.</summary>
+    public static IReadOnlyList<Diagnostic> Findings(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    {
+        var packer = new ChunkPacker(form, options, sourceOf);
+        foreach (var stroke in strokes.Where(stroke => form.MostLines(stroke) > packer._room))
+        {
+            packer.Add(stroke);
+            packer._chunks.Clear();
+            packer._chunks.Add(([], []));
+        }
+
+        return packer._diagnostics;
+    }
+
     /// <summary>The smallest memory that a job of this form can be packed for, lines.</summary>
     public static int FewestLines(PostForm form) => FixedLines(form) + LeastRoom;
 
@@ -109,7 +123,7 @@ internal sealed class ChunkPacker
         return new PackedJob(chunks, _diagnostics);
     }
 
-    private static int SegmentsOf(MotionStroke stroke) => stroke.Sequences.Sum(sequence => sequence.Segments.Count);
+    private static int SegmentsOf(MotionStroke stroke) => stroke.SegmentCount;
 
     private static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
 }

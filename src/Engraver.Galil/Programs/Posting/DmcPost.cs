@@ -21,29 +21,43 @@ public static class DmcPost
     public static PostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
-        var form = new PostForm(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program, options));
-        return Posted(program, form, options, sourceOf);
+        return Posted(program, CallsForm(program, options), options, sourceOf);
     }
 
     /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
-    public static PostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    public static PostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null) => Posted(program, SequencesForm(program, options), options, sourceOf);
+
+    /// <summary>What the post in the style of the program would find. Only strokes that may be too long for the memory are written for it.</summary>
+    internal static IReadOnlyList<Diagnostic> Findings(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    {
+        var form = program.Style == MotionStyle.Calls ? CallsForm(program, options) : SequencesForm(program, options);
+        return TooSmall(form, options) is { } refused ? [refused] : ChunkPacker.Findings(program.Strokes, form, options, sourceOf);
+    }
+
+    private static PostForm CallsForm(MotionProgram program, DmcPostOptions options) =>
+        new(done => CallsOpening(program, done, options), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program, options)) { MostLines = stroke => 3 + stroke.SegmentCount };
+
+    private static PostForm SequencesForm(MotionProgram program, DmcPostOptions options)
     {
         var axes = program.Profile.Axes;
         var (toolOn, toolOff) = SequenceSpelling.ToolOf(program.Profile, dryRun: false, height => Text($"oz{height:+0;-0}"));
         var spelling = new SequenceSpelling(
             string.Empty, "AMS", place => $"{TargetLine(program.Profile, Text($"ox{place.X:+0;-0}"), Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
-        var form = new PostForm(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options));
-        return Posted(program, form, options, sourceOf);
+        return new PostForm(done => Opening(program, done, string.Empty, options), writer.Stroke, SequencesClosing(program, options)) { MostLines = SequenceWriter.MostLines };
     }
 
     private static PostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
-        if (ChunkPacker.FewestLines(form) is var needed && options.MemoryLines < needed) return new PostText([], [MotionRules.MemoryTooSmall.At(default, Text($"{needed}"), Text($"{options.MemoryLines}"))]);
+        if (TooSmall(form, options) is { } refused) return new PostText([], [refused]);
         var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
         IReadOnlyList<Diagnostic> parts = options.Unattended && packed.Chunks.Count > 1 ? [MotionRules.UnattendedInParts.At(default, Text($"{packed.Chunks.Count}"), Text($"{options.MemoryLines}"))] : [];
         return new PostText([.. packed.Chunks.Select(chunk => chunk.Text)], [.. packed.Diagnostics, .. parts]);
     }
+
+    private static Diagnostic? TooSmall(PostForm form, DmcPostOptions options) => ChunkPacker.FewestLines(form) is var needed && options.MemoryLines < needed
+        ? MotionRules.MemoryTooSmall.At(default, Text($"{needed}"), Text($"{options.MemoryLines}"))
+        : null;
 
     /// <summary>Places relative to where the machine stands when the job starts.</summary>
     private static ControllerFrame FromStart(MotionProgram program) => new(program.Start, default);
@@ -151,4 +165,8 @@ public sealed record PostOrigin(int X, int Y, int? Z);
 /// <param name="Stroke">Rapid, tool on, cut, tool off.</param>
 /// <param name="Closing">End of the job and every subprogram.</param>
 internal sealed record PostForm(
-    Func<int, IReadOnlyList<string>> Opening, Func<MotionStroke, IReadOnlyList<string>> Stroke, IReadOnlyList<string> Closing);
+    Func<int, IReadOnlyList<string>> Opening, Func<MotionStroke, IReadOnlyList<string>> Stroke, IReadOnlyList<string> Closing)
+{
+    /// <summary>A number of lines that a stroke certainly does not exceed, found without writing it.</summary>
+    public required Func<MotionStroke, int> MostLines { get; init; }
+}

@@ -49,8 +49,7 @@ public sealed class GalilPost : IPost
     /// <exception cref="ArgumentException">The request has no program in this style.</exception>
     public PostText Write(PostRequest request)
     {
-        ArgumentNullException.ThrowIfNull(request);
-        if (request.Program is not { } program || program.Style != _style) throw new ArgumentException($"{Name} is written from a motion program in the style {_style}.", nameof(request));
+        var program = ProgramOf(request);
         var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(Memory), CultureInfo.InvariantCulture), Unattended = request.Value(Unattended) == "yes" };
         if (Place(request.Value(Origin)) is { } place)
         {
@@ -59,7 +58,21 @@ public sealed class GalilPost : IPost
         }
 
         var text = _style == MotionStyle.Calls ? DmcPost.Calls(program, options, request.SourceOf) : DmcPost.Sequences(program, options, request.SourceOf);
-        return text with { SegmentLines = Posting.SegmentLines.Map(text.Text, _style) };
+        return text with { SegmentLines = Posting.SegmentLines.Map(text.Chunks, _style) };
+    }
+
+    /// <summary>Without options nearly every stroke is known to fit the memory by its number of segments, so that a million of them need not be written.</summary>
+    /// <exception cref="ArgumentException">The request has no program in this style.</exception>
+    public IReadOnlyList<Diagnostic> Findings(PostRequest request)
+    {
+        var program = ProgramOf(request);
+        return request.Options.Count > 0 ? Write(request).Diagnostics : DmcPost.Findings(program, DmcPostOptions.Default, request.SourceOf);
+    }
+
+    private MotionProgram ProgramOf(PostRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        return request.Program is { } program && program.Style == _style ? program : throw new ArgumentException($"{Name} is written from a motion program in the style {_style}.", nameof(request));
     }
 
     /// <summary>Two or three finite numbers apart by commas, mm; null for anything else.</summary>

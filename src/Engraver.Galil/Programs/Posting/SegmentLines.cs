@@ -9,19 +9,30 @@ public static class SegmentLines
     private static readonly SearchStarts s_calls = new("JS" + Subprograms.Linear, "JS" + Subprograms.Circ, "JS" + Subprograms.Slope);
 
     /// <returns>Line numbers from 1, one for each segment.</returns>
-    public static int[] Map(string text, MotionStyle style)
+    public static int[] Map(string text, MotionStyle style) => Map([text], style);
+
+    /// <param name="chunks">One after the other, each ended by a line end.</param>
+    /// <param name="style">Of the motion program.</param>
+    /// <returns>Line numbers of the whole text from 1, one for each segment.</returns>
+    public static int[] Map(IReadOnlyList<string> chunks, MotionStyle style)
     {
+        ArgumentNullException.ThrowIfNull(chunks);
         var starts = style == MotionStyle.Calls ? s_calls : s_segments;
         var lines = new List<int>();
         var number = 0;
-        foreach (var line in text.AsSpan().EnumerateLines())
+        foreach (var chunk in chunks)
         {
-            number++;
-            for (var count = Commands(line, starts); count > 0; count--) lines.Add(number);
+            foreach (var line in WithoutLastEnd(chunk).EnumerateLines())
+            {
+                number++;
+                for (var count = Commands(line, starts); count > 0; count--) lines.Add(number);
+            }
         }
 
         return [.. lines];
     }
+
+    private static ReadOnlySpan<char> WithoutLastEnd(string chunk) => chunk.EndsWith('\n') ? chunk.AsSpan(0, chunk.Length - 1) : chunk;
 
     private static int Commands(ReadOnlySpan<char> line, SearchStarts starts)
     {

@@ -25,6 +25,14 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
         return lines.Line([.. spelling.ToolOff]).Lines;
     }
 
+    /// <summary>A number of lines that <see cref="Stroke"/> does not exceed: a line for each segment, one before and one behind the sequence, and in one that is longer than the buffer a wait before each line.</summary>
+    public static int MostLines(MotionStroke stroke)
+    {
+        var lines = 2;
+        for (var i = 0; i < stroke.Sequences.Count; i++) lines += stroke.Sequences[i].Segments.Count is > SentBeforeStart and var many ? 3 + (2 * many) : 2 + stroke.Sequences[i].Segments.Count;
+        return lines;
+    }
+
     private void Sequence(ProgramLines lines, VectorSequence sequence, IReadOnlyList<string> toolOn)
     {
         lines.Line(spelling.Open, sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, Text($"VS {sequence.Speed}"));

@@ -34,7 +34,7 @@ internal sealed class SupervisedProgram
         _profile = program.Profile;
         var (toolOn, toolOff) = SequenceSpelling.ToolOf(_profile, dryRun, height => Text($"{height}"));
         var spelling = new SequenceSpelling($"CSS;{CountSequence}", "JS#CUT", place => Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff);
-        _form = new PostForm(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile));
+        _form = new PostForm(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile)) { MostLines = SequenceWriter.MostLines };
     }
 
     /// <summary>The smallest memory that the job can be packed for, lines.</summary>

@@ -1,3 +1,4 @@
+using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
@@ -6,9 +7,10 @@ namespace Engraver.Workbench.Commands.Editing;
 internal static class AmountPrompts
 {
     /// <returns>The amount; with a reference, the new value and the value it replaces. Copy is true when the source stays.</returns>
-    public static async Task<(double Value, double? Reference, bool Copy)> AskAsync(CommandContext context, AmountPrompt amount, AmountPrompt reference, AmountPrompt changed)
+    /// <param name="ghost">The objects under an amount and a reference (null for none), for where the cursor is.</param>
+    public static async Task<(double Value, double? Reference, bool Copy)> AskAsync(CommandContext context, AmountPrompt amount, AmountPrompt reference, AmountPrompt changed, Func<double, double?, IReadOnlyList<Segment>> ghost)
     {
-        var asked = amount with { Options = Keyword.List("Copy", "Reference") };
+        var asked = amount with { Options = Keyword.List("Copy", "Reference"), Ghost = GhostOf(amount, value => ghost(value, null)) };
         var copy = false;
         while (true)
         {
@@ -17,8 +19,8 @@ internal static class AmountPrompts
                 case Answer<Amount>.Value { Of: Amount.Number { Of: var value } }:
                     return (value, null, copy);
                 case Answer<Amount>.Chosen { Option: "Reference" }:
-                    var from = await NumberAsync(context, reference).ConfigureAwait(false);
-                    return (await NumberAsync(context, changed).ConfigureAwait(false), from, copy);
+                    var from = await NumberAsync(context, reference, null).ConfigureAwait(false);
+                    return (await NumberAsync(context, changed, value => ghost(value, from)).ConfigureAwait(false), from, copy);
                 default:
                     copy = true;
                     break;
@@ -26,12 +28,16 @@ internal static class AmountPrompts
         }
     }
 
+    /// <summary>What the amount from the prompt's first point to the cursor would give; nothing where it is not allowed.</summary>
+    private static GhostOf? GhostOf(AmountPrompt prompt, Func<double, IReadOnlyList<Segment>>? ghost) =>
+        ghost is null || prompt.From is not { } from ? null : place => prompt.Measure(place - from) is var value && value >= prompt.Least && value <= prompt.Most ? ghost(value) : [];
+
     /// <summary>The amount as a number; of a vector whose first point was given, the second point is asked for.</summary>
-    private static async Task<double> NumberAsync(CommandContext context, AmountPrompt prompt)
+    private static async Task<double> NumberAsync(CommandContext context, AmountPrompt prompt, Func<double, IReadOnlyList<Segment>>? ghost)
     {
         while (true)
         {
-            switch (await context.ValueAsync(prompt).ConfigureAwait(false))
+            switch (await context.ValueAsync(prompt with { Ghost = GhostOf(prompt, ghost) }).ConfigureAwait(false))
             {
                 case Amount.Number { Of: var value }: return value;
                 case Amount.Beginning { At: var place }: prompt = prompt with { Instruction = Wording.Get("Common.SpecifySecondPoint"), Default = null, From = place }; break;

@@ -9,15 +9,18 @@ namespace Engraver.Workbench.Commands.Editing;
 internal sealed class ArrayCommand : ICommand
 {
     private const int Most = 1000;
+    private const int FirstItems = 6;
+    private const double FullTurn = 360.0;
 
     public CommandInfo Info { get; } = new("ARRAY", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var ghost = new SelectionGhost(context.Drawing, selected);
         var type = await context.ChoiceAsync(Wording.Get("Array.EnterArrayType"), Keyword.List("Rectangular", "POlar"), context.Remembered("ARRAY", "Rectangular")).ConfigureAwait(false);
         context.Remember("ARRAY", type);
-        var maps = type == "Rectangular" ? await RectangularAsync(context).ConfigureAwait(false) : await PolarAsync(context).ConfigureAwait(false);
+        var maps = type == "Rectangular" ? await RectangularAsync(context, ghost).ConfigureAwait(false) : await PolarAsync(context, ghost).ConfigureAwait(false);
         var (drawing, edited) = (context.Drawing, context.Drawing);
         foreach (var map in maps)
         {
@@ -29,25 +32,53 @@ internal sealed class ArrayCommand : ICommand
         DrawingChange.Take(context, edited with { Texts = EditedTexts.Copied(drawing, along, maps) }, selected);
     }
 
-    private static async Task<IReadOnlyList<Transform2D>> RectangularAsync(CommandContext context)
+    private static async Task<IReadOnlyList<Transform2D>> RectangularAsync(CommandContext context, SelectionGhost ghost)
     {
-        var rows = await CountAsync(context, Wording.Get("Array.EnterNumberRows"), 3).ConfigureAwait(false);
-        var columns = await CountAsync(context, Wording.Get("Array.EnterNumberColumns"), 4).ConfigureAwait(false);
+        var rows = await CountAsync(context, Wording.Get("Array.EnterNumberRows"), 3, null).ConfigureAwait(false);
+        var columns = await CountAsync(context, Wording.Get("Array.EnterNumberColumns"), 4, null).ConfigureAwait(false);
         if (rows * columns > Most) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CopiesMoreThan", rows * columns, Most));
-        var up = rows > 1 ? await context.ValueAsync(new NumberPrompt(Wording.Get("Array.EnterDistanceBetweenRows"))).ConfigureAwait(false) : 0.0;
-        var across = columns > 1 ? await context.ValueAsync(new NumberPrompt(Wording.Get("Array.EnterDistanceBetweenColumns"))).ConfigureAwait(false) : 0.0;
-        return [.. from row in Enumerable.Range(0, rows) from column in Enumerable.Range(0, columns) where row + column > 0 select Transform2D.Move(new Vector2D(column * across, row * up))];
+        var up = 0.0;
+        if (rows > 1 && await DistanceAsync(context, ghost, Wording.Get("Array.EnterDistanceBetweenRows"), way => way.Y, Cells).ConfigureAwait(false) is var cell)
+        {
+            if (cell.X is { } wide) return Cells(new Vector2D(wide, cell.Y));
+            up = cell.Y;
+        }
+
+        if (columns == 1) return Cells(new Vector2D(0.0, up));
+        var across = await DistanceAsync(context, ghost, Wording.Get("Array.EnterDistanceBetweenColumns"), way => way.X, way => Cells(new Vector2D(way.X, up))).ConfigureAwait(false);
+        return Cells(new Vector2D(across.X ?? across.Y, up));
+
+        IReadOnlyList<Transform2D> Cells(Vector2D step) =>
+            [.. from row in Enumerable.Range(0, rows) from column in Enumerable.Range(0, columns) where row + column > 0 select Transform2D.Move(new Vector2D(column * step.X, row * step.Y))];
     }
 
-    private static async Task<IReadOnlyList<Transform2D>> PolarAsync(CommandContext context)
+    /// <summary>A distance that is typed, or a unit cell that is shown by two corners; the ghost stands where the cursor would put the copies.</summary>
+    /// <returns>The typed number as Y, or both sides of the cell.</returns>
+    private static async Task<(double? X, double Y)> DistanceAsync(CommandContext context, SelectionGhost ghost, string instruction, Func<Vector2D, double> measure, Func<Vector2D, IReadOnlyList<Transform2D>> maps)
     {
-        var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Array.SpecifyCenterPointArray"))).ConfigureAwait(false);
-        var items = await CountAsync(context, Wording.Get("Array.EnterNumberItems"), 6).ConfigureAwait(false);
-        var fill = await context.ValueAsync(new NumberPrompt(Wording.Get("Array.SpecifyAngleFill")) { Default = "360", Least = -360, Most = 360 }).ConfigureAwait(false);
-        var step = Math.Abs(fill) == 360.0 ? fill / items : fill / Math.Max(1, items - 1);
+        var prompt = new AmountPrompt(instruction, measure) { Least = -Drawing.LargestCoordinate, Most = Drawing.LargestCoordinate };
+        var answer = await context.ValueAsync(prompt).ConfigureAwait(false);
+        if (answer is not Amount.Beginning { At: var corner }) return (null, ((Amount.Number)answer).Of);
+        var opposite = await context.ValueAsync(new PointPrompt(Wording.Get("Array.SpecifyOppositeCorner")) { From = corner, Ghost = place => ghost.Mapped(maps(place - corner)) }).ConfigureAwait(false);
+        return (opposite.X - corner.X, opposite.Y - corner.Y);
+    }
+
+    private static async Task<IReadOnlyList<Transform2D>> PolarAsync(CommandContext context, SelectionGhost ghost)
+    {
+        var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Array.SpecifyCenterPointArray")) { Ghost = place => ghost.Mapped(Around(place, FirstItems, FullTurn)) }).ConfigureAwait(false);
+        var items = await CountAsync(context, Wording.Get("Array.EnterNumberItems"), FirstItems, _ => ghost.Mapped(Around(centre, FirstItems, FullTurn))).ConfigureAwait(false);
+        var fill = await context.ValueAsync(new NumberPrompt(Wording.Get("Array.SpecifyAngleFill")) { Default = "360", Least = -FullTurn, Most = FullTurn, Preview = _ => ghost.Mapped(Around(centre, items, FullTurn)) }).ConfigureAwait(false);
+        return Around(centre, items, fill);
+    }
+
+    /// <param name="fill">Degrees that all items together fill; a whole turn leaves no gap and no double.</param>
+    private static IReadOnlyList<Transform2D> Around(Point2D centre, int items, double fill)
+    {
+        var step = Math.Abs(fill) == FullTurn ? fill / items : fill / Math.Max(1, items - 1);
         return [.. Enumerable.Range(1, items - 1).Select(item => Transform2D.Rotate(centre, Angle.FromDegrees(step * item)))];
     }
 
-    private static async Task<int> CountAsync(CommandContext context, string instruction, int first) =>
-        (int)await context.ValueAsync(new NumberPrompt(instruction) { Default = NumberPrompt.Show(first), Least = 1, Most = Most, Whole = true }).ConfigureAwait(false);
+    /// <param name="preview">What the default would give; null for nothing.</param>
+    private static async Task<int> CountAsync(CommandContext context, string instruction, int first, GhostOf? preview) =>
+        (int)await context.ValueAsync(new NumberPrompt(instruction) { Default = NumberPrompt.Show(first), Least = 1, Most = Most, Whole = true, Preview = preview }).ConfigureAwait(false);
 }

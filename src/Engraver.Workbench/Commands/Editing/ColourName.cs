@@ -36,5 +36,15 @@ public static class ColourName
         return index <= s_names.Length ? s_names[index - 1] : index.ToString(CultureInfo.InvariantCulture);
     }
 
+    /// <summary>As <see cref="Parse"/>, and "bylayer" and "byblock", which only objects may have.</summary>
+    public static DrawingColour? ParseOfObject(string typed)
+    {
+        ArgumentNullException.ThrowIfNull(typed);
+        return typed.Trim().ToUpperInvariant() switch { "BYLAYER" => DrawingColour.ByLayer, "BYBLOCK" => DrawingColour.ByBlock, _ => Parse(typed) };
+    }
+
+    /// <summary>The colour of an object as it can be typed.</summary>
+    public static string OfObject(DrawingColour colour) => colour.IsByLayer ? "ByLayer" : colour.IsByBlock ? "ByBlock" : Format(colour);
+
     private static byte? Channel(string text) => byte.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : null;
 }

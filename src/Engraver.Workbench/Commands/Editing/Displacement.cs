@@ -6,15 +6,25 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>The vector that MOVE and COPY ask for: from a base point to a second one, or typed as a displacement. Drawing units.</summary>
 internal static class Displacement
 {
-    public static async Task<Vector2D> AskAsync(CommandContext context)
+    public static async Task<Vector2D> AskAsync(CommandContext context, SelectionGhost ghost) =>
+        await BaseAsync(context).ConfigureAwait(false) is { } basePoint ? await WayFromAsync(context, ghost, basePoint).ConfigureAwait(false) : await TypedAsync(context, ghost).ConfigureAwait(false);
+
+    /// <summary>The base point; null when a displacement is wanted instead.</summary>
+    public static async Task<Point2D?> BaseAsync(CommandContext context)
     {
         var first = await context.AskAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint")) { Options = Keyword.List("Displacement"), Default = "Displacement" }).ConfigureAwait(false);
-        return first is Answer<Point2D>.Value { Of: var basePoint } ? await WayFromAsync(context, basePoint).ConfigureAwait(false) : await context.ValueAsync(new PointPrompt(Wording.Get("Displacement.SpecifyDisplacement"))).ConfigureAwait(false) - Point2D.Origin;
+        return first is Answer<Point2D>.Value { Of: var basePoint } ? basePoint : null;
     }
 
-    private static async Task<Vector2D> WayFromAsync(CommandContext context, Point2D basePoint)
+    public static async Task<Vector2D> TypedAsync(CommandContext context, SelectionGhost ghost) =>
+        await context.ValueAsync(new PointPrompt(Wording.Get("Displacement.SpecifyDisplacement")) { Ghost = GhostFrom(ghost, Point2D.Origin), From = Point2D.Origin }).ConfigureAwait(false) - Point2D.Origin;
+
+    /// <summary>The objects moved by the way from a base point to the cursor.</summary>
+    public static GhostOf GhostFrom(SelectionGhost ghost, Point2D basePoint) => place => ghost.Mapped(Transform2D.Move(place - basePoint));
+
+    private static async Task<Vector2D> WayFromAsync(CommandContext context, SelectionGhost ghost, Point2D basePoint)
     {
-        var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOr")) { EnterEnds = true, From = basePoint }).ConfigureAwait(false);
+        var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOr")) { EnterEnds = true, From = basePoint, Ghost = GhostFrom(ghost, basePoint) }).ConfigureAwait(false);
         return second is Answer<Point2D>.Value { Of: var point } ? point - basePoint : basePoint - Point2D.Origin;
     }
 }

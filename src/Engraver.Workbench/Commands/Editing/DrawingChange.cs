@@ -10,13 +10,29 @@ namespace Engraver.Workbench.Commands.Editing;
 internal static class DrawingChange
 {
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
-    public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy)
+    public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy) => Take(context, copy ? Copied(context, selected, [map]) : Mapped(context, selected, map), selected);
+
+    /// <summary>The drawing with some objects under a map, and the texts that go along.</summary>
+    /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
+    public static Drawing Mapped(CommandContext context, IReadOnlyList<int> selected, Transform2D map)
     {
         var drawing = context.Drawing;
-        var fits = copy ? DrawingEdit.TryCopy(drawing, selected, map, out var edited) : DrawingEdit.TryTransform(drawing, selected, map, out edited);
-        if (!fits) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
-        var along = TextsAlong(context, selected);
-        Take(context, edited with { Texts = copy ? EditedTexts.Copied(drawing, along, [map]) : EditedTexts.Moved(drawing, along, map) }, selected);
+        if (!DrawingEdit.TryTransform(drawing, selected, map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
+        return edited with { Texts = EditedTexts.Moved(drawing, TextsAlong(context, selected), map) };
+    }
+
+    /// <summary>The drawing with a copy of some objects under each map, and of the texts that go along.</summary>
+    /// <param name="tells">False when the operator was told before of texts that do not go along.</param>
+    /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
+    public static Drawing Copied(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Transform2D> maps, bool tells = true)
+    {
+        var (drawing, edited) = (context.Drawing, context.Drawing);
+        foreach (var map in maps)
+        {
+            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
+        }
+
+        return edited with { Texts = EditedTexts.Copied(drawing, TextsAlong(context, selected, tells), maps) };
     }
 
     /// <summary>Erases objects. Hidden objects stay hidden, though their indices change.</summary>
@@ -39,10 +55,11 @@ internal static class DrawingChange
     public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
 
     /// <summary>The texts that move with these curves; tells the operator how many do not.</summary>
-    public static IReadOnlyList<PlacedText> TextsAlong(CommandContext context, IReadOnlyList<int> selected)
+    /// <param name="tells">False when it was told before.</param>
+    public static IReadOnlyList<PlacedText> TextsAlong(CommandContext context, IReadOnlyList<int> selected, bool tells = true)
     {
         var along = EditedTexts.Along(context.Drawing, selected);
-        if (context.Drawing.Texts.Count - along.Count is > 0 and var left) context.Say(Wording.Get("DrawingChange.LeftBeforeTextsGo", CountText.Format(left, "Text")));
+        if (tells && context.Drawing.Texts.Count - along.Count is > 0 and var left) context.Say(Wording.Get("DrawingChange.LeftBeforeTextsGo", CountText.Format(left, "Text")));
         return along;
     }
 

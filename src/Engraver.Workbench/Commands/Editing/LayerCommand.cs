@@ -3,34 +3,43 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>LAYER: Switches layers on, off, frozen, thawed or plotted and colours them; only visible, thawed, plottable layers are cut.</summary>
+/// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed or plotted and colours them; only visible, thawed, plottable layers are cut.</summary>
 internal sealed class LayerCommand : ICommand
 {
     public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask);
 
-    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("?", "ON", "OFF", "Freeze", "Thaw", "Plot", "Noplot", "Color");
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("?", "Make", "Set", "Rename", "ON", "OFF", "Freeze", "Thaw", "Plot", "Noplot", "Color");
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var layers = context.Drawing.Layers.ToArray();
+        var edit = new LayerEdit(context);
         while (await context.AskAsync(new ChoicePrompt(Wording.Get("Common.EnterOption")) { Options = s_options, EnterEnds = true }).ConfigureAwait(false) is Answer<string>.Chosen { Option: var option })
         {
-            if (option == "?") context.SayResult(output => Write(layers, output));
-            else await SwitchAsync(context, layers, option).ConfigureAwait(false);
+            if (option == "?") context.SayResult(output => Write(edit, output));
+            else if (option is "Make" or "Set" or "Rename") await NameAsync(context, edit, option).ConfigureAwait(false);
+            else await SwitchAsync(context, edit.Layers, option).ConfigureAwait(false);
         }
 
-        if (layers.SequenceEqual(context.Drawing.Layers)) return;
-        var state = context.Document.Current;
-        context.Take(state with { Drawing = context.Drawing with { Layers = layers } });
+        edit.Take(context);
     }
 
-    private static async Task SwitchAsync(CommandContext context, Layer[] layers, string option)
+    private static async Task NameAsync(CommandContext context, LayerEdit edit, string option)
+    {
+        var instruction = option switch { "Make" => "Layer.NameToMake", "Set" => "Layer.NameToSet", _ => "Layer.OldName" };
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get(instruction)) { Default = edit.Current }).ConfigureAwait(false);
+        if (option == "Make") edit.Make(name);
+        else if (option == "Set") edit.Set(name);
+        else edit.Rename(name, await context.ValueAsync(new TextPrompt(Wording.Get("Layer.NewName"))).ConfigureAwait(false));
+        context.Say(Wording.Get("Layer.Current", edit.Current));
+    }
+
+    private static async Task SwitchAsync(CommandContext context, List<Layer> layers, string option)
     {
         DrawingColour? colour = option == "Color" ? await ColourAsync(context).ConfigureAwait(false) : null;
         var names = (await context.ValueAsync(new TextPrompt(Wording.Get("Layer.EnterLayerNamesSeparated"))).ConfigureAwait(false)).Split(',', StringSplitOptions.TrimEntries);
         var unknown = names.Where(name => name != "*" && !layers.Any(layer => Is(layer, name))).ToList();
         if (unknown.Count > 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.DrawingHasNoLayer", string.Join(", ", unknown.Select(name => $"'{name}'"))));
-        for (var index = 0; index < layers.Length; index++)
+        for (var index = 0; index < layers.Count; index++)
         {
             if (names.Any(name => name == "*" || Is(layers[index], name))) layers[index] = colour is { } chosen ? layers[index] with { Colour = chosen } : Switched(layers[index], option);
         }
@@ -54,9 +63,10 @@ internal sealed class LayerCommand : ICommand
         _ => layer with { Plot = false },
     };
 
-    private static void Write(IEnumerable<Layer> layers, TextWriter output)
+    private static void Write(LayerEdit edit, TextWriter output)
     {
-        foreach (var layer in layers) output.WriteLine(Wording.Get("Layer.Row", Word("Cut", layer.CutByDefault), Word("On", layer.On), Word("Frozen", layer.Frozen), Word("Plotted", layer.Plot), ColourName.Format(layer.Colour), layer.Name));
+        output.WriteLine(Wording.Get("Layer.Current", edit.Current));
+        foreach (var layer in edit.Layers) output.WriteLine(Wording.Get("Layer.Row", Word("Cut", layer.CutByDefault), Word("On", layer.On), Word("Frozen", layer.Frozen), Word("Plotted", layer.Plot), ColourName.Format(layer.Colour), layer.Name));
 
         static string Word(string state, bool holds) => Wording.Get($"LayerState.{state}.{(holds ? "Yes" : "No")}");
     }

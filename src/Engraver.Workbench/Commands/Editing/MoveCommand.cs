@@ -10,18 +10,6 @@ internal sealed class MoveCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        DrawingChange.Transform(context, selected, Transform2D.Move(await Displacement.AskAsync(context).ConfigureAwait(false)), copy: false);
-    }
-}
-
-/// <summary>COPY: Copies objects to another place.</summary>
-internal sealed class CopyCommand : ICommand
-{
-    public CommandInfo Info { get; } = new("COPY", CommandGroup.Drawing);
-
-    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
-    {
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        DrawingChange.Transform(context, selected, Transform2D.Move(await Displacement.AskAsync(context).ConfigureAwait(false)), copy: true);
+        DrawingChange.Transform(context, selected, Transform2D.Move(await Displacement.AskAsync(context, new SelectionGhost(context.Drawing, selected)).ConfigureAwait(false)), copy: false);
     }
 }

@@ -13,11 +13,14 @@ internal sealed class RotateCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var ghost = new SelectionGhost(context.Drawing, selected);
         var basePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
-        var amount = await AmountPrompts.AskAsync(context, Degrees(Wording.Get("Rotate.SpecifyRotationAngle"), context.Remembered("ROTATE", "0"), basePoint), Degrees(Wording.Get("Rotate.SpecifyReferenceAngle"), "0", null), Degrees(Wording.Get("Rotate.SpecifyNewAngle"), null, basePoint)).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Degrees(Wording.Get("Rotate.SpecifyRotationAngle"), context.Remembered("ROTATE", "0"), basePoint), Degrees(Wording.Get("Rotate.SpecifyReferenceAngle"), "0", null), Degrees(Wording.Get("Rotate.SpecifyNewAngle"), null, basePoint), Turned).ConfigureAwait(false);
         var degrees = amount.Value - (amount.Reference ?? 0.0);
         if (amount.Reference is null) context.Remember("ROTATE", NumberPrompt.Show(degrees));
         DrawingChange.Transform(context, selected, Transform2D.Rotate(basePoint, Angle.FromDegrees(degrees)), amount.Copy);
+
+        IReadOnlyList<Segment> Turned(double value, double? reference) => ghost.Mapped(Transform2D.Rotate(basePoint, Angle.FromDegrees(value - (reference ?? 0.0))));
     }
 
     private static AmountPrompt Degrees(string instruction, string? standard, Point2D? from) =>

@@ -14,11 +14,14 @@ internal sealed class ScaleCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var ghost = new SelectionGhost(context.Drawing, selected);
         var basePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
-        var amount = await AmountPrompts.AskAsync(context, Length(Wording.Get("Scale.SpecifyScaleFactor"), context.Remembered("SCALE", "1"), basePoint), Length(Wording.Get("Scale.SpecifyReferenceLength"), "1", null), Length(Wording.Get("Scale.SpecifyNewLength"), null, basePoint)).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Length(Wording.Get("Scale.SpecifyScaleFactor"), context.Remembered("SCALE", "1"), basePoint), Length(Wording.Get("Scale.SpecifyReferenceLength"), "1", null), Length(Wording.Get("Scale.SpecifyNewLength"), null, basePoint), Scaled).ConfigureAwait(false);
         var factor = amount.Value / (amount.Reference ?? 1.0);
         if (amount.Reference is null) context.Remember("SCALE", NumberPrompt.Show(factor));
         DrawingChange.Transform(context, selected, Transform2D.ScaleFrom(basePoint, factor), amount.Copy);
+
+        IReadOnlyList<Segment> Scaled(double value, double? reference) => ghost.Mapped(Transform2D.ScaleFrom(basePoint, value / (reference ?? 1.0)));
     }
 
     private static AmountPrompt Length(string instruction, string? standard, Point2D? from) => new(instruction, way => way.Length) { Default = standard, Least = Smallest, Most = Largest, From = from };

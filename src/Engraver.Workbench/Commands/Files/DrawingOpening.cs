@@ -15,9 +15,10 @@ internal static class DrawingOpening
     public static void Open(CommandContext context, string name, string path, CancellationToken cancellation, DrawingSettings? wanted = null)
     {
         var settings = wanted ?? context.Document.Current.Settings with { Enter = null, Layers = null, SkippedLayers = [] };
-        var drawing = Read(context, path, settings, cancellation);
-        FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
-        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, Wording.Get("DrawingOpening.NotOpened", name, SettingWording.AtCommandLine(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message));
+        var drawing = context.Document.Shared(Read(context, path, settings, cancellation));
+        var why = DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics.First(found => found.Severity == Severity.Error) : null;
+        FindingMessages.Say(context, drawing.FileName, why is null ? drawing.Diagnostics : [.. drawing.Diagnostics.Where(found => found != why)], Severity.Warning);
+        if (why is not null) throw new CommandException(CommandFailure.Drawing, Wording.Get("DrawingOpening.NotOpened", name, SettingWording.AtCommandLine(why).Message));
         Leave(context);
         var sidecar = DrawingSaving.LoadSidecar(context, drawing);
         context.Take(new DocumentState { Drawing = drawing, Settings = settings, Sidecar = sidecar });

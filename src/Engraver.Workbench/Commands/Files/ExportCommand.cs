@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Plots;
 using Engraver.Core.Posts;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
@@ -19,7 +20,7 @@ internal sealed class ExportCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings))).ConfigureAwait(false);
+        var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings)), new FileWanted("export", true, s_endings) { Suggested = context.BesideDrawing(s_endings[0]) }).ConfigureAwait(false);
         var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
         if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, context.FileToWrite(name), context.Time.GetUtcNow()));

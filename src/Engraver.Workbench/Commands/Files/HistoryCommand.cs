@@ -14,7 +14,7 @@ internal sealed class HistoryCommand : ICommand
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("List", "Search", "Open", "Rerun", "rePort");
 
-    public CommandInfo Info { get; } = new("HISTORY", CommandGroup.File);
+    public CommandInfo Info { get; } = new("HISTORY", CommandGroup.File) { HeardDuringJob = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -45,6 +45,7 @@ internal sealed class HistoryCommand : ICommand
 
     private static void Open(CommandContext context, HistoryEntry entry, DrawingSettings? settings, CancellationToken cancellation)
     {
+        context.RefuseBeside();
         DrawingOpening.Open(context, entry.Drawing, entry.Drawing, cancellation, settings);
         if (entry.DrawingSha256 is { } then && ContentHash.OfFile(entry.Drawing) != then) context.Say(Wording.Get("History.DrawingChanged", Path.GetFileName(entry.Drawing)), MessageKind.Warning);
         if (settings is not null) context.Say(Wording.Get("History.SettingsTaken", HistoryText.Date(entry, context.Time.LocalTimeZone)));

@@ -26,7 +26,7 @@ internal sealed class LinkCommand : ICommand
         var linked = AgieLink.Link(contours);
         FindingMessages.Say(context, Name, linked.Diagnostics, Severity.Warning);
         if (linked.Chunks.Count == 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Link.NotWritable"));
-        if (await ResultFile.WriteAsync(context, output => output.Write(linked.Text)).ConfigureAwait(false) is { } name)
+        if (await ResultFile.WriteAsync(context, "program", new AgiePost().Ending, output => output.Write(linked.Text)).ConfigureAwait(false) is { } name)
         {
             context.Remember(VerifyCommand.Name, name);
             context.Remember(Key(name), PointPrompt.Show(FromMillimetres(context, contours[0].Start)));
@@ -37,7 +37,7 @@ internal sealed class LinkCommand : ICommand
 
     private static async Task<AgieContour?> NextAsync(CommandContext context, int taken)
     {
-        var answer = await context.AskAsync(new TextPrompt(Wording.Get(taken == 0 ? "Link.EnterFirst" : "Link.EnterNext")) { EnterEnds = true }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new FilePrompt(Wording.Get(taken == 0 ? "Link.EnterFirst" : "Link.EnterNext"), new FileWanted("program", false, new AgiePost().Ending)) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is not Answer<string>.Value { Of: var name }) return null;
         var start = await context.ValueAsync(new PointPrompt(Wording.Get("Link.SpecifyStart")) { Default = context.Remembered(Key(name)) }).ConfigureAwait(false);
         var file = ReadBackFile.Open(context.FileToRead(name));

@@ -6,11 +6,11 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>OPEN: Opens a drawing: a DXF of any version.</summary>
 internal sealed class OpenCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("OPEN", CommandGroup.File);
+    public CommandInfo Info { get; } = new("OPEN", CommandGroup.File) { BringsDrawing = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Open.EnterNameDrawingOpen"))).ConfigureAwait(false);
+        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Open.EnterNameDrawingOpen"), new FileWanted(FileWanted.Drawing, false, ".dxf"))).ConfigureAwait(false);
         DrawingOpening.Open(context, name, context.FileToRead(name), cancellation);
     }
 }
@@ -18,7 +18,7 @@ internal sealed class OpenCommand : ICommand
 /// <summary>CLOSE: Closes the drawing; UNDO opens it again as it was.</summary>
 internal sealed class CloseCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CLOSE", CommandGroup.File);
+    public CommandInfo Info { get; } = new("CLOSE", CommandGroup.File) { BringsDrawing = true };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

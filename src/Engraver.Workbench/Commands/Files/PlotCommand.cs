@@ -17,6 +17,6 @@ internal sealed class PlotCommand : ICommand
         context.Remember("PLOT", what);
         var state = context.Document.Current;
         var plot = what == "Trajectory" ? DrawingPlot.OfTrajectories(drawing, state.Settings, TrajectoryPick.All(context)).Plot : DrawingPlot.Create(drawing, state.Settings, asDrawn: what == "Drawing");
-        await ResultFile.WriteAsync(context, output => SvgPlotWriter.Write(plot, output)).ConfigureAwait(false);
+        await ResultFile.WriteAsync(context, "plot", ".svg", output => SvgPlotWriter.Write(plot, output)).ConfigureAwait(false);
     }
 }

@@ -22,7 +22,7 @@ internal sealed class PostCommand : ICommand
         var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
-        var name = await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false);
+        var name = await ResultFile.WriteAsync(context, "program", post.Ending, output => output.Write(text)).ConfigureAwait(false);
         if (name is not null && reader is not null) context.Remember(VerifyCommand.Name, name);
         context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
     }

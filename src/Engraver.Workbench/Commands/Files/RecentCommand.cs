@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>RECENT: Lists the drawings that were opened last, and opens one of them.</summary>
 internal sealed class RecentCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("RECENT", CommandGroup.File);
+    public CommandInfo Info { get; } = new("RECENT", CommandGroup.File) { BringsDrawing = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

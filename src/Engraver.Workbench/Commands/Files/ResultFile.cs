@@ -6,10 +6,13 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>Writes a result to a file, or to the command window when Enter alone is typed.</summary>
 internal static class ResultFile
 {
+    /// <param name="kind">What is written, by a word of the program.</param>
+    /// <param name="ending">Of such files, with its dot.</param>
     /// <returns>The file's name as it was typed; null for the command window.</returns>
-    public static async Task<string?> WriteAsync(CommandContext context, Action<TextWriter> write)
+    public static async Task<string?> WriteAsync(CommandContext context, string kind, string ending, Action<TextWriter> write)
     {
-        var answer = await context.AskAsync(new TextPrompt(Wording.Get("ResultFile.EnterFileNameOr")) { EnterEnds = true }).ConfigureAwait(false);
+        var wanted = new FileWanted(kind, true, ending) { Suggested = context.BesideDrawing(ending), MayShow = true };
+        var answer = await context.AskAsync(new FilePrompt(Wording.Get("ResultFile.EnterFileNameOr"), wanted) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is Answer<string>.Value { Of: var name })
         {
             OutputFile.Write(context.FileToWrite(name), write);
@@ -25,11 +28,13 @@ internal static class ResultFile
 /// <summary>Asks for a file to write, and again before an existing file is replaced.</summary>
 internal static class ReplacePrompt
 {
+    /// <param name="adds">The usual ending is added to a name without one.</param>
     /// <exception cref="CommandException">The operator does not want it replaced.</exception>
-    public static async Task<string> AskAsync(CommandContext context, string instruction)
+    public static async Task<string> AskAsync(CommandContext context, string instruction, FileWanted wanted, bool adds = false)
     {
-        var name = await context.ValueAsync(new TextPrompt(instruction)).ConfigureAwait(false);
-        if (File.Exists(context.FileToWrite(name)) && !await context.ConfirmAsync(Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
+        var typed = await context.ValueAsync(new FilePrompt(instruction, wanted)).ConfigureAwait(false);
+        var name = adds ? wanted.WithEnding(typed) : typed;
+        if (File.Exists(context.FileToWrite(name))) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false);
         return name;
     }
 }

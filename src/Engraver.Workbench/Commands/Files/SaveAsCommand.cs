@@ -1,3 +1,5 @@
+using Engraver.Workbench.CommandLanguage;
+
 namespace Engraver.Workbench.Commands.Files;
 
 /// <summary>SAVEAS: Writes the drawing as edited, as DXF: every curve as what it is, with its height, layer and colour, and the texts.</summary>
@@ -5,10 +7,13 @@ internal sealed class SaveAsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SAVEAS", CommandGroup.File);
 
-    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    public Task RunAsync(CommandContext context, CancellationToken cancellation) => SaveAsync(context);
+
+    /// <summary>Asks for a file and writes the drawing there.</summary>
+    public static async Task SaveAsync(CommandContext context)
     {
         DrawingSaving.SayRest(context);
-        var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterNameDxfFile")).ConfigureAwait(false);
+        var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterNameDxfFile"), new FileWanted(FileWanted.Drawing, true, ".dxf") { Suggested = context.BesideDrawing(".dxf") }, adds: true).ConfigureAwait(false);
         var path = context.FileToWrite(name);
         DrawingSaving.WriteDrawing(context, name, path);
         DrawingSaving.WriteSidecar(context, path);
@@ -21,14 +26,24 @@ internal sealed class QSaveCommand : ICommand
 {
     public CommandInfo Info { get; } = new("QSAVE", CommandGroup.File);
 
-    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    public Task RunAsync(CommandContext context, CancellationToken cancellation) => SaveAsync(context, mayReplace: false);
+
+    /// <summary>Saves the drawing in its own file; a new one, which has none, as SAVEAS does.</summary>
+    /// <param name="mayReplace">The operator has said so already.</param>
+    public static async Task SaveAsync(CommandContext context, bool mayReplace)
     {
         _ = context.Drawing;
+        if (!context.Document.HasFile)
+        {
+            await SaveAsCommand.SaveAsync(context).ConfigureAwait(false);
+            return;
+        }
+
         var path = context.Document.FilePath!;
         if (context.Document.IsDrawingEdited)
         {
             DrawingSaving.SayRest(context);
-            if (!await context.ConfirmAsync(Wording.Get("QSave.Replace", Path.GetFileName(path))).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", Path.GetFileName(path)));
+            if (!mayReplace && !await context.ConfirmAsync(Wording.Get("QSave.Replace", Path.GetFileName(path))).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", Path.GetFileName(path)));
             DrawingSaving.WriteDrawing(context, Path.GetFileName(path), path);
         }
 

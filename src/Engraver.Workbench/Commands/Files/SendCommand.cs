@@ -16,7 +16,7 @@ internal sealed class SendCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Send.EnterProgram")) { Default = context.Remembered(VerifyCommand.Name) }).ConfigureAwait(false);
+        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Send.EnterProgram"), new FileWanted("program", false)) { Default = context.Remembered(VerifyCommand.Name) }).ConfigureAwait(false);
         var file = Read(context.FileToRead(name));
         int? program = file.Programs.Count == 1 ? null : (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Send.EnterNumber", file.Programs.Count)) { Least = 1, Most = file.Programs.Count, Whole = true, Default = "1" }).ConfigureAwait(false);
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Send.EnterLine")) { Default = context.Remembered(LineName) }).ConfigureAwait(false);

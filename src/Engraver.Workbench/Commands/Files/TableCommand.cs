@@ -21,6 +21,6 @@ internal sealed class TableCommand : ICommand
         context.Remember("TABLE", format);
         var (table, findings) = order == "Drawn" ? (JobPreparation.Analyse(drawing, settings), []) : JobPreparation.CutTableOf(drawing, settings);
         FindingMessages.Say(context, drawing.FileName, findings, Severity.Warning);
-        await ResultFile.WriteAsync(context, output => EntityTableFormat.Write(format.ToLowerInvariant(), table, output)).ConfigureAwait(false);
+        await ResultFile.WriteAsync(context, "table", format == "Text" ? ".txt" : "." + format.ToLowerInvariant(), output => EntityTableFormat.Write(format.ToLowerInvariant(), table, output)).ConfigureAwait(false);
     }
 }

@@ -18,7 +18,7 @@ internal sealed class VerifyCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Verify.EnterNameProgramVerify")) { Default = context.Remembered(Name) }).ConfigureAwait(false);
+        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Verify.EnterNameProgramVerify"), new FileWanted("program", false, PostTable.ReadEndings) { Suggested = context.Remembered(Name) is { } last ? Path.GetFullPath(context.FileToRead(last)) : null }) { Default = context.Remembered(Name) }).ConfigureAwait(false);
         context.Remember(Name, name);
         var reader = PostTable.ReaderFor(name);
         var program = ReadBackFile.Open(context.FileToRead(name));

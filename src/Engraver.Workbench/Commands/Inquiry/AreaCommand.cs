@@ -7,7 +7,7 @@ namespace Engraver.Workbench.Commands.Inquiry;
 /// <summary>AREA: Measures area and perimeter of a polygon of points, or of closed objects.</summary>
 internal sealed class AreaCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("AREA", CommandGroup.Ask);
+    public CommandInfo Info { get; } = new("AREA", CommandGroup.Ask) { HeardDuringJob = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -41,5 +41,5 @@ internal sealed class AreaCommand : ICommand
         return [.. Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => drawing.SegmentOf(drawing.Parts[part]))];
     }
 
-    private static void Say(CommandContext context, double area, double length, string word) => context.Say(Wording.Get("Area.Area", NumberPrompt.Show(area), word, NumberPrompt.Show(length)), MessageKind.Result);
+    private static void Say(CommandContext context, double area, double length, string word) => context.Say(Wording.Get("Area.Area", context.Figures.Area(area), word, context.Figures.Length(length)), MessageKind.Result);
 }

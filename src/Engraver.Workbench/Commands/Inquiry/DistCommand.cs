@@ -11,9 +11,9 @@ internal sealed class DistCommand : ICommand
     {
         var first = await context.ValueAsync(new PointPrompt(Wording.Get("Dist.SpecifyFirstPoint"))).ConfigureAwait(false);
         var second = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPoint")) { From = first }).ConfigureAwait(false);
-        var way = second - first;
+        var (way, figures) = (second - first, context.Figures);
         context.Say(
-            Wording.Get("Dist.DistanceAngleXyPlane", NumberPrompt.Show(way.Length), NumberPrompt.Show(way.Direction.Positive().Degrees), NumberPrompt.Show(way.X), NumberPrompt.Show(way.Y)),
+            Wording.Get("Dist.DistanceAngleXyPlane", figures.Length(way.Length), figures.Degrees(way.Direction.Positive()), figures.Length(way.X), figures.Length(way.Y)),
             MessageKind.Result);
     }
 }
@@ -26,6 +26,6 @@ internal sealed class IdCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var point = await context.ValueAsync(new PointPrompt(Wording.Get("Dist.SpecifyPoint"))).ConfigureAwait(false);
-        context.Say(Wording.Get("Dist.Coordinates", NumberPrompt.Show(point.X), NumberPrompt.Show(point.Y)), MessageKind.Result);
+        context.Say(Wording.Get("Dist.Coordinates", context.Figures.Length(point.X), context.Figures.Length(point.Y)), MessageKind.Result);
     }
 }

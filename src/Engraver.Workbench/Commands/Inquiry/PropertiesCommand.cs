@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Commands.Inquiry;
 /// <summary>PROPERTIES: Says what the selected objects have in common; with nothing selected, what is in the drawing.</summary>
 internal sealed class PropertiesCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("PROPERTIES", CommandGroup.Ask);
+    public CommandInfo Info { get; } = new("PROPERTIES", CommandGroup.Ask) { HeardDuringJob = true };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -15,7 +15,7 @@ internal sealed class PropertiesCommand : ICommand
         context.SayResult(output =>
         {
             if (selected.Count == 0) DrawingText.Write(output, drawing, DrawingSummary.From(drawing));
-            else EntityText.WriteTogether(drawing, selected, output);
+            else EntityText.WriteTogether(drawing, selected, context.Figures, output);
         });
         return Task.CompletedTask;
     }
@@ -24,12 +24,12 @@ internal sealed class PropertiesCommand : ICommand
 /// <summary>LIST: Says what the selected objects are, with handle, layer, coordinates and length.</summary>
 internal sealed class ListCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("LIST", CommandGroup.Ask);
+    public CommandInfo Info { get; } = new("LIST", CommandGroup.Ask) { HeardDuringJob = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        context.SayResult(output => EntityText.Write(drawing, selected, output));
+        context.SayResult(output => EntityText.Write(drawing, selected, context.Figures, output));
     }
 }

@@ -3,7 +3,9 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCSTOP: Stops the job: the machine brakes, the tool goes off. Never asks.</summary>
 internal sealed class CncStopCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCSTOP", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
+    internal const string Name = "CNCSTOP";
+
+    public CommandInfo Info { get; } = new(Name, CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

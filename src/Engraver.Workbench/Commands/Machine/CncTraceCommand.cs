@@ -18,7 +18,7 @@ internal sealed class CncTraceCommand : ICommand
         switch (await context.ChoiceAsync(Wording.Get("CncTrace.EnterOption"), Keyword.List("File", "LIst", "LAst", "Colour", "Off"), "LAst").ConfigureAwait(false))
         {
             case "File":
-                Show(context, context.FileToRead(await context.ValueAsync(new TextPrompt(Wording.Get("CncTrace.EnterFile"))).ConfigureAwait(false)));
+                Show(context, context.FileToRead(await context.ValueAsync(new FilePrompt(Wording.Get("CncTrace.EnterFile"), new FileWanted("journal", false))).ConfigureAwait(false)));
                 break;
             case "LIst":
                 List(context);

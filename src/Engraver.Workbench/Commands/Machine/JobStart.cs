@@ -73,6 +73,11 @@ internal static class JobStart
             open.End(HistoryEntry.OfLost(job, taken!, lost.Message, begun));
             throw;
         }
+        catch (OperationCanceledException)
+        {
+            context.Say(Wording.Get("JobStart.StoppedBefore"), MessageKind.Warning); // what has moved ends with a report
+            throw;
+        }
         finally
         {
             open?.Dispose();

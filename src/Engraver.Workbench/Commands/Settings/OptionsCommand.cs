@@ -2,17 +2,19 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>OPTIONS: Lists every setting with its value and meaning; a name changes it.</summary>
+/// <summary>OPTIONS: Shows every setting with its value and meaning, in a window where there is one; else, and as -OPTIONS, it lists them, and a name changes one.</summary>
 internal sealed class OptionsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("OPTIONS", CommandGroup.File) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
+        if (context.OpensDialog()) return;
         context.SayResult(output => Write(context, output));
         var prompt = new TextPrompt(Wording.Get("Options.EnterNameSettingChange")) { EnterEnds = true };
         if (await context.AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Value { Of: var name }) return;
         if (context.Catalog.Find(name) is not { Info.Group: CommandGroup.Setting } setting) throw new CommandException(CommandFailure.Usage, Wording.Get("Options.ThereNoSetting", name));
+        if (context.Outer is { } outer && !setting.Info.Transparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotUsedInsideEnd", setting.Info.Name, outer)); // its step would stand between those of the other
         await setting.RunAsync(context, cancellation).ConfigureAwait(false);
     }
 

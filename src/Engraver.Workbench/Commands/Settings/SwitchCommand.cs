@@ -2,22 +2,25 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>A drawing aid that is on or off: ORTHO, DYNAMICINPUT. Kept between sessions.</summary>
+/// <summary>A drawing aid that is on or off: ORTHO, POLAR, DYNAMICINPUT. Kept between sessions.</summary>
 internal sealed class SwitchCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_modes = Keyword.List("ON", "OFF");
 
     private readonly string _variable;
+    private readonly string? _excluded;
 
-    private SwitchCommand(string name, string variable)
+    /// <param name="excluded">The variable of an aid that cannot be on together with this one; null for none.</param>
+    private SwitchCommand(string name, string variable, string? excluded = null)
     {
         Info = new CommandInfo(name, CommandGroup.View) { Transparent = true };
-        _variable = variable;
+        (_variable, _excluded) = (variable, excluded);
     }
 
     public static IReadOnlyList<ICommand> All { get; } =
     [
-        new SwitchCommand("ORTHO", "ORTHOMODE"),
+        new SwitchCommand("ORTHO", "ORTHOMODE", "POLARTRACK"),
+        new SwitchCommand("POLAR", "POLARTRACK", "ORTHOMODE"),
         new SwitchCommand("DYNAMICINPUT", "DYNMODE"),
     ];
 
@@ -28,6 +31,7 @@ internal sealed class SwitchCommand : ICommand
         var variable = SystemVariables.Find(_variable);
         var now = variable.Read(context) != 0.0 ? "ON" : "OFF";
         var mode = await context.ChoiceAsync(Wording.Get("Common.EnterMode"), s_modes, now).ConfigureAwait(false);
+        if (mode == "ON" && _excluded is not null) SystemVariables.Find(_excluded).Write(context, 0.0);
         variable.Write(context, mode == "ON" ? 1.0 : 0.0);
     }
 }

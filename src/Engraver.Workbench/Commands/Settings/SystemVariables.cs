@@ -1,4 +1,5 @@
 using Engraver.Core.Plots;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
@@ -16,10 +17,14 @@ public static class SystemVariables
         Kept("ZOOMWHEEL", 0, 0, 1),
         Kept("FILEDIA", 1, 0, 1),
         Kept("CMDECHO", 1, 0, 1),
+        Kept(Luprec, 4, 0, 8),
+        Kept(Auprec, 2, 0, 8),
         Kept(CncTraceColor, 1, 0, 2),
         Kept(AutoWalk, 0, 0, 1),
         Seen("OSMODE", 55, 0, 32767, true, v => v.ObjectSnapModes, (v, x) => v with { ObjectSnapModes = (int)x }),
-        Seen("ORTHOMODE", 0, 0, 1, true, v => v.Ortho ? 1 : 0, (v, x) => v with { Ortho = x != 0.0 }),
+        Seen("ORTHOMODE", 0, 0, 1, true, v => v.Ortho ? 1 : 0, (v, x) => v with { Ortho = x != 0.0, Polar = v.Polar && x == 0.0 }),
+        Seen("POLARTRACK", 0, 0, 1, true, v => v.Polar ? 1 : 0, (v, x) => v with { Polar = x != 0.0, Ortho = v.Ortho && x == 0.0 }),
+        Seen("POLARANG", 90, 0.1, 180, false, v => v.PolarAngle, (v, x) => v with { PolarAngle = x }),
         Seen("GRIDMODE", 1, 0, 1, true, v => v.Grid ? 1 : 0, (v, x) => v with { Grid = x != 0.0 }),
         Seen("GRIDUNIT", 10, 1e-6, 1e6, false, v => v.GridSpacing, (v, x) => v with { GridSpacing = x }),
         Seen("SNAPMODE", 0, 0, 1, true, v => v.Snap ? 1 : 0, (v, x) => v with { Snap = x != 0.0 }),
@@ -32,6 +37,15 @@ public static class SystemVariables
 
     /// <summary>AUTOSEQUENCE asks at each discontinuity whether it goes on from there.</summary>
     internal const string AutoWalk = "AUTOWALK";
+
+    /// <summary>Decimals of lengths, as in AutoCAD.</summary>
+    private const string Luprec = "LUPREC";
+
+    /// <summary>Decimals of angles; AutoCAD begins with 0, which is too coarse for an engraving.</summary>
+    private const string Auprec = "AUPREC";
+
+    /// <summary>How lengths and angles are printed.</summary>
+    public static Figures Figures(this DesktopSettings settings) => new((int)Variable(settings, Luprec), (int)Variable(settings, Auprec));
 
     /// <summary>What the colour of a run tells.</summary>
     public static RunMeasure TraceColour(this DesktopSettings settings) => (RunMeasure)(int)Variable(settings, CncTraceColor);
@@ -48,6 +62,9 @@ public static class SystemVariables
     public static ViewState Restore(ViewState view, DesktopSettings settings) => s_table
         .Where(row => row.InView is not null)
         .Aggregate(view with { Theme = settings.Theme }, (state, row) => row.InView!(state, Variable(settings, row.Variable.Name)));
+
+    /// <summary>It belongs to the view: a drafting aid.</summary>
+    internal static bool IsInView(string name) => s_table.First(row => row.Variable.Name == name).InView is not null;
 
     private static (SystemVariable Variable, Func<ViewState, double, ViewState>? InView) Kept(string name, double first, double least, double most) =>
         (new SystemVariable(name, first, least, most, Whole: true, context => Variable(context.Settings.Current, name), (context, value) => Keep(context, name, value)), null);

@@ -18,7 +18,7 @@ internal sealed class PanCommand : ICommand
     }
 }
 
-/// <summary>REGEN: Draws the view anew and removes the mark at the place that a finding pointed to.</summary>
+/// <summary>REGEN: Draws the view anew and removes the mark at the place that a finding pointed to. Planning that was ended by Esc is begun again.</summary>
 internal sealed class RegenCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REGEN", CommandGroup.View) { Transparent = true, HeardDuringJob = true };
@@ -26,6 +26,9 @@ internal sealed class RegenCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         context.View.Regenerate();
+        if (!context.Derivation.IsGivenUp) return Task.CompletedTask;
+        _ = context.Derivation.ForCurrentAsync(CancellationToken.None);
+        context.Say(Wording.Get("Regen.PlanningBeginsAgain"));
         return Task.CompletedTask;
     }
 }

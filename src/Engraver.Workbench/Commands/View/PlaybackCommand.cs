@@ -50,6 +50,6 @@ internal sealed class PlaybackCommand : ICommand
     private static void Say(CommandContext context)
     {
         if (context.Playback.Moment is not { } at) return;
-        context.Say(Wording.Get("Playback.MmMmToolStroke", at.Seconds, context.Playback.Motion!.DurationSeconds, PointPrompt.Show(at.Position), at.Speed, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Stroke + 1, at.Row + 1, at.Line), MessageKind.Result);
+        context.Say(Wording.Get("Playback.MmMmToolStroke", at.Seconds, context.Playback.Motion!.DurationSeconds, PointPrompt.Show(at.Position), at.Speed, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Stroke + 1, at.Row + 1, context.Playback.Motion!.LineOf(at.Segment)), MessageKind.Result);
     }
 }

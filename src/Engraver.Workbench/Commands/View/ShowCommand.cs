@@ -10,7 +10,7 @@ internal sealed class ShowCommand : ICommand
 
     /// <summary>The capital letters, which are the short forms, differ from option to option.</summary>
     private static readonly IReadOnlyList<Keyword> s_options =
-        Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "recordeD", "WorkOrigin", "Trajectories", "All", "None");
+        Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "RECorded", "WorkOrigin", "Trajectories", "All", "None");
 
     public CommandInfo Info { get; } = new("SHOW", CommandGroup.View) { Transparent = true };
 

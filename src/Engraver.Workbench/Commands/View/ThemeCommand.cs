@@ -3,7 +3,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.View;
 
-/// <summary>THEME: Chooses the dark or the light desktop.</summary>
+/// <summary>THEME: Chooses the dark, the light or the high-contrast desktop.</summary>
 internal sealed class ThemeCommand : ICommand
 {
     public CommandInfo Info { get; } = new("THEME", CommandGroup.View) { Transparent = true };

@@ -29,4 +29,7 @@ public enum AlarmCause
 
     /// <summary>A bug in a command or in the program around it; the machine was stopped.</summary>
     InternalError,
+
+    /// <summary>The display of the desktop is gone; the machine was stopped.</summary>
+    DisplayLost,
 }

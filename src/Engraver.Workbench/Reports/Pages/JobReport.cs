@@ -63,7 +63,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
             Program = program,
             Times = times,
             Cost = program is null ? null : JobSheet.Of(job, times, request.Rates ?? request.Settings.Machine.Rates).Cost,
-            Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], cancellation) : null,
+            Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, cancellation) : null,
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             Run = request.Run,
             RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing.FileName, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash) : [],

@@ -17,10 +17,9 @@ internal sealed class PageWriter : IDisposable
     /// <summary>The beginning up to the first heading. No other page or program may be reached from it.</summary>
     public void Begin(string title)
     {
-        var language = CultureInfo.CurrentUICulture.TwoLetterISOLanguageName;
         _xml.WriteDocType("html", null, null, null);
         _xml.WriteStartElement("html", Html);
-        _xml.WriteAttributeString("lang", language == "iv" ? "en" : language);
+        _xml.WriteAttributeString("lang", LanguageFile.For(CultureInfo.CurrentUICulture)?.Code ?? "en");
         _xml.WriteStartElement("head");
         Meta(("charset", "utf-8"));
         Meta(("http-equiv", "Content-Security-Policy"), ("content", "default-src 'none'; style-src 'unsafe-inline'"));

@@ -1,6 +1,7 @@
 using Engraver.App.Canvas.Picking;
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Geometry;
+using Engraver.Core.Reshaping;
 using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Canvas.Picking;

@@ -22,7 +22,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task A_drawing_is_open() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("nameplate.dxf");
+        Open(here, "nameplate.dxf");
         here.Show("Layers");
         here.Show("Command");
         Take(here, "drawing");
@@ -42,7 +42,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task The_doctor_has_findings() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("gasket.dxf");
+        Open(here, "gasket.dxf");
         here.Enter("CHECK");
         here.Show("Findings");
         Take(here, "findings");
@@ -55,7 +55,7 @@ public sealed class PictureTests(DesktopFixture fixture)
         var listening = controller.ListenTcpAsync(0, CancellationToken.None);
         here.Until(() => listening.IsCompleted);
         here.Hands.Resize(s_usual);
-        here.Open("gasket.dxf");
+        Open(here, "gasket.dxf");
         here.Enter("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{listening.Result.Port}"));
         var ending = controller.DisposeAsync().AsTask();
         here.Until(() => here.Commands.Machine.Alarms.Open.Count > 0 && ending.IsCompleted);
@@ -67,7 +67,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task The_playback_stands_in_the_middle() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("gasket.dxf");
+        Open(here, "gasket.dxf");
         here.Show("Program");
         here.Show("Table");
         here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 2;
@@ -81,7 +81,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task A_small_window_loses_nothing() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(new Size(1024, 700));
-        here.Open("gasket.dxf");
+        Open(here, "gasket.dxf");
         here.Enter("CNCCONNECT", "sim:");
         here.Hands.Type("Z");
         here.Step();
@@ -110,7 +110,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task The_simulated_machine_is_armed() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("nameplate.dxf");
+        Open(here, "nameplate.dxf");
         here.Enter("CNCCONNECT", "sim:");
         here.Show("Job");
         here.Enter("CNCARM", "Stream");
@@ -121,7 +121,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task A_job_runs_on_the_simulated_controller() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("nameplate.dxf");
+        Open(here, "nameplate.dxf");
         here.Enter("CNCCONNECT", "sim:?speed=5");
         here.Show("Job");
         here.Enter("CNCARM", "Stream");
@@ -140,7 +140,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task Where_is_the_controller() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("nameplate.dxf");
+        Open(here, "nameplate.dxf");
         here.Window.Model.Connect.Open();
         here.Window.Model.Connect.IsSerial = true;
         here.Window.Model.Connect.Device = "/dev/ttyUSB0";
@@ -153,7 +153,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task The_light_theme() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("clock-dial.dxf");
+        Open(here, "clock-dial.dxf");
         here.Enter("THEME", "Light");
         here.Show("Contours");
         Take(here, "light");
@@ -171,12 +171,60 @@ public sealed class PictureTests(DesktopFixture fixture)
     {
         here.Hands.Resize(new Size(1100, 720));
         here.Hands.SetScale(scale);
-        here.Open("gasket.dxf");
+        Open(here, "gasket.dxf");
         here.Click(here.Find<Avalonia.Controls.MenuItem>("MachineMenu"));
         Take(here, FormattableString.Invariant($"scale-{scale * 100:0}"));
         here.Hands.Press(Key.Escape);
         here.Hands.SetScale(1.0);
     });
+
+    /// <summary>A screen of 1366 x 768 pixels at 125 %, and one of 1280 x 720 at 150 %.</summary>
+    [Theory]
+    [InlineData(1366, 768, 1.25)]
+    [InlineData(1280, 720, 1.5)]
+    public Task Small_screens(int width, int height, double scale) => fixture.WithOperator(here =>
+    {
+        here.Hands.SetScale(scale);
+        here.Hands.Resize(new Size(width / scale, height / scale));
+        Open(here, "nameplate.dxf");
+        here.Enter("CNCCONNECT", "sim:");
+        here.Show("Contours");
+        here.Enter("HELP", "CNCARM");
+        Take(here, FormattableString.Invariant($"screen-{width}-{scale * 100:0}"));
+        here.Hands.SetScale(1.0);
+    });
+
+    [Fact]
+    public Task The_theme_of_high_contrast() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        Open(here, "clock-dial.dxf");
+        here.Enter("THEME", "HighContrast");
+        here.Show("Job");
+        here.Enter("CNCCONNECT", "sim:", "HELP", "");
+        Take(here, "high-contrast");
+        here.Enter("THEME", "Dark");
+    });
+
+    [Fact]
+    public Task The_right_button_has_a_menu() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        Open(here, "nameplate.dxf");
+        here.Enter("ZOOM", "E", "SELECT", "L", "");
+        here.Hands.Click(here.MiddleOf(here.Window.Canvas), MouseButton.Right);
+        here.Step();
+        Take(here, "canvas-menu");
+        here.Hands.Press(Key.Escape);
+        here.Step();
+    });
+
+    /// <summary>By its name on the command line: a file dialog would answer with the whole path.</summary>
+    private static void Open(Operator here, string sample)
+    {
+        here.Commands.Settings.Change(settings => settings.WithVariable("FILEDIA", 0));
+        here.Open(sample);
+    }
 
     /// <summary>A picture must show the whole window in its scale, not be one colour, and tell nothing of the machine it was taken on.</summary>
     private static void Take(Operator here, string name)

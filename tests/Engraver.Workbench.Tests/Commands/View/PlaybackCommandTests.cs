@@ -15,7 +15,7 @@ public class PlaybackCommandTests
         Assert.Equal(1, playback.Moment!.Value.Stroke);
         await talk.TypeAsync("PLAYBACK", "H", "A3");
         Assert.Equal(2, playback.Moment!.Value.Entity);
-        var line = playback.Moment.Value.Line;
+        var line = playback.Motion!.LineOf(playback.Moment.Value.Segment);
         await talk.TypeAsync("PLAYBACK", "Time", "0.5");
         Assert.Equal(0.5, playback.Position);
         await talk.TypeAsync("PLAYBACK", "L", FormattableString.Invariant($"{line}"));

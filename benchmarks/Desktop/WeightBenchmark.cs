@@ -1,0 +1,95 @@
+using System.Diagnostics;
+using System.Globalization;
+using Engraver.App.Sessions;
+using Engraver.App.Shell;
+using Engraver.Core.Geometry;
+using Engraver.SoftwarePlatform.Headless;
+using Engraver.Workbench.Views;
+
+namespace Engraver.Benchmarks.Desktop;
+
+/// <summary>Measures what a large drawing weighs in the desktop: processor time and memory of opening and planning, frames while it is moved, memory after it was closed and opened again.</summary>
+internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
+{
+    private const int Frames = 300;
+    private const int Openings = 10;
+    private const double ZoomedIn = 16.0;
+    private const double MegaByte = 1e6;
+    private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(10);
+
+    public void Run(string drawing)
+    {
+        TellMemory("empty");
+        Open(drawing, tells: true);
+        TellMemory("opened and planned");
+        var zoomed = session.Desk.Session.View.Current.Height / ZoomedIn;
+        TellFrames("pan at extents", step => session.Desk.Session.View.PanBy(new Vector2D(Step(step, session.Desk.Session.View.Current.Height), 0.0)));
+        TellFrames("zoom about extents", step => session.Desk.Session.View.ZoomAbout(session.Desk.Session.View.Current.Centre, step / 10 % 2 == 0 ? 1.05 : 1.0 / 1.05));
+        session.Desk.Session.View.SetCentre(session.Desk.Session.View.Current.Centre, zoomed);
+        AwaitPicture();
+        TellFrames("pan zoomed in", step => session.Desk.Session.View.PanBy(new Vector2D(Step(step, zoomed), 0.0)));
+        TellFrames("zoom zoomed in", step => session.Desk.Session.View.ZoomAbout(session.Desk.Session.View.Current.Centre, step / 10 % 2 == 0 ? 1.05 : 1.0 / 1.05));
+        TellMemory("moved");
+        for (var opening = 1; opening <= Openings; opening++)
+        {
+            Await(session.Desk.RunAsync("CLOSE"));
+            Await(session.Desk.SettleAsync());
+            Open(drawing, tells: false);
+            TellMemory(string.Create(CultureInfo.InvariantCulture, $"closed and opened {opening} times"));
+        }
+
+        Await(session.Desk.RunAsync("CLOSE"));
+        Await(session.Desk.SettleAsync());
+        TellMemory("closed");
+        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"in use then: {GC.GetTotalMemory(forceFullCollection: true) / MegaByte:0} MB"));
+    }
+
+    /// <summary>A hundredth of the height, to and fro.</summary>
+    private static double Step(int step, double height) => (step / 30 % 2 == 0 ? 0.01 : -0.01) * height;
+
+    private void Open(string drawing, bool tells)
+    {
+        var (watch, cpu) = (Stopwatch.StartNew(), Environment.CpuUsage.TotalTime);
+        var opening = session.Desk.RunAsync("OPEN", drawing);
+        desktop.StepUntil(() => opening.IsCompleted, s_patience);
+        Tell("read");
+        desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_patience);
+        Tell("read and first picture");
+        var settling = session.Desk.SettleAsync();
+        desktop.StepUntil(() => settling.IsCompleted, s_patience);
+        Tell("read, first picture, order, plan");
+        AwaitPicture();
+        Tell("all with the picture of the job");
+
+        void Tell(string what)
+        {
+            if (tells) output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what}: {watch.Elapsed.TotalSeconds:0.00} s, CPU {(Environment.CpuUsage.TotalTime - cpu).TotalSeconds:0.00} s"));
+        }
+    }
+
+    private void AwaitPicture() => desktop.StepUntil(() => window.CanvasSource.IsCurrent && window.Canvas.IsFresh, s_patience);
+
+    /// <summary>Frames drawn as fast as they come while the view moves before each.</summary>
+    private void TellFrames(string what, Action<int> move)
+    {
+        var times = new double[Frames];
+        for (var frame = 0; frame < Frames; frame++)
+        {
+            var watch = Stopwatch.StartNew();
+            move(frame);
+            desktop.Step();
+            times[frame] = watch.Elapsed.TotalMilliseconds;
+        }
+
+        Array.Sort(times);
+        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what}: {1000.0 * Frames / times.Sum():0} frames/s, p50 {times[Frames / 2]:0.0} ms, p99 {times[Frames * 99 / 100]:0.0} ms, worst {times[^1]:0.0} ms"));
+        AwaitPicture();
+    }
+
+    /// <summary>What the process holds of the computer's memory as it stands; nothing is collected for it.</summary>
+    private void TellMemory(string when) => output.WriteLine(string.Create(
+        CultureInfo.InvariantCulture,
+        $"{when}: resident {Environment.WorkingSet / MegaByte:0} MB, of it managed {GC.GetGCMemoryInfo().TotalCommittedBytes / MegaByte:0} MB"));
+
+    private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_patience);
+}

@@ -1,0 +1,70 @@
+using System.Collections;
+using Engraver.Core.Posts;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Playback;
+
+namespace Engraver.App.Desk;
+
+/// <summary>The lines of the posted program of a motion. A long program is written in the background; until then there are none.</summary>
+internal sealed record PostedLines(PlannedMotion? Motion, Task<IReadOnlyList<string>> Written)
+{
+    /// <summary>A program of no more segments is written while its page waits for it.</summary>
+    private const int ShortProgram = 20_000;
+
+    public static PostedLines None { get; } = new(null, Task.FromResult<IReadOnlyList<string>>([]));
+
+    public IReadOnlyList<string> Lines => Written.IsCompletedSuccessfully ? Written.Result : [];
+
+    public static PostedLines Of(DerivedDocument derived)
+    {
+        if (derived.Motion is not { } motion) return None;
+        if (derived.IsPosted || motion.SegmentCount <= ShortProgram) return new PostedLines(motion, Task.FromResult<IReadOnlyList<string>>(Cut(derived.Program)));
+        return new PostedLines(motion, Task.Run<IReadOnlyList<string>>(() => Cut(derived.Program)));
+    }
+
+    private static ChunkLines Cut(PostText? program) => new(program?.Chunks ?? []);
+}
+
+/// <summary>The lines of texts one after the other, cut when they are looked at: four bytes for each line beside the texts themselves.</summary>
+internal sealed class ChunkLines : IReadOnlyList<string>
+{
+    private readonly IReadOnlyList<string> _chunks;
+    private readonly int[] _firstLines;
+    private readonly List<int> _starts = [];
+
+    /// <param name="chunks">Each ends with a line end.</param>
+    public ChunkLines(IReadOnlyList<string> chunks)
+    {
+        _chunks = chunks;
+        _firstLines = new int[chunks.Count];
+        for (var chunk = 0; chunk < chunks.Count; chunk++)
+        {
+            _firstLines[chunk] = _starts.Count;
+            for (var at = 0; at < chunks[chunk].Length; at = EndOf(chunks[chunk], at) + 1) _starts.Add(at);
+        }
+
+        while (_starts.Count > 0 && this[_starts.Count - 1].Length == 0) _starts.RemoveAt(_starts.Count - 1);
+    }
+
+    public int Count => _starts.Count;
+
+    public string this[int index]
+    {
+        get
+        {
+            var chunk = Array.BinarySearch(_firstLines, index);
+            if (chunk < 0) chunk = ~chunk - 1;
+            var text = _chunks[chunk];
+            return text[_starts[index]..EndOf(text, _starts[index])];
+        }
+    }
+
+    public IEnumerator<string> GetEnumerator()
+    {
+        for (var i = 0; i < Count; i++) yield return this[i];
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    private static int EndOf(string text, int start) => text.IndexOf('\n', start) is >= 0 and var end ? end : text.Length;
+}

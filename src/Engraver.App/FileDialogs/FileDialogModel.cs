@@ -1,0 +1,215 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.App.FileDialogs;
+
+/// <summary>The state of the file dialog: a folder with its rows, the name that is being typed, places to go to. Its result is the path of a file, by which the command that asks is answered.</summary>
+public sealed partial class FileDialogModel : Observable
+{
+    private readonly DesktopModel _desk;
+    private FileWanted? _wanted;
+    private FileRow? _chosen;
+    private FileRow? _hovered;
+    private FileFilter? _filter;
+    private FileOrder _order;
+    private string _name = "";
+    private string _folder = "";
+    private bool _isTyped;
+    private string? _finding;
+    private int _working;
+    private Action? _stopReading;
+
+    public FileDialogModel(DesktopModel desk)
+    {
+        _desk = desk;
+        Preview = new PreviewModel(desk);
+        Accept = new Act(() => _ = AcceptAsync());
+        Show = new Act(() => Answered?.Invoke(null));
+        Cancel = new Act(() => Left?.Invoke());
+        Up = new Act(GoUp);
+        Go = new Act(place => GoTo((FilePlace)place!));
+        SortBy = new Act(column => Sort((FileColumn)column!));
+    }
+
+    /// <summary>A file was chosen; null: the result is to be shown in the command window.</summary>
+    internal event Action<FileChoice?>? Answered;
+
+    /// <summary>The dialog was left.</summary>
+    internal event Action? Left;
+
+    public PreviewModel Preview { get; }
+
+    public Act Accept { get; }
+
+    /// <summary>The result is shown in the command window and written nowhere.</summary>
+    public Act Show { get; }
+
+    public Act Cancel { get; }
+
+    /// <summary>To the folder above.</summary>
+    public Act Up { get; }
+
+    /// <summary>To a place, the parameter.</summary>
+    public Act Go { get; }
+
+    /// <summary>By a column, the parameter.</summary>
+    public Act SortBy { get; }
+
+    public bool IsOpen => _wanted is not null;
+
+    /// <summary>What the command that asks is called.</summary>
+    public string Title { get; private set; } = "";
+
+    public string AcceptWords => Text.Get(_wanted is { Writes: true } ? "Files.Save" : "Files.Open");
+
+    public bool MayShow => _wanted is { MayShow: true };
+
+    public IReadOnlyList<FilePlace> Places { get; private set; } = [];
+
+    /// <summary>The folder that is shown, from the root on.</summary>
+    public IReadOnlyList<FilePlace> Crumbs { get; private set; } = [];
+
+    public IReadOnlyList<FileRow> Rows { get; private set; } = [];
+
+    public IReadOnlyList<FileFilter> Filters { get; private set; } = [];
+
+    public FileFilter? Filter
+    {
+        get => _filter;
+        set
+        {
+            if (value is null || !Set(ref _filter, value)) return;
+            if (IsOpen && _wanted!.Writes && _name.Length > 0 && value.Endings is [var ending, ..]) SetName(FileFilter.WithEnding(_name, ending, Filters), typed: _isTyped);
+            if (IsOpen && _folder.Length > 0) Read(_folder);
+        }
+    }
+
+    /// <summary>Full path of the folder that is shown.</summary>
+    public string Folder
+    {
+        get => _folder;
+        private set => Set(ref _folder, value);
+    }
+
+    /// <summary>The row under the keys: chosen, or found by what was typed.</summary>
+    public FileRow? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (!Set(ref _chosen, value)) return;
+            LookAtPreview();
+            if (value is null) return;
+            Finding = null;
+            _isTyped = false;
+            if (value.IsFile || !_wanted!.Writes) SetName(value.Name, typed: false);
+        }
+    }
+
+    /// <summary>What is typed: a name or a path.</summary>
+    public string Name
+    {
+        get => _name;
+        set
+        {
+            if (!Set(ref _name, value ?? "")) return;
+            _isTyped = true;
+            Finding = null;
+            Jump();
+        }
+    }
+
+    /// <summary>The name was typed letter by letter, and not put there by a choice.</summary>
+    internal bool IsTyped => _isTyped;
+
+    /// <summary>What is wrong, or has to be known; null for nothing.</summary>
+    public string? Finding
+    {
+        get => _finding;
+        private set => Set(ref _finding, value);
+    }
+
+    public bool IsEmpty => Rows.Count == 0 && _stopReading is null && _finding is null;
+
+    public string NameHead => HeadOf(FileColumn.Name);
+
+    public string ChangedHead => HeadOf(FileColumn.Changed);
+
+    public string BytesHead => HeadOf(FileColumn.Bytes);
+
+    /// <summary>A folder is being read, or a name looked for.</summary>
+    internal bool IsWorking => _working > 0;
+
+    /// <summary>Shows the dialog.</summary>
+    /// <param name="title">What the command that asks is called.</param>
+    /// <param name="typed">What was typed already; empty for nothing.</param>
+    internal void Open(FileWanted wanted, string title, string typed)
+    {
+        (_wanted, Title, _finding, _chosen, _hovered, _isTyped) = (wanted, title, null, null, null, typed.Length > 0);
+        Filters = FileFilter.For(wanted);
+        var ending = wanted.Suggested is { } suggested ? Path.GetExtension(suggested) : null;
+        _filter = Filters.FirstOrDefault(filter => ending is not null && filter.Endings.Contains(ending)) ?? Filters[0];
+        _name = typed.Length > 0 ? typed : wanted is { Writes: true, Suggested: { } offered } ? Path.GetFileName(offered) : "";
+        (Rows, Places, Crumbs, _folder) = ([], [], [], ""); // a name alone has no place until the first folder is there
+        Tell(null);
+        _ = BeginAsync(wanted);
+        _ = FindPlacesAsync(wanted);
+    }
+
+    /// <summary>Hides the dialog; nothing of it goes on.</summary>
+    internal void Close()
+    {
+        if (_wanted is null) return;
+        _wanted = null;
+        StopReading();
+        Preview.Show(null);
+        (Rows, _chosen, _hovered) = ([], null, null);
+        Tell(null);
+    }
+
+    /// <summary>Says in the dialog what stands in the way.</summary>
+    internal void Say(string sentence) => Finding = sentence;
+
+    /// <summary>The row under the mouse is shown in the preview, as long as it is there.</summary>
+    internal void Hover(FileRow? row)
+    {
+        _hovered = row;
+        LookAtPreview();
+    }
+
+    /// <summary>Moves the choice in the list.</summary>
+    internal void Move(int rows)
+    {
+        if (Rows.Count == 0) return;
+        var now = _chosen is null ? -1 : Rows.ToList().IndexOf(_chosen);
+        var next = now < 0 ? (rows > 0 ? 0 : Rows.Count - 1) : Math.Clamp(now + rows, 0, Rows.Count - 1);
+        if (ReferenceEquals(_chosen, Rows[next]) || _chosen == Rows[next]) SetName(Rows[next].Name, typed: false);
+        Chosen = Rows[next];
+    }
+
+    private string HeadOf(FileColumn column) => Text.Get("FileColumn." + column) + (column != _order.Column ? "" : _order.IsDescending ? " ↓" : " ↑");
+
+    private void LookAtPreview() => Preview.Show(_hovered ?? _chosen);
+
+    private void SetName(string name, bool typed)
+    {
+        Set(ref _name, name, nameof(Name));
+        _isTyped = typed;
+    }
+
+    /// <summary>The first row that begins as what is typed.</summary>
+    private void Jump()
+    {
+        var begun = TypedFileName.Read(_name);
+        _chosen = begun.Length == 0 ? null : Rows.FirstOrDefault(row => row.Name.StartsWith(begun, StringComparison.OrdinalIgnoreCase));
+        Tell(nameof(Chosen));
+        LookAtPreview();
+    }
+}
+
+/// <summary>What was chosen in the dialog.</summary>
+/// <param name="Path">Full path.</param>
+/// <param name="Exists">The file is there already.</param>
+internal sealed record FileChoice(FileWanted Wanted, string Path, bool Exists);

@@ -1,0 +1,46 @@
+using Engraver.App.Texts;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.FileDialogs;
+
+/// <summary>Which files the list shows.</summary>
+/// <param name="Endings">With their dots; none: all.</param>
+public sealed record FileFilter(string Words, IReadOnlyList<string> Endings)
+{
+    /// <summary>Of a file to read: all its endings together; of one to write: each of them, because it decides what is written. Behind them all files.</summary>
+    public static IReadOnlyList<FileFilter> For(FileWanted wanted)
+    {
+        ArgumentNullException.ThrowIfNull(wanted);
+        var all = new FileFilter(Text.Get("Files.All"), []);
+        if (wanted.Endings.Count == 0) return [all];
+        return wanted.Writes ? [.. wanted.Endings.Select(ending => Named(wanted, [ending])), all] : [Named(wanted, wanted.Endings), all];
+    }
+
+    /// <summary>The name with another ending: in the place of one that belongs to a filter, else behind the name.</summary>
+    internal static string WithEnding(string name, string ending, IEnumerable<FileFilter> filters) =>
+        filters.Any(filter => filter.Endings.Contains(Path.GetExtension(name), StringComparer.OrdinalIgnoreCase)) ? Path.ChangeExtension(name, ending) : name + ending;
+
+    public override string ToString() => Words;
+
+    private static FileFilter Named(FileWanted wanted, IReadOnlyList<string> endings) =>
+        new(Text.Get("Files.Filter", Text.Find("FileKind." + wanted.Kind) ?? Text.Get("FileKind.other"), string.Join(", ", endings.Select(ending => "*" + ending))), endings);
+}
+
+/// <summary>Where the dialog begins.</summary>
+internal static class FileStart
+{
+    /// <summary>The folder that was used last for the kind, the drawing's, the working folder, home.</summary>
+    public static string FolderFor(FileWanted wanted, CommandSession session)
+    {
+        var last = session.Settings.Current.FileFolders.GetValueOrDefault(wanted.Kind);
+        var drawing = session.Document.FilePath is { } path ? Path.GetDirectoryName(Path.GetFullPath(path, Path.GetFullPath(session.Folder))) : null;
+        var working = Path.GetFullPath(session.Folder);
+        var offered = wanted is { Writes: true, Suggested: { } suggested } && Path.IsPathRooted(suggested) ? Path.GetDirectoryName(suggested) : null;
+        string?[] folders = [offered, last, drawing, IsForPeople(working) ? working : null];
+        return folders.FirstOrDefault(folder => folder is not null && Directory.Exists(folder)) ?? Environment.GetFolderPath(Environment.SpecialFolder.UserProfile, Environment.SpecialFolderOption.DoNotVerify);
+    }
+
+    /// <summary>A program that was started by an icon works in the root or beside itself, where nobody keeps drawings.</summary>
+    private static bool IsForPeople(string folder) => Path.GetDirectoryName(folder) is not null && Path.TrimEndingDirectorySeparator(folder) != Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory);
+}

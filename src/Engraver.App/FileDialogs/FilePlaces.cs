@@ -1,0 +1,81 @@
+using Engraver.App.Texts;
+using Engraver.Core.Languages;
+
+namespace Engraver.App.FileDialogs;
+
+/// <summary>A place to go to: a folder, or a file that was open lately.</summary>
+/// <param name="Path">Full path.</param>
+public sealed record FilePlace(string Name, string Path, bool IsFile)
+{
+    public bool IsFolder => !IsFile;
+
+    public string Tip => TextCatalogue.Fact(Path);
+}
+
+/// <summary>The places at the left of the dialog. Each folder stands there once.</summary>
+internal static class FilePlaces
+{
+    private const int MostRecentFolders = 5;
+    private const int MostRecentFiles = 5;
+
+    /// <summary>For a thread of the pool: whether a folder is there may take a while to find out.</summary>
+    /// <param name="drawing">Path of the open drawing; null for none.</param>
+    /// <param name="recent">Paths of the drawings that were opened last.</param>
+    /// <param name="fits">Whether a recent file is one of those that are asked for.</param>
+    public static IReadOnlyList<FilePlace> Find(string? drawing, IReadOnlyList<string> recent, Func<string, bool> fits)
+    {
+        var places = new List<FilePlace>();
+        Add(Text.Get("Files.Home"), FolderOf(Environment.SpecialFolder.UserProfile));
+        Add(Text.Get("Files.Desktop"), FolderOf(Environment.SpecialFolder.DesktopDirectory));
+        Add(Text.Get("Files.Documents"), FolderOf(Environment.SpecialFolder.MyDocuments));
+        Add(Text.Get("Files.DrawingFolder"), drawing is null ? null : Path.GetDirectoryName(Path.GetFullPath(drawing)));
+        Add(Text.Get("Files.Samples"), SampleFolder.Find());
+        foreach (var drive in Drives()) Add(NameOf(drive), drive);
+        foreach (var folder in recent.Select(Path.GetDirectoryName).Distinct().Take(MostRecentFolders)) Add(NameOf(folder!), folder);
+        places.AddRange(recent.Where(file => fits(file) && File.Exists(file)).Take(MostRecentFiles).Select(file => new FilePlace(TextCatalogue.Fact(Path.GetFileName(file)), file, true)));
+        return places;
+
+        void Add(string name, string? folder)
+        {
+            if (folder is { Length: > 0 } && places.All(place => place.Path != folder) && Directory.Exists(folder)) places.Add(new FilePlace(name, folder, false));
+        }
+    }
+
+    private static string FolderOf(Environment.SpecialFolder folder) => Environment.GetFolderPath(folder, Environment.SpecialFolderOption.DoNotVerify);
+
+    /// <summary>Drives that people mount, and the root of everything.</summary>
+    private static IEnumerable<string> Drives()
+    {
+        try
+        {
+            return DriveInfo.GetDrives().Select(drive => drive.Name).Where(IsForPeople).Distinct().Order(StringComparer.Ordinal);
+        }
+        catch (Exception unknown) when (unknown is IOException or UnauthorizedAccessException)
+        {
+            return [];
+        }
+    }
+
+    private static bool IsForPeople(string drive) => OperatingSystem.IsWindows() || drive == "/" || ((string[])["/media/", "/mnt/", "/run/media/", "/Volumes/"]).Any(under => drive.StartsWith(under, StringComparison.Ordinal));
+
+    private static string NameOf(string folder) => folder == "/" ? Text.Get("Files.Computer") : Path.GetFileName(Path.TrimEndingDirectorySeparator(folder)) is { Length: > 0 } name ? TextCatalogue.Fact(name) : folder;
+}
+
+/// <summary>The drawings that come with the program.</summary>
+internal static class SampleFolder
+{
+    private const int FarthestAbove = 8;
+
+    /// <summary>The folder <c>samples</c> beside the program or above it; null when it did not come with it.</summary>
+    public static string? Find()
+    {
+        var at = new DirectoryInfo(AppContext.BaseDirectory);
+        for (var up = 0; up <= FarthestAbove && at is not null; up++, at = at.Parent)
+        {
+            var folder = Path.Combine(at.FullName, "samples");
+            if (File.Exists(Path.Combine(folder, "gasket.dxf"))) return folder;
+        }
+
+        return null;
+    }
+}

@@ -1,0 +1,56 @@
+using Engraver.App.Texts;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.App.FileDialogs;
+
+/// <summary>What a typed name leads to.</summary>
+internal abstract record FileTarget
+{
+    private FileTarget()
+    {
+    }
+
+    /// <param name="Path">To go into.</param>
+    public sealed record Folder(string Path) : FileTarget;
+
+    /// <param name="Exists">It is there already.</param>
+    public sealed record Chosen(string Path, bool Exists) : FileTarget;
+
+    /// <param name="Sentence">Why there is nothing.</param>
+    public sealed record Nothing(string Sentence) : FileTarget;
+
+    /// <summary>Finds it; for a thread of the pool.</summary>
+    /// <param name="typed">A name, a path from the folder that is shown or from the working folder, a whole path; quotes and <c>~</c> as at a prompt.</param>
+    /// <param name="shown">The folder that is shown.</param>
+    /// <param name="working">The working folder of the commands.</param>
+    /// <param name="ending">Of the filter that is chosen; null where it has none.</param>
+    /// <param name="jumped">The row to which the typed letters have led; null for none.</param>
+    public static FileTarget Find(string typed, string shown, string working, FileWanted wanted, string? ending, FileRow? jumped)
+    {
+        var name = TypedFileName.Read(typed);
+        if (name.Contains('\0', StringComparison.Ordinal)) return new Nothing(Text.Get("Files.NoSuchName", name.Replace('\0', '?')));
+        return wanted.Writes ? ToWrite(name, shown, wanted, ending) : ToRead(name, [shown, working], wanted, jumped);
+    }
+
+    private static FileTarget ToWrite(string name, string shown, FileWanted wanted, string? ending)
+    {
+        var path = Path.GetFullPath(Path.Combine(shown, name));
+        if (Directory.Exists(path)) return new Folder(path);
+        if (Path.GetDirectoryName(path) is not { } parent || Path.EndsInDirectorySeparator(name)) return new Nothing(Text.Get("Files.NoFolder", path));
+        if (!Directory.Exists(parent)) return new Nothing(Text.Get("Files.NoFolder", parent));
+        path = (ending is null ? wanted : wanted with { Endings = [ending, .. wanted.Endings] }).WithEnding(path);
+        return Directory.Exists(path) ? new Folder(path) : new Chosen(path, File.Exists(path));
+    }
+
+    private static FileTarget ToRead(string name, IEnumerable<string> folders, FileWanted wanted, FileRow? jumped)
+    {
+        foreach (var path in folders.Select(folder => Path.GetFullPath(Path.Combine(folder, name))).Distinct())
+        {
+            if (Directory.Exists(path)) return new Folder(path);
+            if (((string[])[path, .. wanted.Endings.Select(ending => path + ending)]).FirstOrDefault(File.Exists) is { } file) return new Chosen(file, true);
+        }
+
+        if (jumped is not null) return jumped.IsFolder ? new Folder(jumped.Path) : new Chosen(jumped.Path, true);
+        return new Nothing(Text.Get("Files.NotThere", name));
+    }
+}

@@ -1,0 +1,35 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Threading;
+using Avalonia.VisualTree;
+
+namespace Engraver.App.FileDialogs;
+
+/// <summary>The sheet of a question; it stands below the machine strip, so that STOP stays beside it.</summary>
+public partial class QuestionView : UserControl
+{
+    public QuestionView() => InitializeComponent();
+
+    private QuestionModel Model => (QuestionModel)DataContext!;
+
+    /// <summary>Enter takes an answer and Esc leaves; Tab goes from answer to answer; every other key stays unheard.</summary>
+    /// <returns>True when the key is worked off.</returns>
+    public bool Press(KeyEventArgs e)
+    {
+        if (e.Key == Key.Escape) Model.Leave();
+        else if (e.Key == Key.Enter && e.Source is Button { Tag: string } button && !Model.IsTyping) button.Command?.Execute(null);
+        else if (e.Key == Key.Enter) Model.Take();
+        else return e.Source is TextBox && (Edits(e.Key) || e.KeyModifiers is not (KeyModifiers.None or KeyModifiers.Shift)); // the text box under the question gets nothing of it
+        return true;
+    }
+
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(() => AnswerList.ContainerFromIndex(0)?.GetVisualDescendants().OfType<Button>().First().Focus(), DispatcherPriority.Loaded);
+    }
+
+    private static bool Edits(Key key) => key is Key.Back or Key.Delete or Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End;
+}

@@ -1,0 +1,43 @@
+using Engraver.App.Texts;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.MachineStrip;
+
+/// <summary>Why a key of the strip does not work now, as the key of two texts: <c>KeyReason.KEY</c> says it in a word or two, <c>KeyReason.KEY.Tip</c> in a sentence with what to do. Null: it works.</summary>
+internal static class KeyReasons
+{
+    /// <summary>ARM works also where it only says what is missing and what to do.</summary>
+    public static string? Arm(MachineStatus status) => status.State switch
+    {
+        MachineState.Armed => "Armed",
+        MachineState.NoOrigin or MachineState.NotHomed or MachineState.MotorsOff => null,
+        var state when state.IsReady() => null,
+        _ => Standing(status),
+    };
+
+    public static string? Start(MachineStatus status) => status.State switch
+    {
+        MachineState.Armed or MachineState.Held => null,
+        _ => Standing(status) ?? "NotArmed",
+    };
+
+    public static string? Hold(MachineStatus status) => status.State is MachineState.Running or MachineState.DryRun ? null : "NoJob";
+
+    /// <summary>Empty for null.</summary>
+    public static string ShortOf(string? reason) => reason is null ? "" : Text.Get("KeyReason." + reason);
+
+    /// <param name="otherwise">The text while the key works.</param>
+    public static string TipOf(string? reason, string otherwise, MachineStatus status) => reason is null ? Text.Get(otherwise) : Text.Get("KeyReason." + reason + ".Tip", status.Reason.TrimEnd('.'));
+
+    /// <summary>What stands against both.</summary>
+    private static string? Standing(MachineStatus status) => status.State switch
+    {
+        MachineState.Offline => "NoLink",
+        MachineState.Connected => "Connecting",
+        MachineState.Moving or MachineState.Busy => "Moves",
+        MachineState.Fault => "Fault",
+        MachineState.EmergencyStopOpen => "StopOpen",
+        var state when state.IsJob() => "JobRuns",
+        _ => null,
+    };
+}

@@ -1,0 +1,49 @@
+using Avalonia.Controls;
+using Engraver.App.Binding;
+using Engraver.App.CommandWindow;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+
+namespace Engraver.App.Menus;
+
+/// <summary>The menu of the right button on the canvas, for what is going on: a command that asks (Enter, Cancel, its options), objects that are selected, or nothing of both.</summary>
+/// <remarks>AutoCAD's order: repeat the last command, recent input, then what fits. Neither repeats what starts motion.</remarks>
+internal sealed class CanvasMenu(DesktopModel desk, MenuBuilder menus, CommandWindowModel line)
+{
+    private IEnumerable<string> Fitting =>
+        (desk.Session.Document.Current.Selection.Count > 0 ? MenuLayout.OnSelection : MenuLayout.OnCanvas).Where(name => name.Length == 0 || name.Contains('.', StringComparison.Ordinal) || desk.Session.Catalog.Find(name) is not null);
+
+    /// <param name="room">The height that there is, units of 1/96 inch; a longer menu scrolls.</param>
+    public ContextMenu Make(double room) => new() { Name = "CanvasMenu", MaxHeight = Math.Max(MenuBuilder.LeastHeight, room), ItemsSource = Items() };
+
+    private List<Control> Items() => desk.Prompt.Command is null ? [.. Again(), .. menus.Entries(Fitting)] : [.. InCommand()];
+
+    private IEnumerable<Control> Again()
+    {
+        if (desk.Session.Repeatable is { } last) yield return Item(Text.Get("CanvasMenu.Repeat", last), "CanvasMenu.Repeat", () => _ = desk.EnterAsync(""));
+        if (Recent() is { } recent) yield return recent;
+        if (desk.Session.Repeatable is not null || line.Recent.Count > 0) yield return new Separator();
+    }
+
+    private IEnumerable<Control> InCommand()
+    {
+        yield return Item(Text.Get("CanvasMenu.Enter"), "CanvasMenu.Enter", () => _ = desk.EnterAsync(""));
+        yield return Item(Text.Get("CanvasMenu.Cancel"), "CanvasMenu.Cancel", line.Cancel);
+        if (Recent() is { } recent) yield return recent;
+        if (desk.Prompt.Options.Count > 0) yield return new Separator();
+        foreach (var option in desk.Prompt.Options) yield return Item(Letters(option.Shown), option.Name, () => line.Choose.Execute(option));
+    }
+
+    private MenuItem? Recent()
+    {
+        if (line.Recent.Count == 0) return null;
+        var item = new MenuItem { Header = Text.Get("CanvasMenu.Recent"), Tag = "CanvasMenu.Recent" };
+        foreach (var input in line.Recent) item.Items.Add(Item(Letters(input), input, () => line.Again(input)));
+        return item;
+    }
+
+    private static MenuItem Item(string header, string tag, Action run) => new() { Header = header, Tag = tag, Command = new Act(run) };
+
+    /// <summary>As it is: an underscore marks no letter of the keyboard.</summary>
+    private static string Letters(string text) => text.Replace("_", "__", StringComparison.Ordinal);
+}

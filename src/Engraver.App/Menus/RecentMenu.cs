@@ -1,0 +1,38 @@
+using Avalonia.Controls;
+using Engraver.App.StartPage;
+using Engraver.App.Texts;
+using ICommand = System.Windows.Input.ICommand;
+
+namespace Engraver.App.Menus;
+
+/// <summary>The submenu of the drawings that were opened last. Those that are gone are told and cannot be chosen.</summary>
+/// <param name="open">Opens a drawing, the parameter.</param>
+/// <param name="list">RECENT itself, which lists them in the command window.</param>
+public sealed class RecentMenu(RecentDrawings recent, ICommand open, ICommand list)
+{
+    /// <summary>The entry of a menu; its drawings are looked up whenever it is opened.</summary>
+    public MenuItem Entry(object header)
+    {
+        var item = new MenuItem { Header = header, Tag = "RECENT" };
+        Fill(item);
+        recent.Changed += () => Fill(item);
+        item.SubmenuOpened += (_, _) => recent.Refresh();
+        return item;
+    }
+
+    private void Fill(MenuItem item)
+    {
+        item.Items.Clear();
+        foreach (var (drawing, at) in recent.All.Select((drawing, at) => (drawing, at))) item.Items.Add(EntryOf(drawing, at + 1));
+        if (recent.All.Count > 0) item.Items.Add(new Separator());
+        item.Items.Add(new MenuItem { Header = Text.Get("Menu.RecentList"), Command = list });
+    }
+
+    private MenuItem EntryOf(RecentDrawing drawing, int number)
+    {
+        var name = drawing.Name.Replace("_", "__", StringComparison.Ordinal); // one alone marks a letter of the keyboard
+        var entry = new MenuItem { Header = Text.Get(drawing.IsGone ? "Menu.RecentGone" : "Menu.RecentDrawing", number, name), Command = open, CommandParameter = drawing, IsEnabled = drawing.IsThere, Tag = drawing.Path };
+        ToolTip.SetTip(entry, drawing.Path);
+        return entry;
+    }
+}

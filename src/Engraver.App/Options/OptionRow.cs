@@ -1,0 +1,59 @@
+using Engraver.App.Binding;
+using Engraver.Workbench.Commands.Settings;
+
+namespace Engraver.App.Options;
+
+/// <summary>A setting on the sheet, with what was typed for it.</summary>
+public sealed class OptionRow(OptionEntry entry) : Observable
+{
+    private const string On = "1";
+    private const string Off = "0";
+    private string _typed = entry.Value;
+    private string _wrong = "";
+
+    public OptionEntry Entry => entry;
+
+    /// <summary>The name with its unit.</summary>
+    public string Title => entry.Unit.Length > 0 ? Texts.Text.Get("Options.WithUnit", entry.Name, entry.Unit) : entry.Name;
+
+    /// <summary>What it does, what is typed for it, and its first value.</summary>
+    public string Meaning => entry.Default.Length > 0 ? Texts.Text.Get("Options.MeaningWithDefault", entry.Meaning, entry.Command, entry.Default) : Texts.Text.Get("Options.Meaning", entry.Meaning, entry.Command);
+
+    public bool IsNumber => entry.Choices.Count == 0 && !entry.IsSwitch;
+
+    public bool IsChoice => entry.Choices.Count > 0;
+
+    public string Typed
+    {
+        get => _typed;
+        set
+        {
+            if (!Set(ref _typed, (value ?? "").Trim())) return;
+            Wrong = entry.WhyNot(_typed) ?? "";
+            Tell(nameof(IsOn));
+        }
+    }
+
+    /// <summary>The value of a switch.</summary>
+    public bool IsOn
+    {
+        get => _typed == On;
+        set => Typed = value ? On : Off;
+    }
+
+    /// <summary>Another value than now stands there.</summary>
+    public bool IsChanged => _typed != entry.Value;
+
+    /// <summary>What is wrong with it, in a sentence; empty while it can be taken.</summary>
+    public string Wrong
+    {
+        get => _wrong;
+        set
+        {
+            Set(ref _wrong, value);
+            Tell(nameof(IsWrong));
+        }
+    }
+
+    public bool IsWrong => _wrong.Length > 0;
+}

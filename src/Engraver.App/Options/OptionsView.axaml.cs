@@ -1,0 +1,51 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Threading;
+using Engraver.App.Desk;
+
+namespace Engraver.App.Options;
+
+/// <summary>A sheet over the window below the machine strip: STOP stays beside it.</summary>
+public partial class OptionsView : UserControl
+{
+    public OptionsView() => InitializeComponent();
+
+    private OptionsModel Model => (OptionsModel)DataContext!;
+
+    /// <summary>Enter takes and Esc leaves; everything else belongs to what has the keyboard.</summary>
+    /// <returns>True when it was one of them.</returns>
+    public bool Press(KeyEventArgs e)
+    {
+        if (e.Source is ComboBox { IsDropDownOpen: true } or ComboBoxItem) return false; // the keys are those of the open list
+        if (e.Key == Key.Escape) Model.Cancel.Execute(null);
+        else if (e.Key == Key.Enter && e.Source is not (Button or ComboBox or ComboBoxItem)) Model.Take.Execute(null);
+        else return false;
+        return true;
+    }
+
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(() => SearchBox.Focus(), DispatcherPriority.Loaded);
+    }
+}
+
+/// <summary>Opens the sheets of commands that have one, where the command session asks for it.</summary>
+internal static class OptionsDialog
+{
+    /// <summary>As long as the window is open, OPTIONS opens its sheet instead of asking at the command line.</summary>
+    public static void Serve(DesktopModel desk, OptionsModel options, Window window)
+    {
+        desk.Session.Dialogs = Show;
+        window.Closed += (_, _) => desk.Session.Dialogs = null;
+
+        bool Show(string command)
+        {
+            if (command != "OPTIONS") return false;
+            Dispatcher.UIThread.Post(options.Open);
+            return true;
+        }
+    }
+}

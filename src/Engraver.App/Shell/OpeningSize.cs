@@ -1,0 +1,20 @@
+using Avalonia;
+using Avalonia.Controls;
+
+namespace Engraver.App.Shell;
+
+/// <summary>How large a window opens: as it was left, but never larger than the screen.</summary>
+internal static class OpeningSize
+{
+    /// <summary>What the window manager draws over the window, units of 1/96 inch.</summary>
+    private const double TitleBar = 32;
+
+    /// <param name="wanted">The size it was left with, units of 1/96 inch.</param>
+    public static void Give(Window window, Size wanted)
+    {
+        var room = window.Screens.Primary is { } screen ? screen.WorkingArea.Size.ToSize(screen.Scaling) : wanted;
+        var size = wanted.Constrain(new Size(room.Width, Math.Max(1, room.Height - TitleBar)));
+        (window.MinWidth, window.MinHeight) = (Math.Min(window.MinWidth, size.Width), Math.Min(window.MinHeight, size.Height));
+        (window.Width, window.Height) = (size.Width, size.Height);
+    }
+}

@@ -1,0 +1,87 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.FileDialogs;
+using Engraver.App.Texts;
+using Engraver.Core.Languages;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.StartPage;
+
+/// <summary>What the empty canvas offers: the drawings that were opened last, and the samples. It makes room as soon as there is a drawing, or a command asks for a place on the canvas.</summary>
+public sealed class StartPageModel : Observable
+{
+    private const int MostSamples = 12;
+    private readonly DesktopModel _desk;
+    private readonly FileQuestions _files;
+    private readonly RecentDrawings _recent;
+    private bool _isShown;
+
+    /// <param name="open">Runs OPEN as its menu entry does.</param>
+    public StartPageModel(DesktopModel desk, FileQuestions files, RecentDrawings recent, System.Windows.Input.ICommand open)
+    {
+        (_desk, _files, _recent, Open) = (desk, files, recent, open);
+        OpenRecent = new Act(drawing => Take((RecentDrawing)drawing!));
+        OpenSample = new Act(sample => _ = files.OpenAsync(((FilePlace)sample!).Path));
+        Remove = new Act(drawing => recent.Remove((RecentDrawing)drawing!));
+        desk.Changed += Look;
+        recent.Changed += () => Tell(null);
+        Look();
+        _ = FindSamplesAsync();
+    }
+
+    public System.Windows.Input.ICommand Open { get; }
+
+    /// <summary>Opens a drawing, the parameter; one that is gone is told.</summary>
+    public Act OpenRecent { get; }
+
+    /// <summary>Opens a sample, the parameter.</summary>
+    public Act OpenSample { get; }
+
+    /// <summary>Takes a drawing, the parameter, out of the list.</summary>
+    public Act Remove { get; }
+
+    public IReadOnlyList<RecentDrawing> Recent => _recent.All;
+
+    public bool HasRecent => _recent.All.Count > 0;
+
+    public IReadOnlyList<FilePlace> Samples { get; private set; } = [];
+
+    public bool HasSamples => Samples.Count > 0;
+
+    public bool IsShown
+    {
+        get => _isShown;
+        private set => Set(ref _isShown, value);
+    }
+
+    internal void Take(RecentDrawing drawing)
+    {
+        if (drawing.IsGone)
+        {
+            _desk.Tell(MessageKind.Warning, Text.Get("StartPage.IsGone", drawing.Path));
+            return;
+        }
+
+        _ = _files.OpenAsync(drawing.Path);
+    }
+
+    private void Look()
+    {
+        var shown = _desk.Session.Document.Current.Drawing is null && _desk.Prompt.Aim is null;
+        if (shown && !_isShown) _recent.Refresh();
+        IsShown = shown;
+    }
+
+    private async Task FindSamplesAsync()
+    {
+        Samples = await Task.Run(Find);
+        Tell(nameof(Samples));
+        Tell(nameof(HasSamples));
+    }
+
+    private static List<FilePlace> Find()
+    {
+        if (SampleFolder.Find() is not { } folder) return [];
+        return [.. Directory.EnumerateFiles(folder, "*.dxf").Order(StringComparer.Ordinal).Take(MostSamples).Select(path => new FilePlace(TextCatalogue.Fact(Path.GetFileNameWithoutExtension(path)), path, true))];
+    }
+}

@@ -1,0 +1,55 @@
+using Avalonia.Threading;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+
+namespace Engraver.App.StatusBar;
+
+/// <summary>A computation that takes long: a command at work, or the planning of the job. Shown when it has gone on for a moment, so that nothing flickers; a command that tells how far it is, at once.</summary>
+/// <param name="again">Called on the UI thread when it is time to show it.</param>
+internal sealed class LongWork(DesktopModel desk, Action again)
+{
+    private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(400);
+
+    private object? _what;
+    private long _since;
+    private ITimer? _timer;
+
+    public bool IsShown { get; private set; }
+
+    /// <summary>0 to 1; null when nobody knows.</summary>
+    public double? Fraction { get; private set; }
+
+    public string Text { get; private set; } = "";
+
+    /// <summary>Looks again what is at work.</summary>
+    public void Look()
+    {
+        var session = desk.Session;
+        if (session.Progress.Fraction is { } read) Show(read, Texts.Text.Get("Status.Progress", read * 100.0));
+        else if (desk is { IsBusy: true, IsMoving: false } && session.IsBusy && session.Running is { } command) ShowLater(command, null, Texts.Text.Get(session.IsEnding ? "Status.Ending" : "Status.Work", command));
+        else if (session.Derivation.Progress.Stage is { } stage) ShowLater(session.Derivation, stage.Before, Texts.Text.Get(desk.IsMoving ? "Status.PlanningBeside" : "Status.Planning", stage.Name, stage.Before * 100.0));
+        else Hide();
+    }
+
+    private void Show(double? fraction, string text) => (IsShown, Fraction, Text) = (true, fraction, text);
+
+    private void ShowLater(object what, double? fraction, string text)
+    {
+        if (!Equals(what, _what)) Begin(what);
+        if (desk.Time.GetElapsedTime(_since) >= s_moment) Show(fraction, text);
+        else IsShown = false;
+    }
+
+    private void Begin(object what)
+    {
+        (_what, _since) = (what, desk.Time.GetTimestamp());
+        _timer?.Dispose();
+        _timer = desk.Time.CreateTimer(_ => Dispatcher.UIThread.Post(again, DispatcherPriority.Input), null, s_moment, Timeout.InfiniteTimeSpan);
+    }
+
+    private void Hide()
+    {
+        _timer?.Dispose();
+        (_timer, _what, IsShown, Fraction, Text) = (null, null, false, null, "");
+    }
+}

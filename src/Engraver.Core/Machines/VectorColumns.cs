@@ -1,0 +1,118 @@
+using System.Collections;
+
+namespace Engraver.Core.Machines;
+
+/// <summary>The segments and sequences of a motion program as columns: 32 bytes a line, 24 more an arc, 12 a sequence. Objects are made only while somebody looks at them.</summary>
+/// <remarks>One writer appends stroke by stroke; what a stroke has got does not change any more and may be read from all threads.</remarks>
+/// <param name="segments">About how many there will be: room for so many is taken at once.</param>
+public sealed class VectorColumns(int segments)
+{
+    private const int NoArc = -1;
+    private readonly List<SegmentCells> _segments = new(segments);
+    private readonly List<ArcCells> _arcs = [];
+    private readonly List<SequenceCells> _sequences = [];
+
+    /// <summary>Number of segments so far.</summary>
+    public int SegmentCount => _segments.Count;
+
+    /// <summary>Number of sequences so far.</summary>
+    public int SequenceCount => _sequences.Count;
+
+    /// <summary>Appends a sequence; it begins where the last one of its stroke ends.</summary>
+    public void Append(int speed, IReadOnlyList<VectorSegment> cut, bool changesHeight)
+    {
+        ArgumentNullException.ThrowIfNull(cut);
+        _sequences.Add(new SequenceCells { First = _segments.Count, Speed = speed, ChangesHeight = changesHeight });
+        for (var i = 0; i < cut.Count; i++) Append(cut[i]);
+    }
+
+    /// <summary>The sequences from one on as the sequences of a stroke.</summary>
+    /// <param name="start">Where the stroke begins.</param>
+    /// <param name="first">The number of sequences when the stroke began.</param>
+    public IReadOnlyList<VectorSequence> StrokeFrom(CountsPoint start, int first) => new StrokeSequences(this, start, first, _sequences.Count - first, _segments.Count);
+
+    internal VectorSegment Segment(int index)
+    {
+        var cells = _segments[index];
+        if (cells.Arc == NoArc) return new VectorSegment(VectorSegmentKind.Line, cells.End, 0, 0.0, 0.0, cells.Entity, cells.Length);
+        var arc = _arcs[cells.Arc];
+        return new VectorSegment(VectorSegmentKind.Arc, cells.End, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, cells.Entity, cells.Length);
+    }
+
+    internal int FirstSegmentOf(int sequence) => _sequences[sequence].First;
+
+    internal VectorSequence Sequence(int sequence, CountsPoint start, int end) =>
+        new(start, _sequences[sequence].Speed, new SequenceSegments(this, _sequences[sequence].First, end)) { ChangesHeight = _sequences[sequence].ChangesHeight };
+
+    internal CountsPoint EndOf(int segment) => _segments[segment].End;
+
+    private void Append(in VectorSegment segment)
+    {
+        var arc = segment.Kind == VectorSegmentKind.Line ? NoArc : _arcs.Count;
+        if (arc != NoArc) _arcs.Add(new ArcCells { Radius = segment.Radius, ThetaDegrees = segment.ThetaDegrees, DeltaDegrees = segment.DeltaDegrees });
+        _segments.Add(new SegmentCells { End = segment.End, Entity = segment.EntityIndex, Length = segment.Length, Arc = arc });
+    }
+
+    private struct SegmentCells
+    {
+        public double Length;
+        public CountsPoint End;
+        public int Entity;
+        public int Arc;
+    }
+
+    private struct ArcCells
+    {
+        public double ThetaDegrees;
+        public double DeltaDegrees;
+        public int Radius;
+    }
+
+    private struct SequenceCells
+    {
+        public int First;
+        public int Speed;
+        public bool ChangesHeight;
+    }
+}
+
+/// <summary>The sequences of one stroke, read from the columns of its program.</summary>
+internal sealed class StrokeSequences(VectorColumns columns, CountsPoint start, int first, int count, int endOfSegments) : IReadOnlyList<VectorSequence>
+{
+    public int Count => count;
+
+    public int SegmentCount => count == 0 ? 0 : endOfSegments - columns.FirstSegmentOf(first);
+
+    public VectorSequence this[int index]
+    {
+        get
+        {
+            if ((uint)index >= (uint)count) throw new ArgumentOutOfRangeException(nameof(index));
+            var sequence = first + index;
+            var end = index + 1 < count ? columns.FirstSegmentOf(sequence + 1) : endOfSegments;
+            return columns.Sequence(sequence, index == 0 ? start : columns.EndOf(columns.FirstSegmentOf(sequence) - 1), end);
+        }
+    }
+
+    public IEnumerator<VectorSequence> GetEnumerator()
+    {
+        for (var i = 0; i < count; i++) yield return this[i];
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+}
+
+/// <summary>The segments of one sequence, read from the columns of its program.</summary>
+internal sealed class SequenceSegments(VectorColumns columns, int first, int end) : IReadOnlyList<VectorSegment>
+{
+    public int Count => end - first;
+
+    public VectorSegment this[int index] => (uint)index < (uint)Count ? columns.Segment(first + index) : throw new ArgumentOutOfRangeException(nameof(index));
+
+    public IEnumerator<VectorSegment> GetEnumerator()
+    {
+        for (var i = first; i < end; i++) yield return columns.Segment(i);
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+}

@@ -1,0 +1,19 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Reshaping;
+
+/// <summary>Where an ellipse or spline crosses a whole line or circle: where its signed distance from that changes sign (<see cref="CurveRoots"/>).</summary>
+public static class CurveCrossings
+{
+    /// <returns>Fractions of the curve's parameter, ascending.</returns>
+    public static IEnumerable<double> Find(RationalCurve curve, Segment carrier)
+    {
+        ArgumentNullException.ThrowIfNull(curve);
+        return carrier.IsFreeCurve ? [] : CurveRoots.Find(curve.Spans.Length, fraction => SideOf(carrier, curve.PointAt(fraction)));
+    }
+
+    /// <summary>Distance from the line, left positive, or from the circle, outside positive.</summary>
+    private static double SideOf(Segment carrier, Point2D place) => carrier.Kind == SegmentKind.Line
+        ? (carrier.End - carrier.Start).Cross(place - carrier.Start)
+        : place.DistanceTo(carrier.Arc.Centre) - carrier.Arc.Radius;
+}

@@ -1,0 +1,40 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Reshaping;
+
+/// <summary>What becomes of an object that is trimmed or broken: what goes and what stays are together the whole.</summary>
+/// <param name="Removed">In the direction of the object; empty when it is only parted.</param>
+/// <param name="Kept">Each becomes an object of its own; empty when nothing is left.</param>
+public sealed record PathCut(IReadOnlyList<PathPiece> Removed, IReadOnlyList<IReadOnlyList<PathPiece>> Kept)
+{
+    /// <summary>TRIM: Removes what lies about a place, up to the next crossing on either side.</summary>
+    /// <param name="crossings">As <see cref="EntityPath.Crossings"/> gives them.</param>
+    /// <returns>Null when nothing crosses the object, or a closed one fewer than two times.</returns>
+    public static PathCut? Trim(EntityPath path, IReadOnlyList<PathPlace> crossings, PathPlace picked)
+    {
+        ArgumentNullException.ThrowIfNull(path);
+        ArgumentNullException.ThrowIfNull(crossings);
+        var least = path.Closed ? 2 : 1;
+        if (crossings.Count < least) return null;
+        var next = 0;
+        while (next < crossings.Count && crossings[next].Position <= picked.Position) next++;
+        if (path.Closed) return Out(path, crossings[(next + crossings.Count - 1) % crossings.Count], crossings[next % crossings.Count]);
+        return Out(path, next > 0 ? crossings[next - 1] : path.Start, next < crossings.Count ? crossings[next] : path.End);
+    }
+
+    /// <summary>BREAK: Removes what lies between two places of an open object; of a closed one what lies from the first to the second in its direction. Twice the same place parts the object there.</summary>
+    public static PathCut Break(EntityPath path, PathPlace first, PathPlace second)
+    {
+        ArgumentNullException.ThrowIfNull(path);
+        return !path.Closed && second.Position < first.Position ? Out(path, second, first) : Out(path, first, second);
+    }
+
+    private static PathCut Out(EntityPath path, PathPlace from, PathPlace to)
+    {
+        var parted = from == to;
+        var removed = parted ? [] : path.Between(from, to);
+        if (path.Closed) return new PathCut(removed, [path.Between(to, from)]);
+        IReadOnlyList<PathPiece>[] kept = [path.Between(path.Start, from), path.Between(to, path.End)];
+        return new PathCut(removed, [.. kept.Where(pieces => pieces.Count > 0)]);
+    }
+}

@@ -1,0 +1,56 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Reshaping;
+
+/// <summary>EXTEND: how far an open object is lengthened to meet the next edge. A line goes straight on, an arc along its circle; an ellipse or spline has nothing beyond its ends here.</summary>
+public static class PathExtension
+{
+    /// <summary>An edge at which the object already ends is not the next one: nearer than this part of the sizes and coordinates.</summary>
+    private const double AlreadyThere = 1e-9;
+
+    /// <summary>The end that is nearer to a place, lengthened to the next edge.</summary>
+    /// <param name="edges">What it is lengthened to.</param>
+    /// <param name="lengthened">Lines and arcs among the edges reach beyond their ends too.</param>
+    /// <returns>The first or last part, which grows (fraction below 0 or above 1), and what is added to it; null when nothing lies ahead.</returns>
+    public static (PathPiece Grown, PathPiece Added)? Find(EntityPath path, IEnumerable<Segment> edges, Point2D picked, bool lengthened = false)
+    {
+        ArgumentNullException.ThrowIfNull(path);
+        ArgumentNullException.ThrowIfNull(edges);
+        if (path.Closed) return null;
+        var atStart = path.Parts[0].Start.DistanceTo(picked) < path.Parts[^1].End.DistanceTo(picked);
+        var index = atStart ? 0 : path.Parts.Count - 1;
+        var part = path.Parts[index];
+        if (part.IsFreeCurve) return null;
+        if (Next(atStart ? part.Reversed() : part, edges, lengthened) is not { } next) return null;
+        return atStart
+            ? (new PathPiece(index, -next.Beyond, 1.0, next.At, part.End), new PathPiece(index, -next.Beyond, 0.0, next.At, part.Start))
+            : (new PathPiece(index, 0.0, 1.0 + next.Beyond, part.Start, next.At), new PathPiece(index, 1.0, 1.0 + next.Beyond, part.End, next.At));
+    }
+
+    /// <summary>The nearest edge beyond the end of a part; the distance is a part of its own length.</summary>
+    private static (double Beyond, Point2D At)? Next(Segment part, IEnumerable<Segment> edges, bool lengthened)
+    {
+        (double Beyond, Point2D At)? nearest = null;
+        var slack = AlreadyThere * (part.Length + Math.Abs(part.End.X) + Math.Abs(part.End.Y));
+        foreach (var edge in edges)
+        {
+            foreach (var at in SegmentCrossings.Carriers(part, edge))
+            {
+                var beyond = Beyond(part, at);
+                if (beyond * part.Length <= slack || at.DistanceTo(part.End) <= slack || beyond >= (nearest?.Beyond ?? double.PositiveInfinity)) continue;
+                if (lengthened || SegmentCrossings.IsOn(edge, at)) nearest = (beyond, at);
+            }
+        }
+
+        return nearest;
+    }
+
+    /// <summary>How far behind the end a place of the carrier lies; of a circle forwards all the way round to the start.</summary>
+    private static double Beyond(Segment part, Point2D at)
+    {
+        var fraction = PathPlace.FractionOf(part, at);
+        if (part.Kind == SegmentKind.Line) return fraction - 1.0;
+        var turn = 360.0 / part.Arc.Sweep.Abs().Degrees;
+        return (fraction < 0.0 ? fraction + turn : fraction) - 1.0;
+    }
+}

@@ -1,0 +1,93 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Reshaping;
+
+/// <summary>A place on an object of one or several parts.</summary>
+/// <param name="Part">Which of its parts, from 0.</param>
+/// <param name="Fraction">Of a line's length, an arc's sweep, a curve's parameter: 0 is its start, 1 its end; below 0 and above 1 the part is lengthened.</param>
+/// <param name="At">The place itself, which is known more exactly than the fraction gives it.</param>
+public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
+{
+    /// <summary>Grows along the object.</summary>
+    public double Position => Part + Fraction;
+
+    /// <summary>The place of a segment that lies nearest to a point.</summary>
+    /// <param name="part">Which part the segment is.</param>
+    public static PathPlace Nearest(int part, Segment segment, Point2D point)
+    {
+        var fraction = segment.Kind switch
+        {
+            SegmentKind.Line => Math.Clamp(FractionOf(segment, point), 0.0, 1.0),
+            SegmentKind.Arc or SegmentKind.Circle => OnArc(segment, point),
+            _ => OnCurve(segment.Curve, point),
+        };
+        return new PathPlace(part, fraction, segment.PointAt(fraction));
+    }
+
+    /// <summary>The fraction at which a line, an arc or the circle under it passes a point that lies on it. Of an arc the turn that is nearer to the arc: from half the gap before its start to half the gap behind its end.</summary>
+    public static double FractionOf(Segment segment, Point2D point)
+    {
+        if (segment.Kind == SegmentKind.Line)
+        {
+            var along = segment.End - segment.Start;
+            return along.LengthSquared == 0.0 ? 0.0 : (point - segment.Start).Dot(along) / along.LengthSquared;
+        }
+
+        if (segment.IsFreeCurve) return OnCurve(segment.Curve, point);
+        var (arc, sweep) = (segment.Arc, segment.Arc.Sweep.Abs().Degrees);
+        var direction = (point - arc.Centre).Direction;
+        var ahead = (arc.Sweep.Degrees >= 0.0 ? direction - arc.Start : arc.Start - direction).Positive().Degrees;
+        if (ahead > sweep + ((360.0 - sweep) / 2.0)) ahead -= 360.0;
+        return ahead / sweep;
+    }
+
+    private static double OnArc(Segment segment, Point2D point)
+    {
+        var fraction = FractionOf(segment, point);
+        if (fraction is >= 0.0 and <= 1.0) return fraction;
+        return segment.Start.DistanceTo(point) <= segment.End.DistanceTo(point) ? 0.0 : 1.0;
+    }
+
+    /// <summary>Looks in steps, then halves between the neighbours of the best: before the nearest place the curve comes nearer, behind it it goes away.</summary>
+    private static double OnCurve(RationalCurve curve, Point2D point)
+    {
+        const int Steps = 64;
+        const int Halvings = 60;
+        var count = Steps * curve.Spans.Length;
+        var best = Enumerable.Range(0, count + 1).MinBy(step => curve.PointAt((double)step / count).DistanceTo(point));
+        var (from, to) = (Math.Max(0.0, (best - 1.0) / count), Math.Min(1.0, (best + 1.0) / count));
+        if (Leaving(from) >= 0.0) return from;
+        if (Leaving(to) <= 0.0) return to;
+        for (var i = 0; i < Halvings; i++)
+        {
+            var middle = (from + to) / 2.0;
+            if (Leaving(middle) > 0.0) to = middle;
+            else from = middle;
+        }
+
+        return (from + to) / 2.0;
+
+        double Leaving(double fraction) => (curve.PointAt(fraction) - point).Dot(curve.TangentAt(fraction));
+    }
+}
+
+/// <summary>What is left, or taken, of one part: from one fraction to another; below 0 and above 1 it is lengthened, or of a closed part goes on over its seam.</summary>
+/// <param name="Part">Which part, from 0.</param>
+/// <param name="Start">The place at <paramref name="From"/>.</param>
+/// <param name="End">The place at <paramref name="To"/>.</param>
+public readonly record struct PathPiece(int Part, double From, double To, Point2D Start, Point2D End)
+{
+    /// <summary>The whole part.</summary>
+    public static PathPiece Whole(int part, Segment segment) => new(part, 0.0, 1.0, segment.Start, segment.End);
+
+    /// <summary>The piece as a segment in plan.</summary>
+    /// <param name="part">The whole part.</param>
+    public Segment Of(Segment part)
+    {
+        if (From == 0.0 && To == 1.0) return part;
+        if (part.Kind == SegmentKind.Line) return Segment.FromLine(Start, End);
+        if (part.IsFreeCurve) return Segment.FromCurve(To <= 1.0 ? CurvePart.Between(part.Curve, From, To) : CurvePart.Joined(CurvePart.Between(part.Curve, From, 1.0), CurvePart.Between(part.Curve, 0.0, To - 1.0)));
+        var arc = part.Arc;
+        return Segment.FromArc(arc with { Start = arc.Start + (arc.Sweep * From), Sweep = arc.Sweep * (To - From) });
+    }
+}

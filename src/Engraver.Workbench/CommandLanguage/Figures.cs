@@ -1,0 +1,57 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.CommandLanguage;
+
+/// <summary>How measured lengths and angles are printed: rounded to so many decimals, without zeros at the end. The one place that decides it for prompts, DIST, ID, AREA, LIST and the properties.</summary>
+/// <param name="LengthPlaces">Decimals of lengths, coordinates and areas (LUPREC).</param>
+/// <param name="AnglePlaces">Decimals of angles in degrees (AUPREC).</param>
+public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
+{
+    /// <summary>Digits that a small number keeps where it is a default, so that a tolerance of 0.00002 does not read 0.</summary>
+    private const int LeastDigits = 4;
+
+    private const int MostPlaces = 15;
+
+    /// <summary>As at the first start.</summary>
+    public static Figures Usual { get; } = new(4, 2);
+
+    /// <summary>A length, coordinate or factor.</summary>
+    public string Length(double value) => Rounded(value, LengthPlaces);
+
+    /// <summary>An area, drawing units squared.</summary>
+    public string Area(double value) => Rounded(value, LengthPlaces);
+
+    public string Degrees(Angle angle) => Rounded(angle.Degrees, AnglePlaces);
+
+    /// <summary>A place as <c>x,y</c>.</summary>
+    public string Place(Point2D place) => $"{Length(place.X)},{Length(place.Y)}";
+
+    /// <summary>A default as a prompt shows it: a number, or a place, with no more decimals than are of use; any other text as it is.</summary>
+    /// <remarks>Enter still takes the whole number.</remarks>
+    public string Default(string standard)
+    {
+        ArgumentNullException.ThrowIfNull(standard);
+        var parts = standard.Split(',');
+        if (parts.Length > 2 || !Array.TrueForAll(parts, IsLongNumber)) return standard;
+        var (places, shown) = (LengthPlaces, new string[parts.Length]);
+        for (var i = 0; i < parts.Length; i++) shown[i] = Shortened(parts[i], places);
+        return string.Join(',', shown);
+    }
+
+    /// <summary>Numbers with a point are shortened; whole numbers, names and handles never.</summary>
+    private static bool IsLongNumber(string text) => text.Length > 0 && (text.Contains('.', StringComparison.Ordinal) || text.All(letter => char.IsAsciiDigit(letter) || letter == '-')) && NumberPrompt.TryNumber(text, out _);
+
+    private static string Shortened(string text, int places)
+    {
+        if (!NumberPrompt.TryNumber(text, out var value) || value == 0.0) return text;
+        var shown = Rounded(value, Math.Clamp(LeastDigits - 1 - (int)Math.Floor(Math.Log10(Math.Abs(value))), places, MostPlaces));
+        return shown.Length < text.Length ? shown : text;
+    }
+
+    private static string Rounded(double value, int places)
+    {
+        var rounded = Math.Abs(value) < 1e15 ? Math.Round(value, places, MidpointRounding.AwayFromZero) + 0.0 : value; // + 0.0: no minus before a zero
+        return rounded.ToString("0." + new string('#', places), CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,57 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Constructions;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Files;
+
+namespace Engraver.Workbench.Commands.Drafting;
+
+/// <summary>ARC: Draws an arc through three points, about a centre, or between two ends; Enter at the first prompt goes on smoothly from the last line or arc.</summary>
+internal sealed class ArcCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("ARC", CommandGroup.Drawing);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        DrawingBeginning.Ensure(context);
+        var prompt = ShapePrompts.Place("Arc.SpecifyStart", null, "Center") with { EnterEnds = true };
+        var arc = await context.AskAsync(prompt).ConfigureAwait(false) switch
+        {
+            Answer<Point2D>.Value { Of: var start } => await FromStartAsync(context, start).ConfigureAwait(false),
+            Answer<Point2D>.Chosen => await FromCentreAsync(context).ConfigureAwait(false),
+            _ => await GoOnAsync(context).ConfigureAwait(false),
+        };
+        DrawingAddition.Take(context, NewCurve.From(arc));
+        context.LastPoint = arc.End;
+    }
+
+    private static async Task<Segment> FromStartAsync(CommandContext context, Point2D start)
+    {
+        var prompt = ShapePrompts.Place("Arc.SpecifySecond", start, "Center", "End");
+        var (toSecond, option) = await ShapePrompts.PlaceAsync(context, prompt, place => place == start ? null : [Segment.FromLine(start, place)]).ConfigureAwait(false);
+        if (option is null) return await ArcQuestions.ThroughAsync(context, start, toSecond[0].End).ConfigureAwait(false);
+        if (option == "End") return await ArcQuestions.BetweenAsync(context, start, await OtherAsync(context, "Arc.SpecifyEnd", start).ConfigureAwait(false)).ConfigureAwait(false);
+        return await ArcQuestions.AboutAsync(context, start, await OtherAsync(context, "Arc.SpecifyCentre", start).ConfigureAwait(false)).ConfigureAwait(false);
+    }
+
+    private static async Task<Segment> FromCentreAsync(CommandContext context)
+    {
+        var centre = await ShapePrompts.PointAsync(context, "Arc.SpecifyCentre").ConfigureAwait(false);
+        return await ArcQuestions.AboutAsync(context, await OtherAsync(context, "Arc.SpecifyStartPoint", centre).ConfigureAwait(false), centre).ConfigureAwait(false);
+    }
+
+    /// <exception cref="CommandException">There is no line or arc.</exception>
+    private static async Task<Segment> GoOnAsync(CommandContext context)
+    {
+        if (LastDrawn.In(context) is not { } last) throw new CommandException(CommandFailure.Usage, Wording.Get("Drafting.NothingToContinue"));
+        context.LastPoint = last.End;
+        var (arc, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyEnd", last.End), place => ArcQuestions.Between(ArcConstruction.FromEndsDirection(last.End, place, last.EndTangent), last.End, place)).ConfigureAwait(false);
+        return arc[0];
+    }
+
+    /// <summary>A place other than the one before.</summary>
+    private static async Task<Point2D> OtherAsync(CommandContext context, string text, Point2D from)
+    {
+        var (line, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place(text, from), place => place == from ? null : [Segment.FromLine(from, place)]).ConfigureAwait(false);
+        return line[0].End;
+    }
+}

@@ -1,0 +1,67 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Constructions;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Drafting;
+
+/// <summary>The ways of giving an arc that ARC and PLINE share. Each answers with an arc that begins at its start point.</summary>
+internal static class ArcQuestions
+{
+    /// <summary>Over a second point to the end.</summary>
+    public static async Task<Segment> ThroughAsync(CommandContext context, Point2D start, Point2D second)
+    {
+        var (arc, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyEnd", second), place => Between(ArcConstruction.ThroughPoints(start, second, place), start, place)).ConfigureAwait(false);
+        return arc[0];
+    }
+
+    /// <summary>About a centre: to an end point, over an angle, or as far as a chord goes. Counter-clockwise, unless the angle is negative.</summary>
+    public static async Task<Segment> AboutAsync(CommandContext context, Point2D start, Point2D centre)
+    {
+        var prompt = ShapePrompts.Place("Arc.SpecifyEnd", centre, "Angle", "Length");
+        var (arc, option) = await ShapePrompts.PlaceAsync(context, prompt, place => Of(ArcConstruction.FromCentreTo(start, centre, place))).ConfigureAwait(false);
+        if (option == "Angle") (arc, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Degrees("Arc.SpecifyAngle", centre), degrees => Of(ArcConstruction.FromCentreSweep(start, centre, Angle.FromDegrees(degrees)))).ConfigureAwait(false);
+        else if (option == "Length") (arc, _) = await ShapePrompts.AmountAsync(context, Signed(context, "Arc.SpecifyChord", start), chord => Of(ArcConstruction.FromCentreChord(start, centre, chord))).ConfigureAwait(false);
+        return arc[0];
+    }
+
+    /// <summary>Between two ends: counter-clockwise about a centre, over an angle, in a direction, or of a radius.</summary>
+    public static async Task<Segment> BetweenAsync(CommandContext context, Point2D start, Point2D end)
+    {
+        var prompt = ShapePrompts.Place("Arc.SpecifyCentre", null, "Angle", "Direction", "Radius");
+        var (arc, option) = await ShapePrompts.PlaceAsync(context, prompt, centre => Of(ArcConstruction.FromCentreTo(start, centre, end))).ConfigureAwait(false);
+        return option switch
+        {
+            "Angle" => await OverAngleAsync(context, start, end).ConfigureAwait(false),
+            "Direction" => await InDirectionAsync(context, start, end).ConfigureAwait(false),
+            "Radius" => await OfRadiusAsync(context, start, end).ConfigureAwait(false),
+            _ => arc[0],
+        };
+    }
+
+    /// <summary>The arc as a shape; null for none.</summary>
+    public static IReadOnlyList<Segment>? Of(ArcSegment? arc) => arc is { } one ? [Segment.FromArc(one)] : null;
+
+    /// <summary>The arc as a shape with the ends exactly as they were given; null for none.</summary>
+    public static IReadOnlyList<Segment>? Between(ArcSegment? arc, Point2D start, Point2D end) => arc is { } one ? [Segment.FromArc(one, start, end)] : null;
+
+    /// <summary>A length that may be negative: then the longer arc is meant.</summary>
+    public static AmountPrompt Signed(CommandContext context, string text, Point2D from) => ShapePrompts.Length(context, text, from) with { Least = -ShapePrompts.Most };
+
+    private static async Task<Segment> OverAngleAsync(CommandContext context, Point2D start, Point2D end)
+    {
+        var (arc, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Degrees("Arc.SpecifyAngle", start), degrees => Between(ArcConstruction.FromEndsSweep(start, end, Angle.FromDegrees(degrees)), start, end)).ConfigureAwait(false);
+        return arc[0];
+    }
+
+    private static async Task<Segment> InDirectionAsync(CommandContext context, Point2D start, Point2D end)
+    {
+        var (arc, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Degrees("Arc.SpecifyDirection", start), degrees => Between(ArcConstruction.FromEndsDirection(start, end, Vector2D.FromPolar(1.0, Angle.FromDegrees(degrees))), start, end)).ConfigureAwait(false);
+        return arc[0];
+    }
+
+    private static async Task<Segment> OfRadiusAsync(CommandContext context, Point2D start, Point2D end)
+    {
+        var (arc, _) = await ShapePrompts.AmountAsync(context, Signed(context, "Arc.SpecifyRadius", end), radius => Between(ArcConstruction.FromEndsRadius(start, end, radius), start, end)).ConfigureAwait(false);
+        return arc[0];
+    }
+}

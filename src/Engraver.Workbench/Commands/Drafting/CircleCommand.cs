@@ -1,0 +1,75 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Constructions;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Files;
+
+namespace Engraver.Workbench.Commands.Drafting;
+
+/// <summary>CIRCLE: Draws a circle: centre and radius or diameter, three points, two points, or touching two objects.</summary>
+internal sealed class CircleCommand : ICommand
+{
+    /// <summary>Where the last radius is kept; AutoCAD's name for it.</summary>
+    private const string Radius = "CIRCLERAD";
+
+    public CommandInfo Info { get; } = new("CIRCLE", CommandGroup.Drawing);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        DrawingBeginning.Ensure(context);
+        var circle = await context.AskAsync(ShapePrompts.Place("Circle.SpecifyCentre", null, "3P", "2P", "Ttr")).ConfigureAwait(false) switch
+        {
+            Answer<Point2D>.Value { Of: var centre } => await AboutAsync(context, centre).ConfigureAwait(false),
+            Answer<Point2D>.Chosen { Option: "3P" } => await ThroughAsync(context).ConfigureAwait(false),
+            Answer<Point2D>.Chosen { Option: "2P" } => await AcrossAsync(context).ConfigureAwait(false),
+            _ => await TouchingAsync(context).ConfigureAwait(false),
+        };
+        DrawingAddition.Take(context, NewCurve.From(circle[0]));
+    }
+
+    private static async Task<IReadOnlyList<Segment>> AboutAsync(CommandContext context, Point2D centre)
+    {
+        var (circle, option) = await ShapePrompts.AmountAsync(context, ShapePrompts.Length(context, "Circle.SpecifyRadius", centre, Radius, null, "Diameter"), OfRadius, Radius).ConfigureAwait(false);
+        if (option is null) return circle;
+        var last = context.Remembered(Radius) is { } radius && NumberPrompt.TryNumber(radius, out var half) ? NumberPrompt.Show(2.0 * half) : null;
+        (circle, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Length(context, "Circle.SpecifyDiameter", centre, null, last), diameter => OfRadius(diameter / 2.0)).ConfigureAwait(false);
+        context.Remember(Radius, circle[0].Arc.Radius.ToString("R", System.Globalization.CultureInfo.InvariantCulture));
+        return circle;
+
+        IReadOnlyList<Segment>? OfRadius(double value) => ArcQuestions.Of(CircleConstruction.FromRadius(centre, value));
+    }
+
+    private static async Task<IReadOnlyList<Segment>> ThroughAsync(CommandContext context)
+    {
+        var first = await ShapePrompts.PointAsync(context, "Circle.SpecifyFirst").ConfigureAwait(false);
+        var second = await ShapePrompts.PointAsync(context, "Circle.SpecifySecond", first).ConfigureAwait(false);
+        var (circle, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Circle.SpecifyThird", second), third => ArcQuestions.Of(CircleConstruction.ThroughPoints(first, second, third))).ConfigureAwait(false);
+        return circle;
+    }
+
+    private static async Task<IReadOnlyList<Segment>> AcrossAsync(CommandContext context)
+    {
+        var first = await ShapePrompts.PointAsync(context, "Circle.SpecifyFirstEnd").ConfigureAwait(false);
+        var (circle, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Circle.SpecifySecondEnd", first), second => ArcQuestions.Of(CircleConstruction.FromDiameter(first, second))).ConfigureAwait(false);
+        return circle;
+    }
+
+    private static async Task<IReadOnlyList<Segment>> TouchingAsync(CommandContext context)
+    {
+        var first = await TangentAsync(context, "Circle.SpecifyFirstTangent").ConfigureAwait(false);
+        var second = await TangentAsync(context, "Circle.SpecifySecondTangent").ConfigureAwait(false);
+        var (circle, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Length(context, "Circle.SpecifyRadius", null, Radius), radius => ArcQuestions.Of(CircleConstruction.TangentTo(first, second, radius)), Radius).ConfigureAwait(false);
+        return circle;
+    }
+
+    /// <summary>The line, arc or circle at a place; asked for until there is one.</summary>
+    private static async Task<(Segment Of, Point2D At)> TangentAsync(CommandContext context, string text)
+    {
+        while (true)
+        {
+            var place = await context.ValueAsync(new PointPrompt(Wording.Get(text)) { Use = PointUse.Object }).ConfigureAwait(false);
+            if (ObjectSelection.At(context, place) is not { } entity) context.Say(Wording.Get("Offset.NoObject"));
+            else if (Core.Drawings.DrawingPick.Segments(context.Drawing, entity).MinBy(segment => segment.DistanceTo(place)) is { IsFreeCurve: false } segment) return (segment, place);
+            else context.Say(Wording.Get("Circle.NoTangent"));
+        }
+    }
+}

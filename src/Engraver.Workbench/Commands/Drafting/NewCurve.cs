@@ -1,0 +1,65 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Drafting;
+
+/// <summary>A curve that a command draws, at height 0, drawing units.</summary>
+internal sealed record NewCurve(CurveType Type, bool Closed, IReadOnlyList<Segment> Segments)
+{
+    /// <summary>A segment alone. An arc is kept counter-clockwise, as DXF has arcs.</summary>
+    public static NewCurve From(Segment segment) => segment.Kind switch
+    {
+        SegmentKind.Line => new(CurveType.Line, false, [segment]),
+        SegmentKind.Circle => new(CurveType.Circle, true, [segment]),
+        SegmentKind.Arc => new(CurveType.Arc, false, [segment.Arc.Sweep.Degrees < 0.0 ? segment.Reversed() : segment]),
+        _ => new(segment.Kind == SegmentKind.Ellipse ? CurveType.Ellipse : CurveType.Spline, segment.IsClosed, [segment]),
+    };
+
+    /// <summary>Lines and arcs, each beginning where the one before ends.</summary>
+    public static NewCurve Polyline(IReadOnlyList<Segment> segments, bool closed) => new(CurveType.LwPolyline, closed, segments);
+}
+
+/// <summary>Puts new curves behind all that a drawing has: on the current layer (CLAYER), in its colour, with handles of their own.</summary>
+internal static class DrawingAddition
+{
+    /// <summary>One document step with what a command has drawn.</summary>
+    /// <exception cref="CommandException">A coordinate is out of the range of a drawing.</exception>
+    public static void Take(CommandContext context, params IReadOnlyList<NewCurve> curves) => context.Take(Add(context.Document.Current, curves));
+
+    /// <summary>A state with more curves; nothing is selected in it.</summary>
+    /// <param name="state">Its drawing must be open.</param>
+    /// <exception cref="CommandException">A coordinate is out of the range of a drawing.</exception>
+    public static DocumentState Add(DocumentState state, IReadOnlyList<NewCurve> curves)
+    {
+        var (drawing, layer) = CurrentLayer.In(state);
+        var handle = HighestHandle(drawing);
+        var (entities, parts, free) = (new List<DrawingEntity>(), new List<DrawingPart>(), new List<RationalCurve>(drawing.Curves));
+        foreach (var curve in curves)
+        {
+            entities.Add(new DrawingEntity { Handle = ++handle, FirstPart = drawing.Parts.Count + parts.Count, PartCount = curve.Segments.Count, Layer = layer, Colour = DrawingColour.ByLayer, Type = curve.Type, Closed = curve.Closed });
+            foreach (var segment in curve.Segments) parts.Add(PartOf(segment, drawing.Entities.Count + entities.Count - 1, free));
+        }
+
+        return state with { Drawing = drawing with { Entities = drawing.Entities.With([], entities), Parts = drawing.Parts.With([], parts), Curves = free.Count == drawing.Curves.Count ? drawing.Curves : free }, Selection = [] };
+    }
+
+    private static DrawingPart PartOf(in Segment segment, int entity, List<RationalCurve> free)
+    {
+        var box = segment.Bounds;
+        if (!Fits(box.MinX) || !Fits(box.MinY) || !Fits(box.MaxX) || !Fits(box.MaxY)) throw new CommandException(CommandFailure.Usage, Wording.Get("Drafting.OutOfRange", Drawing.LargestCoordinate));
+        if (segment.Kind == SegmentKind.Line) return DrawingPart.Line(entity, segment.Start.X, segment.Start.Y, 0.0, segment.End.X, segment.End.Y, 0.0);
+        if (!segment.IsFreeCurve) return DrawingPart.Arc(entity, segment.Arc, 0.0);
+        free.Add(segment.Curve);
+        return DrawingPart.FreeCurve(entity, segment.Kind, free.Count - 1);
+    }
+
+    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= Drawing.LargestCoordinate;
+
+    private static ulong HighestHandle(Drawing drawing)
+    {
+        var highest = 0UL;
+        for (var index = 0; index < drawing.Entities.Count; index++) highest = Math.Max(highest, drawing.Entities[index].Handle);
+        return highest;
+    }
+}

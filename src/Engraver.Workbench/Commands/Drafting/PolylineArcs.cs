@@ -1,0 +1,112 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Constructions;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Drafting;
+
+/// <summary>The arcs of PLINE: by itself each goes on smoothly from the segment before.</summary>
+internal static class PolylineArcs
+{
+    private static readonly string[] s_options = ["Angle", "CEnter", "Direction", "Line", "Radius", "Second", "Undo"];
+    private static readonly string[] s_withClose = ["Angle", "CEnter", "CLose", "Direction", "Line", "Radius", "Second", "Undo"];
+
+    /// <returns>False when a line comes next.</returns>
+    public static async Task<bool> NextAsync(CommandContext context, PolylineRun run)
+    {
+        var prompt = ShapePrompts.Place("Pline.SpecifyArcEnd", run.End, run.Segments.Count > 0 ? s_withClose : s_options) with { EnterEnds = true };
+        var (arc, option) = await ShapePrompts.PlaceAsync(context, prompt, place => Smooth(run, place)).ConfigureAwait(false);
+        switch (option)
+        {
+            case null: run.Add(arc[0]); break;
+            case "Line": return false;
+            case "CLose": Close(context, run); break;
+            case "Undo": run.Undo(context); break;
+            case ShapePrompts.Enter: run.Stop(); break;
+            default: run.Add(await ByAsync(context, run.End, run.Direction, option).ConfigureAwait(false)); break;
+        }
+
+        return true;
+    }
+
+    private static IReadOnlyList<Segment>? Smooth(PolylineRun run, Point2D end) => ArcQuestions.Between(ArcConstruction.FromEndsDirection(run.End, end, run.Direction), run.End, end);
+
+    private static void Close(CommandContext context, PolylineRun run)
+    {
+        if (run.End == run.Start) run.Close(null);
+        else if (Smooth(run, run.Start) is { } last) run.Close(last);
+        else context.Say(Wording.Get("Drafting.Impossible"), MessageKind.Warning);
+    }
+
+    private static Task<Segment> ByAsync(CommandContext context, Point2D start, Vector2D direction, string option) => option switch
+    {
+        "Angle" => OverAngleAsync(context, start),
+        "CEnter" => AboutAsync(context, start),
+        "Direction" => InDirectionAsync(context, start),
+        "Radius" => OfRadiusAsync(context, start, direction),
+        _ => ThroughAsync(context, start),
+    };
+
+    private static async Task<Segment> OverAngleAsync(CommandContext context, Point2D start)
+    {
+        var sweep = Angle.FromDegrees(await AngleAsync(context, start).ConfigureAwait(false));
+        var prompt = ShapePrompts.Place("Pline.SpecifyArcEnd", start, "CEnter", "Radius");
+        var (arc, option) = await ShapePrompts.PlaceAsync(context, prompt, end => ArcQuestions.Between(ArcConstruction.FromEndsSweep(start, end, sweep), start, end)).ConfigureAwait(false);
+        if (option == "CEnter") (arc, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyCentre", start), centre => ArcQuestions.Of(ArcConstruction.FromCentreSweep(start, centre, sweep))).ConfigureAwait(false);
+        if (option == "Radius")
+        {
+            var (radius, _) = await ShapePrompts.NumberAsync(context, ShapePrompts.Length(context, "Arc.SpecifyRadius", start)).ConfigureAwait(false);
+            arc = await AlongChordAsync(context, start, 2.0 * radius * Math.Abs((sweep * 0.5).Sin()), sweep).ConfigureAwait(false);
+        }
+
+        return arc[0];
+    }
+
+    private static async Task<Segment> AboutAsync(CommandContext context, Point2D start)
+    {
+        var (spoke, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyCentre", start), place => place == start ? null : [Segment.FromLine(start, place)]).ConfigureAwait(false);
+        return await ArcQuestions.AboutAsync(context, start, spoke[0].End).ConfigureAwait(false);
+    }
+
+    private static async Task<Segment> InDirectionAsync(CommandContext context, Point2D start)
+    {
+        var (degrees, _) = await ShapePrompts.NumberAsync(context, ShapePrompts.Degrees("Arc.SpecifyDirection", start)).ConfigureAwait(false);
+        var direction = Vector2D.FromPolar(1.0, Angle.FromDegrees(degrees));
+        var (arc, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyEnd", start), end => ArcQuestions.Between(ArcConstruction.FromEndsDirection(start, end, direction), start, end)).ConfigureAwait(false);
+        return arc[0];
+    }
+
+    /// <summary>Of the two arcs of a radius, the one that goes on more smoothly.</summary>
+    private static async Task<Segment> OfRadiusAsync(CommandContext context, Point2D start, Vector2D direction)
+    {
+        var (radius, _) = await ShapePrompts.NumberAsync(context, ShapePrompts.Length(context, "Arc.SpecifyRadius", start)).ConfigureAwait(false);
+        var (arc, option) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Pline.SpecifyArcEnd", start, "Angle"), end => Smoother(start, end, radius, direction)).ConfigureAwait(false);
+        if (option is null) return arc[0];
+        var sweep = Angle.FromDegrees(await AngleAsync(context, start).ConfigureAwait(false));
+        return (await AlongChordAsync(context, start, 2.0 * radius * Math.Abs((sweep * 0.5).Sin()), sweep).ConfigureAwait(false))[0];
+    }
+
+    private static IReadOnlyList<Segment>? Smoother(Point2D start, Point2D end, double radius, Vector2D direction)
+    {
+        if (ArcConstruction.FromEndsRadius(start, end, radius) is not { } left || ArcConstruction.FromEndsSweep(start, end, -left.Sweep) is not { } right) return null;
+        return ArcQuestions.Between(left.TangentAt(0.0).Dot(direction) >= right.TangentAt(0.0).Dot(direction) ? left : right, start, end);
+    }
+
+    private static async Task<Segment> ThroughAsync(CommandContext context, Point2D start)
+    {
+        var (line, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Pline.SpecifySecond", start), place => place == start ? null : [Segment.FromLine(start, place)]).ConfigureAwait(false);
+        return await ArcQuestions.ThroughAsync(context, start, line[0].End).ConfigureAwait(false);
+    }
+
+    /// <summary>An included angle that makes an arc: neither zero nor a whole turn.</summary>
+    private static async Task<double> AngleAsync(CommandContext context, Point2D start)
+    {
+        var (arc, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Degrees("Arc.SpecifyAngle", start), degrees => ArcQuestions.Of(ArcConstruction.FromCentreSweep(start, start + new Vector2D(1.0, 0.0), Angle.FromDegrees(degrees)))).ConfigureAwait(false);
+        return arc[0].Arc.Sweep.Degrees;
+    }
+
+    private static async Task<IReadOnlyList<Segment>> AlongChordAsync(CommandContext context, Point2D start, double chord, Angle sweep)
+    {
+        var (arc, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Degrees("Pline.SpecifyChordDirection", start), degrees => ArcQuestions.Of(ArcConstruction.FromEndsSweep(start, start + Vector2D.FromPolar(chord, Angle.FromDegrees(degrees)), sweep))).ConfigureAwait(false);
+        return arc;
+    }
+}

@@ -1,0 +1,83 @@
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>COPY: Copies objects to one place after the other, until Enter. All of it is one step of undo.</summary>
+internal sealed class CopyCommand : ICommand
+{
+    private const int MostItems = 1000;
+
+    public CommandInfo Info { get; } = new("COPY", CommandGroup.Drawing);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var (ghost, copies) = (new SelectionGhost(context.Drawing, selected), new Copies(context, selected));
+        if (await Displacement.BaseAsync(context).ConfigureAwait(false) is not { } from) copies.Add([await Displacement.TypedAsync(context, ghost).ConfigureAwait(false)]);
+        else await PlaceAsync(context, ghost, from, copies).ConfigureAwait(false);
+    }
+
+    private static async Task PlaceAsync(CommandContext context, SelectionGhost ghost, Point2D from, Copies copies)
+    {
+        while (true)
+        {
+            switch (await context.AskAsync(NextPrompt(ghost, from, copies.Count)).ConfigureAwait(false))
+            {
+                case Answer<Point2D>.Value { Of: var to }:
+                    copies.Add([to - from]);
+                    break;
+                case Answer<Point2D>.Chosen { Option: "Array" }:
+                    copies.Add(await ArrayAsync(context, ghost, from).ConfigureAwait(false));
+                    break;
+                case Answer<Point2D>.Chosen { Option: "Undo" }:
+                    copies.Undo();
+                    break;
+                case Answer<Point2D>.Ended:
+                    copies.Add([from - Point2D.Origin]);
+                    return;
+                default:
+                    return;
+            }
+        }
+    }
+
+    /// <summary>At first Enter takes the base point as the displacement; once a copy stands it ends the command.</summary>
+    private static PointPrompt NextPrompt(SelectionGhost ghost, Point2D from, int made)
+    {
+        var prompt = new PointPrompt(Wording.Get(made == 0 ? "Common.SpecifySecondPointOr" : "Copy.SpecifySecondPoint")) { From = from, Ghost = Displacement.GhostFrom(ghost, from) };
+        return made == 0 ? prompt with { Options = Keyword.List("Array"), EnterEnds = true } : prompt with { Options = Keyword.List("Array", "Exit", "Undo"), Default = "Exit" };
+    }
+
+    /// <summary>So many copies in a row, each as far from the one before as the second point is from the base point.</summary>
+    private static async Task<IReadOnlyList<Vector2D>> ArrayAsync(CommandContext context, SelectionGhost ghost, Point2D from)
+    {
+        var items = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Copy.EnterItems")) { Least = 2, Most = MostItems, Whole = true }).ConfigureAwait(false);
+        var to = await context.ValueAsync(new PointPrompt(Wording.Get("Copy.SpecifySecondPoint")) { From = from, Ghost = place => ghost.Mapped([.. Ways(place - from).Select(Transform2D.Move)]) }).ConfigureAwait(false);
+        return [.. Ways(to - from)];
+
+        IEnumerable<Vector2D> Ways(Vector2D way) => Enumerable.Range(1, items - 1).Select(item => way * item);
+    }
+
+    /// <summary>The copies so far.</summary>
+    private sealed class Copies(CommandContext context, IReadOnlyList<int> selected)
+    {
+        private readonly JoinedSteps _steps = new(context);
+
+        public int Count => _steps.Count;
+
+        /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
+        public void Add(IReadOnlyList<Vector2D> ways)
+        {
+            var edited = DrawingChange.Copied(context, selected, [.. ways.Select(Transform2D.Move)], tells: Count == 0);
+            _steps.Take(context.Document.Current with { Drawing = edited, Selection = [], Previous = selected });
+            context.ShowPicked(selected);
+        }
+
+        public void Undo()
+        {
+            if (!_steps.Undo()) context.Say(Wording.Get("Copy.NothingToUndo"));
+            context.ShowPicked(selected);
+        }
+    }
+}

@@ -1,0 +1,47 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>The selected objects as a ghost that follows the cursor, drawing units. A large selection is its box and a sample of its segments, so that every movement of the mouse stays cheap.</summary>
+internal sealed class SelectionGhost
+{
+    /// <summary>Segments of a ghost at most, over all its copies.</summary>
+    public const int Most = 1000;
+
+    private readonly Lazy<Segment[]> _shown;
+    private readonly Lazy<Segment[]> _box;
+
+    public SelectionGhost(Drawing drawing, IReadOnlyList<int> selected)
+    {
+        _box = new Lazy<Segment[]>(() => BoxOf(drawing, selected));
+        _shown = new Lazy<Segment[]>(() => Sample(drawing, selected));
+    }
+
+    /// <summary>The objects under a map.</summary>
+    public IReadOnlyList<Segment> Mapped(Transform2D map) => Mapped([map]);
+
+    /// <summary>The objects under each of several maps; where that is too much, the boxes of the first of them.</summary>
+    public IReadOnlyList<Segment> Mapped(IReadOnlyList<Transform2D> maps)
+    {
+        var shown = _shown.Value.Length * maps.Count <= Most + _box.Value.Length ? _shown.Value : _box.Value;
+        return [.. maps.Take(Most / Math.Max(1, _box.Value.Length)).SelectMany(map => shown.Select(segment => segment.Mapped(map)))];
+    }
+
+    private Segment[] Sample(Drawing drawing, IReadOnlyList<int> selected)
+    {
+        var parts = selected.Sum(index => (long)drawing.Entities[index].PartCount);
+        var segments = selected.SelectMany(index => DrawingPick.Segments(drawing, index));
+        if (parts <= Most) return [.. segments];
+        var step = 1 + (parts / Most);
+        return [.. _box.Value, .. segments.Where((_, place) => place % step == 0)];
+    }
+
+    private static Segment[] BoxOf(Drawing drawing, IReadOnlyList<int> selected)
+    {
+        var box = DrawingPick.BoundsOf(drawing, selected);
+        if (box.IsEmpty) return [];
+        Point2D[] corners = [new(box.MinX, box.MinY), new(box.MaxX, box.MinY), new(box.MaxX, box.MaxY), new(box.MinX, box.MaxY)];
+        return [.. corners.Select((corner, i) => Segment.FromLine(corner, corners[(i + 1) % corners.Length]))];
+    }
+}

@@ -1,0 +1,99 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Objects;
+
+namespace Engraver.Workbench.Commands.Grips;
+
+/// <summary>Objects that are dragged by a grip: what an edit would give, and the edits that were taken, all as one step of undo. What is selected stays selected.</summary>
+internal sealed class GripDrag
+{
+    private readonly CommandContext _context;
+    private readonly IReadOnlyList<int> _selected;
+    private readonly IReadOnlyList<Grip> _hot;
+    private readonly SelectionGhost _ghost;
+    private readonly JoinedSteps _steps;
+    private readonly Drawing _drawing;
+
+    /// <param name="context">Of the command.</param>
+    /// <param name="selected">What was selected.</param>
+    /// <param name="hot">The grips that are held, in one place.</param>
+    public GripDrag(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Grip> hot)
+    {
+        (_context, _selected, _hot, _drawing) = (context, selected, hot, context.Drawing);
+        (_ghost, _steps, Base) = (new SelectionGhost(_drawing, selected), new JoinedSteps(context), hot[0].Place);
+    }
+
+    /// <summary>Where the way of the drag begins, drawing units: the grip, unless the operator named another place.</summary>
+    public Point2D Base { get; set; }
+
+    /// <summary>The objects stay, and copies of them are edited.</summary>
+    public bool IsCopying { get; set; }
+
+    /// <summary>How many edits were taken.</summary>
+    public int Count => _steps.Count;
+
+    /// <summary>The edit that a place would give in a mode.</summary>
+    public Edit Editing(string mode, Point2D place)
+    {
+        var way = place - Base;
+        return mode switch
+        {
+            "Stretch" => new Edit(null, _hot[0].Place + way),
+            "Move" => new Edit(Transform2D.Move(way), null),
+            "Mirror" => new Edit(place == Base ? null : Transform2D.MirrorAt(Base, place), null),
+            "Rotate" => Editing(mode, way.Direction.Positive().Degrees),
+            _ => Editing(mode, way.Length),
+        };
+    }
+
+    /// <summary>The edit of a typed angle (degrees) or factor.</summary>
+    public Edit Editing(string mode, double amount) =>
+        new(mode == "Rotate" ? Transform2D.Rotate(Base, Angle.FromDegrees(amount)) : amount > 0.0 ? Transform2D.ScaleFrom(Base, amount) : null, null);
+
+    public IReadOnlyList<Segment> Ghost(Edit edit)
+    {
+        if (edit.Map is { } map) return _ghost.Mapped(map);
+        return edit.To is { } to ? [.. (GripStretch.Changes(_drawing, _hot, to) ?? []).Take(SelectionGhost.Most).Select(change => change.Segment)] : [];
+    }
+
+    /// <returns>False when it cannot be; the operator was told why, and nothing is changed.</returns>
+    public bool TryTake(Edit edit)
+    {
+        var drawing = _context.Drawing;
+        if (edit.Map is { } map) return Take(IsCopying ? DrawingChange.Copied(_context, _selected, [map], tells: Count == 0) : DrawingChange.Mapped(_context, _selected, map));
+        var (source, hot) = IsCopying ? Copied(drawing) : (drawing, _hot);
+        if (edit.To is { } to && GripStretch.Changes(source, hot, to) is { } changes) return Take(ChangedPart.Apply(source, changes));
+        _context.Say(Wording.Get("GripEdit.NothingLeft"), MessageKind.Warning);
+        return false;
+    }
+
+    public void Undo()
+    {
+        if (!_steps.Undo()) _context.Say(Wording.Get("Copy.NothingToUndo"));
+    }
+
+    /// <summary>The drawing with copies of the objects that are held, and the grips of these.</summary>
+    private (Drawing Drawing, IReadOnlyList<Grip> Hot) Copied(Drawing drawing)
+    {
+        int[] held = [.. _hot.Select(grip => grip.Entity).Distinct()];
+        DrawingEdit.TryCopy(drawing, held, Transform2D.Identity, out var copied);
+        return (copied, [.. _hot.Select(Moved)]);
+
+        Grip Moved(Grip grip)
+        {
+            var entity = drawing.Entities.Count + Array.IndexOf(held, grip.Entity);
+            return grip with { Entity = entity, Part = grip.Part - drawing.Entities[grip.Entity].FirstPart + copied.Entities[entity].FirstPart };
+        }
+    }
+
+    private bool Take(Drawing edited)
+    {
+        _steps.Take(_context.Document.Current with { Drawing = edited, Selection = _selected, Previous = _selected });
+        return true;
+    }
+
+    /// <summary>Either a map of everything that is selected, or where the grip goes; neither: nothing.</summary>
+    internal readonly record struct Edit(Transform2D? Map, Point2D? To);
+}

@@ -1,0 +1,21 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Properties;
+
+/// <summary>CHPROP: Changes a property of objects: layer, colour, coordinates, radius, angles. What was selected before stays selected.</summary>
+internal sealed class ChPropCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CHPROP", CommandGroup.Drawing);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var (drawing, figures) = (context.Drawing, context.Figures);
+        var values = ObjectProperties.Of(drawing, selected, figures).Where(value => value.Property.IsEditable).ToList();
+        var name = await context.ChoiceAsync(Wording.Get("ChProp.EnterProperty"), Keyword.List([.. values.Select(value => value.Property.Name)]), null).ConfigureAwait(false);
+        var (property, shown, _) = values.First(value => value.Property.Name == name);
+        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("ChProp.EnterValue", property.Title, shown))).ConfigureAwait(false);
+        var edited = PropertyEdit.Apply(drawing, selected, property, typed, figures);
+        context.Take(context.Document.Current with { Drawing = edited, Previous = selected });
+    }
+}

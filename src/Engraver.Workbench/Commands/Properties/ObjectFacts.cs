@@ -1,0 +1,45 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Commands.Properties;
+
+/// <summary>One object of a drawing, looked at once for all its properties. Drawing units, plan view.</summary>
+internal sealed class ObjectFacts(Drawing drawing, int index)
+{
+    private Segment[]? _segments;
+
+    public Drawing Drawing => drawing;
+
+    /// <summary>Index into the drawing's entities.</summary>
+    public int Index => index;
+
+    public DrawingEntity Entity => drawing.Entities[index];
+
+    /// <summary>Index of its first part.</summary>
+    public int FirstPart => Entity.FirstPart;
+
+    public IReadOnlyList<Segment> Segments => _segments ??= [.. DrawingPick.Segments(drawing, index)];
+
+    /// <summary>The line that it is; null for anything else.</summary>
+    public LineSegment? Line => Segments is [{ Kind: SegmentKind.Line } only] ? only.Line : null;
+
+    /// <summary>The arc that it is; null for anything else.</summary>
+    public ArcSegment? Arc => Segments is [{ Kind: SegmentKind.Arc } only] ? only.Arc : null;
+
+    /// <summary>The circle that it is; null for anything else.</summary>
+    public ArcSegment? Circle => Segments is [{ Kind: SegmentKind.Circle } only] ? only.Arc : null;
+
+    public ArcSegment? Round => Arc ?? Circle;
+
+    /// <summary>It ends where it begins.</summary>
+    public bool IsClosed => Entity.Closed || (Segments.Count > 0 && (Segments[^1].IsClosed || Segments[0].Start == Segments[^1].End));
+
+    /// <summary>First point of an open curve; null for a closed one.</summary>
+    public Point2D? Start => IsClosed || Segments.Count == 0 ? null : Segments[0].Start;
+
+    public Point2D? End => IsClosed || Segments.Count == 0 ? null : Segments[^1].End;
+
+    public double Length => Segments.Sum(segment => segment.Length);
+
+    public bool IsPolyline => Entity.Type is CurveType.LwPolyline or CurveType.Polyline;
+}

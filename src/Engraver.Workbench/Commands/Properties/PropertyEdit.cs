@@ -1,0 +1,66 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Objects;
+
+namespace Engraver.Workbench.Commands.Properties;
+
+/// <summary>Changes a property of objects: what is typed is read, and either all of them change or none.</summary>
+internal static class PropertyEdit
+{
+    /// <returns>The drawing with the new value.</returns>
+    /// <exception cref="CommandException">The value is not understood, or an object cannot have it; the sentence says which and why.</exception>
+    public static Drawing Apply(Drawing drawing, IReadOnlyList<int> objects, ObjectProperty property, string typed, Figures figures)
+    {
+        var having = objects.Select(index => new ObjectFacts(drawing, index)).Where(facts => property.Read(facts, figures) is not null).ToList();
+        if (having.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoneHasIt", property.Title));
+        if (property.Entity is { } entity) return drawing with { Entities = drawing.Entities.With(having.Select(facts => (facts.Index, entity(facts, typed))), []) };
+        if (!NumberPrompt.TryNumber(typed.Trim(), out var value)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoNumber", typed, property.Title));
+        var changes = new List<ChangedPart>();
+        foreach (var facts in having)
+        {
+            if (property.Change!(facts, value) is not { } parts || !parts.All(part => part.IsSound)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.Impossible", property.Title, typed, Named(facts)));
+            changes.AddRange(parts);
+        }
+
+        return ChangedPart.Apply(drawing, changes);
+    }
+
+    public static DrawingEntity OnLayer(ObjectFacts facts, string typed)
+    {
+        for (var i = 0; i < facts.Drawing.Layers.Count; i++)
+        {
+            if (facts.Drawing.Layers[i].Name.Equals(typed.Trim(), StringComparison.OrdinalIgnoreCase)) return facts.Entity with { Layer = i };
+        }
+
+        throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoLayer", typed.Trim()));
+    }
+
+    public static DrawingEntity InColour(ObjectFacts facts, string typed) =>
+        facts.Entity with { Colour = ColourName.ParseOfObject(typed) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoColour", typed, string.Join(", ", ColourName.Known))) };
+
+    /// <summary>An open curve that begins or ends elsewhere; an arc keeps its included angle.</summary>
+    public static IReadOnlyList<ChangedPart>? WithEnd(ObjectFacts facts, Point2D place, bool atStart)
+    {
+        var (part, before) = atStart ? (facts.FirstPart, facts.Start) : (facts.FirstPart + facts.Entity.PartCount - 1, facts.End);
+        return GripStretch.Changes(facts.Drawing, [new Grip(facts.Index, part, GripKind.Vertex, before!.Value)], place);
+    }
+
+    public static IReadOnlyList<ChangedPart> Moved(ObjectFacts facts, Vector2D way) => [ChangedPart.Moved(facts.Drawing, facts.FirstPart, way)];
+
+    /// <summary>Null for a radius that is not above 0.</summary>
+    public static IReadOnlyList<ChangedPart>? WithRadius(ObjectFacts facts, double radius) => radius > 0.0 ? Round(facts, facts.Round!.Value with { Radius = radius }) : null;
+
+    /// <summary>An arc in the direction it has, from one angle to another, degrees; null when they are the same.</summary>
+    public static IReadOnlyList<ChangedPart>? WithAngles(ObjectFacts facts, double start, double end)
+    {
+        var arc = facts.Arc!.Value;
+        var turn = Angle.FromDegrees(arc.Sweep.Degrees > 0.0 ? end - start : start - end).Positive();
+        return turn.Degrees > 0.0 ? Round(facts, arc with { Start = Angle.FromDegrees(start).Positive(), Sweep = arc.Sweep.Degrees > 0.0 ? turn : -turn }) : null;
+    }
+
+    private static IReadOnlyList<ChangedPart> Round(ObjectFacts facts, ArcSegment arc) => [new ChangedPart(facts.FirstPart, DrawingPart.Arc(facts.Index, arc, facts.Drawing.Parts[facts.FirstPart].C), null)];
+
+    private static string Named(ObjectFacts facts) => $"{facts.Entity.Type.ToDxfName()} {facts.Drawing.SourceOf(facts.Index).Handle}".TrimEnd();
+}

@@ -1,0 +1,50 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Reshaping;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Editing;
+
+namespace Engraver.Workbench.Commands.Reshaping;
+
+/// <summary>BREAK: Takes a piece out of an object between two places, or parts it at one.</summary>
+internal sealed class BreakCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("BREAK", CommandGroup.Drawing);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var at = await context.ValueAsync(new PointPrompt(Wording.Get("Break.SelectObject")) { Use = PointUse.Object }).ConfigureAwait(false);
+        if (ObjectSelection.At(context, at) is not { } entity) throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoObject"));
+        var path = ReshapedDrawing.PathOf(drawing, entity) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoLength"));
+        var (first, second) = await PlacesAsync(context, path, at).ConfigureAwait(false);
+        var cut = CutOf(path, first, second);
+        if (cut.Kept.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.NothingLeft"));
+        if (path.Closed && cut.Removed.Count == 0 && path.Parts.Count == 1) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.WholeTurn"));
+        var reshaped = new ReshapedDrawing(drawing);
+        reshaped.Set(entity, cut.Kept);
+        var rebuilt = reshaped.Build();
+        DrawingChange.Take(context, rebuilt, reshaped.Places(rebuilt, [entity]));
+    }
+
+    /// <summary>The place where the object was picked is the first, unless another is asked for; <c>@</c> is the same place again.</summary>
+    private static async Task<(Point2D First, Point2D Second)> PlacesAsync(CommandContext context, EntityPath path, Point2D picked)
+    {
+        var second = await context.AskAsync(SecondPrompt(path, picked) with { Options = Keyword.List("First") }).ConfigureAwait(false);
+        if (second is Answer<Point2D>.Value { Of: var place }) return (picked, place);
+        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Break.SpecifyFirst"))).ConfigureAwait(false);
+        return (first, await context.ValueAsync(SecondPrompt(path, first)).ConfigureAwait(false));
+    }
+
+    private static PointPrompt SecondPrompt(EntityPath path, Point2D first) => new(Wording.Get("Break.SpecifySecond"))
+    {
+        Ghost = place => [.. CutOf(path, first, place).Removed.Select(piece => piece.Of(path.Parts[piece.Part]))],
+    };
+
+    /// <summary>A circle is broken counter-clockwise whatever its direction.</summary>
+    private static PathCut CutOf(EntityPath path, Point2D first, Point2D second)
+    {
+        var (from, to) = (path.Nearest(first), first == second ? path.Nearest(first) : path.Nearest(second));
+        var isClockwise = path.Parts is [{ Kind: SegmentKind.Circle, Arc.Sweep.Degrees: < 0.0 }];
+        return isClockwise ? PathCut.Break(path, to, from) : PathCut.Break(path, from, to);
+    }
+}

@@ -1,0 +1,45 @@
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Reshaping;
+
+/// <summary>The edits of a command that goes on: each is seen at once, all of them are one step of the document, and the command's own Undo takes them back one by one.</summary>
+internal sealed class EditSteps(CommandContext context)
+{
+    private readonly Stack<(DocumentState State, int Depth)> _before = new();
+    private int? _depth;
+
+    private int Depth => context.Document.UndoNames.Count();
+
+    /// <summary>Makes an edit.</summary>
+    /// <param name="edit">Takes one document step.</param>
+    public void Take(Action edit)
+    {
+        var (state, depth) = (context.Document.Current, Depth);
+        edit();
+        if (Depth == depth) return;
+        _before.Push((state, depth));
+        if (_depth == depth) context.Document.JoinLastSteps();
+        else _depth = Depth;
+    }
+
+    /// <summary>Takes the last edit back; says so when there is none.</summary>
+    /// <returns>False when there was none.</returns>
+    public bool Undo()
+    {
+        if (!_before.TryPop(out var before))
+        {
+            context.Say(Wording.Get("Offset.NothingToUndo"));
+            return false;
+        }
+
+        if (before.Depth < Depth && _depth == Depth) Withdraw();
+        else context.Document.Amend(before.State);
+        return true;
+    }
+
+    private void Withdraw()
+    {
+        context.Document.Undo();
+        _depth = null;
+    }
+}

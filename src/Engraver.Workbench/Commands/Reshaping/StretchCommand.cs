@@ -1,0 +1,68 @@
+using System.Globalization;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Reshaping;
+
+/// <summary>STRETCH: Moves the ends and vertices that lie in a crossing box; what lies in it wholly moves whole.</summary>
+internal sealed class StretchCommand : ICommand
+{
+    private const string Last = "STRETCH";
+
+    public CommandInfo Info { get; } = new("STRETCH", CommandGroup.Drawing);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        context.Say(Wording.Get("Stretch.HowToSelect"));
+        var stretch = await SelectAsync(context).ConfigureAwait(false);
+        var by = await WayAsync(context, place => stretch.Of(drawing, place).Shown).ConfigureAwait(false);
+        var done = stretch.Of(drawing, by);
+        if (done.Edited is not { } edited) throw new CommandException(CommandFailure.Usage, Wording.Get("Stretch.NoSuchShape"));
+        if (done.Unchanged > 0) context.Say(Wording.Get("Stretch.Unchanged", CountText.Format(done.Unchanged, "Object")));
+        var along = DrawingChange.TextsAlong(context, stretch.Whole(drawing));
+        DrawingChange.Take(context, edited with { Texts = EditedTexts.Moved(drawing, along, Transform2D.Move(by)) }, [.. stretch.Entities]);
+    }
+
+    /// <summary>Boxes and single objects until Enter. To the left a box crosses, to the right what lies in it moves whole, as does what is picked singly.</summary>
+    private static async Task<Stretch> SelectAsync(CommandContext context)
+    {
+        var stretch = new Stretch(context.Document.Current.Selection);
+        var prompt = new PointPrompt(Wording.Get("ObjectSelection.SelectObjects")) { Options = Keyword.List("Crossing", "Undo"), EnterEnds = true, Use = PointUse.Object };
+        while (await context.AskAsync(prompt).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
+        {
+            if (answer is Answer<Point2D>.Chosen { Option: "Undo" }) stretch.Back();
+            else if (answer is Answer<Point2D>.Value { Of: var at } && ObjectSelection.At(context, at) is { } entity) context.Say(stretch.Add([entity], null));
+            else context.Say(await BoxAsync(context, stretch, answer is Answer<Point2D>.Value { Of: var corner } ? corner : null).ConfigureAwait(false));
+        }
+
+        return stretch.Entities.Count > 0 ? stretch : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
+    }
+
+    /// <param name="corner">Null: asked for, and the box crosses in both directions.</param>
+    private static async Task<string> BoxAsync(CommandContext context, Stretch stretch, Point2D? corner)
+    {
+        var first = corner ?? await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Use = PointUse.Corner }).ConfigureAwait(false);
+        var second = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = first }).ConfigureAwait(false);
+        var box = Bounds2D.FromCorners(first, second);
+        return corner is null || second.X < first.X ? stretch.Add([.. DrawingPick.Touching(context.Drawing, box)], box) : stretch.Add([.. DrawingPick.Inside(context.Drawing, box)], null);
+    }
+
+    private static async Task<Vector2D> WayAsync(CommandContext context, Func<Vector2D, IReadOnlyList<Segment>> shown)
+    {
+        var standard = context.Remembered(Last, "0,0");
+        var first = await context.AskAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint")) { Options = Keyword.List("Displacement"), Default = "Displacement" }).ConfigureAwait(false);
+        if (first is not Answer<Point2D>.Value { Of: var basePoint })
+        {
+            var way = await context.ValueAsync(new PointPrompt(Wording.Get("Displacement.SpecifyDisplacement")) { Default = standard }).ConfigureAwait(false) - Point2D.Origin;
+            context.Remember(Last, string.Create(CultureInfo.InvariantCulture, $"{way.X:R},{way.Y:R}"));
+            return way;
+        }
+
+        var prompt = new PointPrompt(Wording.Get("Common.SpecifySecondPointOr")) { EnterEnds = true, From = basePoint, Ghost = place => shown(place - basePoint) };
+        return await context.AskAsync(prompt).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var second } ? second - basePoint : basePoint - Point2D.Origin;
+    }
+}

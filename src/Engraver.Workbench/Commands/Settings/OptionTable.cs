@@ -1,0 +1,140 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
+using Engraver.Core.Machines.Origins;
+using Engraver.Core.Sequencing.Ordering;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands.Settings;
+
+/// <summary>Every setting that a person may choose, on pages, as a window of settings shows them: from the table of settings and that of the system variables. A value is changed by the command that is typed for it.</summary>
+public static class OptionTable
+{
+    private const string Off = "OFF";
+
+    /// <summary>Before an option: it is said in English, whatever is spoken.</summary>
+    private const string English = "_";
+
+    private static readonly IReadOnlyList<(string Page, IReadOnlyList<SettingDescription> Settings)> s_pages =
+    [
+        ("Drawing", [SettingTable.Units, SettingTable.Cut, SettingTable.JoinTolerance, SettingTable.MaxError, SettingTable.KeepDuplicates, SettingTable.RecoverArcs]),
+        ("Toolpath", [SettingTable.Order, SettingTable.Kerf, SettingTable.ToolDiameter, SettingTable.Finish]),
+        ("Machine", [SettingTable.Feed, SettingTable.VectorSpeed, SettingTable.Rapid, SettingTable.Acceleration]),
+    ];
+
+    /// <summary>Settings that are a place, a choice of layers or a file: they have a command, a palette or a dialog of their own.</summary>
+    public static IReadOnlyList<SettingDescription> Elsewhere { get; } = [SettingTable.Layers, SettingTable.SkippedLayers, SettingTable.Start, SettingTable.Enter, SettingTable.Machine];
+
+    /// <summary>The settings with their values as they are now.</summary>
+    public static IReadOnlyList<OptionEntry> Of(CommandSession session)
+    {
+        ArgumentNullException.ThrowIfNull(session);
+        var rows = s_pages.SelectMany(page => page.Settings.Select(setting => Described(session, page.Page, setting)));
+        var variables = SystemVariables.All.Select(variable => Variable(session, variable));
+        var theme = Chosen(session, "THEME", Enum.GetNames<DesktopTheme>(), session.View.Current.Theme.ToString());
+        var language = Chosen(session, "LANGUAGE", LanguageCommand.Choices, LanguageCommand.NameOf(session.Settings.Current));
+        return [.. rows, theme, language, .. variables.OrderBy(entry => entry.Page, StringComparer.Ordinal)];
+    }
+
+    private static OptionEntry Described(CommandSession session, string page, SettingDescription setting)
+    {
+        var settings = session.Document.Current.Settings;
+        var entry = new OptionEntry(page, setting.Key, setting.Command!)
+        {
+            Name = setting.Name, Meaning = SettingWording.AtCommandLine(setting.Meaning), Unit = setting.Unit, Least = setting.Least, Most = setting.Most, Whole = setting.Whole, Default = setting.Default,
+        };
+        if (setting == SettingTable.Order) return entry with { Choices = Enum.GetNames<StrokeOrder>(), Value = settings.Order.ToString() };
+        if (setting == SettingTable.Finish) return entry with { Choices = Enum.GetNames<FinishPlace>(), Value = settings.Finish.ToString() };
+        if (setting == SettingTable.Kerf) return entry with { Choices = [.. Enum.GetNames<KerfSide>().Select(KerfWord)], Value = KerfWord(settings.Kerf.ToString()) };
+        if (setting == SettingTable.ToolDiameter) return entry with { Value = settings.ToolDiameterMm > 0.0 ? NumberPrompt.Show(settings.ToolDiameterMm) : "", MayBeEmpty = true };
+        return entry with { Value = Shown(session, setting.Command!) };
+    }
+
+    private static OptionEntry Variable(CommandSession session, SystemVariable variable)
+    {
+        var info = session.Catalog.Find(variable.Name)!.Info;
+        return new OptionEntry(SystemVariables.IsInView(variable.Name) ? "Drafting" : "Screen", variable.Name, variable.Name)
+        {
+            Name = variable.Name, Meaning = info.Summary, Least = variable.Least, Most = variable.Most, Whole = variable.Whole, Default = NumberPrompt.Show(variable.First), Value = Shown(session, variable.Name),
+        };
+    }
+
+    private static OptionEntry Chosen(CommandSession session, string command, IReadOnlyList<string> choices, string now)
+    {
+        var info = session.Catalog.Find(command)!.Info;
+        return new OptionEntry("Screen", info.Name, info.Name) { Name = info.Name, Meaning = info.Summary, Choices = choices, Default = choices[0], Value = now };
+    }
+
+    private static string KerfWord(string side) => side == nameof(KerfSide.Off) ? Off : side;
+
+    private static string Shown(CommandSession session, string name)
+    {
+        var setting = (ISettingCommand)session.Catalog.Find(name)!;
+        return setting.ValueText(new CommandContext(session, new CommandFrame(setting.Info)));
+    }
+
+    /// <summary>The inputs by which changed settings become what the window shows, one command each.</summary>
+    /// <param name="shown">All values as they stand in the window, by key.</param>
+    public static IReadOnlyList<string> InputsFor(OptionEntry changed, IReadOnlyDictionary<string, string> shown)
+    {
+        ArgumentNullException.ThrowIfNull(changed);
+        ArgumentNullException.ThrowIfNull(shown);
+        if (changed.Command != SettingTable.Kerf.Command) return [changed.Command, changed.Choices.Count > 0 ? English + shown[changed.Key] : shown[changed.Key]];
+        var (side, diameter) = (shown[SettingTable.Kerf.Key], shown[SettingTable.ToolDiameter.Key]);
+        return side == Off ? [changed.Command, English + side] : [changed.Command, English + side, diameter];
+    }
+}
+
+/// <summary>One setting in a window of settings.</summary>
+/// <param name="Page">Name of its page; the title is the text <c>OptionPage.PAGE</c>.</param>
+/// <param name="Key">Its permanent name.</param>
+/// <param name="Command">What is typed for it.</param>
+public sealed record OptionEntry(string Page, string Key, string Command)
+{
+    public required string Name { get; init; }
+
+    /// <summary>What it does, in one or two sentences.</summary>
+    public required string Meaning { get; init; }
+
+    public string Unit { get; init; } = "";
+
+    public double Least { get; init; }
+
+    public double Most { get; init; }
+
+    public bool Whole { get; init; }
+
+    public string Default { get; init; } = "";
+
+    /// <summary>The words that may be chosen; empty for a number.</summary>
+    public IReadOnlyList<string> Choices { get; init; } = [];
+
+    /// <summary>As it is now.</summary>
+    public string Value { get; init; } = "";
+
+    /// <summary>No value is allowed too.</summary>
+    public bool MayBeEmpty { get; init; }
+
+    /// <summary>It is on or off: 1 or 0.</summary>
+    public bool IsSwitch => Choices.Count == 0 && Whole && (Least, Most) == (0.0, 1.0);
+
+    /// <summary>The title of its page.</summary>
+    public string PageTitle => Wording.Get("OptionPage." + Page);
+
+    /// <summary>What is wrong with a typed value, in a sentence; null when it can be taken.</summary>
+    public string? WhyNot(string typed)
+    {
+        ArgumentNullException.ThrowIfNull(typed);
+        if (typed.Length == 0) return MayBeEmpty ? null : Wording.Get("PendingValue.AnswerNeeded", Name);
+        if (Choices.Count > 0) return Choices.Contains(typed) ? null : Wording.Get("PendingValue.AnswerNeeded", Name);
+        return new NumberPrompt(Name) { Least = Least, Most = Most, Whole = Whole }.Read(typed, Point2D.Origin) is Reading<double>.Wrong wrong ? wrong.Sentence : null;
+    }
+
+    /// <summary>The words of a search stand in its name, its command or its meaning.</summary>
+    public bool Holds(string words)
+    {
+        ArgumentNullException.ThrowIfNull(words);
+        return words.Split(' ', StringSplitOptions.RemoveEmptyEntries).All(word => Name.Contains(word, StringComparison.CurrentCultureIgnoreCase)
+            || Command.Contains(word, StringComparison.OrdinalIgnoreCase) || Meaning.Contains(word, StringComparison.CurrentCultureIgnoreCase) || PageTitle.Contains(word, StringComparison.CurrentCultureIgnoreCase));
+    }
+}

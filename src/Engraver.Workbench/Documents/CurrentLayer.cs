@@ -1,0 +1,30 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>The layer on which new objects are drawn: that of CLAYER, else layer 0.</summary>
+internal static class CurrentLayer
+{
+    /// <summary>The layer that every drawing has in AutoCAD, and the current one of a drawing that was just opened.</summary>
+    public const string First = "0";
+
+    /// <summary>Where a layer of this name (any case) stands in the drawing; null when it has none.</summary>
+    public static int? IndexOf(Drawing drawing, string name)
+    {
+        for (var index = 0; index < drawing.Layers.Count; index++)
+        {
+            if (drawing.Layers[index].Name.Equals(name, StringComparison.OrdinalIgnoreCase)) return index;
+        }
+
+        return null;
+    }
+
+    /// <summary>The index of the layer for new objects, and the drawing with that layer: layer 0 is added to one that has neither it nor the current layer.</summary>
+    /// <param name="state">Its drawing must be open.</param>
+    public static (Drawing Drawing, int Layer) In(DocumentState state)
+    {
+        var drawing = state.Drawing ?? throw new ArgumentException("No drawing is open.", nameof(state));
+        if ((IndexOf(drawing, state.CurrentLayer) ?? IndexOf(drawing, First)) is { } layer) return (drawing, layer);
+        return (drawing with { Layers = [.. drawing.Layers, new Layer(First, On: true, Frozen: false, Plot: true)] }, drawing.Layers.Count);
+    }
+}

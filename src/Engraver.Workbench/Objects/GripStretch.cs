@@ -1,0 +1,119 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Constructions;
+
+namespace Engraver.Workbench.Objects;
+
+/// <summary>Drags grips: what becomes of the parts of the objects they belong to. Drawing units; heights stay.</summary>
+public static class GripStretch
+{
+    /// <summary>A side with less bulge than this is straight.</summary>
+    private const double LeastBulge = 1e-8;
+
+    /// <summary>The parts that change, as they are then; null where something would vanish: a line without length, an arc without radius.</summary>
+    /// <param name="drawing">The drawing.</param>
+    /// <param name="hot">Grips in one place.</param>
+    /// <param name="to">Where that place goes.</param>
+    public static IReadOnlyList<ChangedPart>? Changes(Drawing drawing, IReadOnlyList<Grip> hot, Point2D to)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        ArgumentNullException.ThrowIfNull(hot);
+        var changes = hot.GroupBy(grip => grip.Entity).SelectMany(grips => OfEntity(drawing, [.. grips], to)).ToList();
+        return changes.TrueForAll(change => change.IsSound) ? changes : null;
+    }
+
+    private static IEnumerable<ChangedPart> OfEntity(Drawing drawing, IReadOnlyList<Grip> grips, Point2D to)
+    {
+        var entity = drawing.Entities[grips[0].Entity];
+        var parts = Enumerable.Range(entity.FirstPart, entity.PartCount);
+        var (place, whole) = (grips[0].Place, grips.Any(grip => grip.Kind == GripKind.Whole));
+        if (whole) return parts.Select(part => ChangedPart.Moved(drawing, part, to - place));
+        if (grips.FirstOrDefault(grip => grip.Kind is GripKind.Bulge or GripKind.Radius or GripKind.Axis) is { Part: var own, Kind: not GripKind.Vertex } grip) return [Reshaped(drawing, own, grip, to)];
+        var ends = grips.SelectMany(hot => hot.Kind == GripKind.Side ? EndsOf(drawing, hot.Part) : [hot.Place]).ToList();
+        return parts.Select(part => Stretched(drawing, part, ends, to - place)).OfType<ChangedPart>();
+    }
+
+    private static Point2D[] EndsOf(Drawing drawing, int part)
+    {
+        var segment = drawing.SegmentOf(drawing.Parts[part]);
+        return [segment.Start, segment.End];
+    }
+
+    /// <summary>Null when neither end moves.</summary>
+    private static ChangedPart? Stretched(Drawing drawing, int index, List<Point2D> moving, Vector2D way)
+    {
+        ref var part = ref drawing.Parts[index];
+        var segment = drawing.SegmentOf(part);
+        if (segment.IsClosed) return null;
+        var (start, end) = (moving.Exists(place => ObjectGrips.AreOne(place, segment.Start)), moving.Exists(place => ObjectGrips.AreOne(place, segment.End)));
+        if (!start && !end) return null;
+        if (start && end) return ChangedPart.Moved(drawing, index, way);
+        if (part.IsFreeCurve && part.Kind != SegmentKind.Spline) return ChangedPart.Vanished(index); // one span of an elliptical arc bent would be no ellipse
+        return part.IsFreeCurve ? new ChangedPart(index, part, BentEnd(segment.Curve, start, way)) : Between(index, part, start ? segment.Start + way : segment.Start, end ? segment.End + way : segment.End);
+    }
+
+    /// <summary>A line, or an arc of the same included angle, between two places.</summary>
+    private static ChangedPart Between(int index, in DrawingPart part, Point2D start, Point2D end)
+    {
+        if (part.Kind == SegmentKind.Line) return new ChangedPart(index, DrawingPart.Line(part.Entity, start.X, start.Y, part.C, end.X, end.Y, part.F), null);
+        if (start == end) return ChangedPart.Vanished(index);
+        var quarter = Angle.FromDegrees(part.F / 4.0);
+        return new ChangedPart(index, DrawingPart.Arc(part.Entity, ArcSegment.FromBulge(start, end, quarter.Sin() / quarter.Cos()), part.C), null);
+    }
+
+    private static ChangedPart Reshaped(Drawing drawing, int index, Grip grip, Point2D to)
+    {
+        var part = drawing.Parts[index];
+        var segment = drawing.SegmentOf(part);
+        if (grip.Kind == GripKind.Axis && ObjectGrips.CentreOf(segment) is { } centre && centre.DistanceTo(to) < EllipseConstruction.Flattest * centre.DistanceTo(grip.Place)) return ChangedPart.Vanished(index);
+        if (grip.Kind == GripKind.Axis) return new ChangedPart(index, part, WithAxis(segment, grip.Place, to));
+        if (grip.Kind == GripKind.Radius) return new ChangedPart(index, DrawingPart.Arc(part.Entity, segment.Arc with { Radius = segment.Arc.Centre.DistanceTo(to) }, part.C), null);
+        var bulge = BulgeThrough(segment.Start, segment.End, to);
+        if (Math.Abs(bulge) is >= LeastBulge and <= 1.0 / LeastBulge) return new ChangedPart(index, DrawingPart.Arc(part.Entity, ArcSegment.FromBulge(segment.Start, segment.End, bulge), part.C), null);
+        return Math.Abs(bulge) < LeastBulge && drawing.Entities[grip.Entity].PartCount > 1 ? new ChangedPart(index, DrawingPart.Line(part.Entity, segment.Start.X, segment.Start.Y, part.C, segment.End.X, segment.End.Y, part.C), null) : ChangedPart.Vanished(index);
+    }
+
+    /// <summary>Bulge (tangent of a quarter of the sweep) of the arc from one place to another through a third; 0 when they lie on a line.</summary>
+    /// <remarks>Seen from the third place the chord spans half of the rest of the turn: sweep = 360 degrees - 2 x that angle, by the theorem of the inscribed angle.</remarks>
+    private static double BulgeThrough(Point2D start, Point2D end, Point2D through)
+    {
+        var (a, b) = (start - through, end - through);
+        var seen = Math.Atan2(Math.Abs(a.Cross(b)), a.Dot(b));
+        var bulge = Math.Tan((Math.PI - seen) / 2.0);
+        return a.Cross(b) > 0.0 ? -bulge : bulge; // a place to the left of the chord: clockwise
+    }
+
+    /// <summary>An open spline whose first or last control point has moved.</summary>
+    private static RationalCurve BentEnd(RationalCurve curve, bool atStart, Vector2D way)
+    {
+        BezierSpan[] spans = [.. curve.Spans];
+        ref var span = ref spans[atStart ? 0 : ^1];
+        double[] points = [.. span.Homogeneous];
+        var at = atStart ? 0 : points.Length - BezierSpan.Stride;
+        (points[at], points[at + 1]) = (points[at] + (way.X * points[at + 3]), points[at + 1] + (way.Y * points[at + 3]));
+        span = new BezierSpan(points);
+        return new RationalCurve(curve.Kind, spans);
+    }
+
+    /// <summary>A whole ellipse with the axis through a place as long as the way from the centre to another.</summary>
+    private static RationalCurve WithAxis(in Segment segment, Point2D axisEnd, Point2D to)
+    {
+        var centre = ObjectGrips.CentreOf(segment)!.Value;
+        var (axis, factor) = (axisEnd - centre, centre.DistanceTo(to) / centre.DistanceTo(axisEnd));
+        var direction = axis * (1.0 / axis.Length);
+        return segment.Curve.With([.. segment.Curve.Spans.ToArray().Select(span => Stretched(span, centre, direction, factor))]);
+    }
+
+    private static BezierSpan Stretched(BezierSpan span, Point2D centre, Vector2D direction, double factor)
+    {
+        double[] points = [.. span.Homogeneous];
+        for (var at = 0; at < points.Length; at += BezierSpan.Stride)
+        {
+            var weight = points[at + 3];
+            var more = (factor - 1.0) * new Vector2D(points[at] - (centre.X * weight), points[at + 1] - (centre.Y * weight)).Dot(direction);
+            (points[at], points[at + 1]) = (points[at] + (more * direction.X), points[at + 1] + (more * direction.Y));
+        }
+
+        return new BezierSpan(points);
+    }
+}

@@ -1,0 +1,106 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Objects;
+
+/// <summary>The grips of selected objects: the places by which they can be dragged. Drawing units.</summary>
+/// <remarks>A line has its ends (stretch) and its middle (move); an arc its ends, a middle that bends it and its centre; a circle its centre and four places of its radius; a polyline its vertices and the
+/// middles of its sides; a whole ellipse its centre and the ends of its axes; an open spline its ends and a middle that moves it; any other curve a middle that moves it.</remarks>
+public static class ObjectGrips
+{
+    /// <summary>With more objects selected than this no grips are shown (AutoCAD's GRIPOBJLIMIT).</summary>
+    public const int MostObjects = 100;
+
+    /// <summary>Grips that are shown at most.</summary>
+    private const int MostGrips = 2000;
+
+    /// <summary>Grips nearer to each other than this part of their coordinates are in one place.</summary>
+    private const double OnePlace = 1e-9;
+
+    private const int SpansOfWholeEllipse = 4;
+
+    /// <summary>The grips of a selection, in its order; none of a large one.</summary>
+    public static IEnumerable<Grip> Find(Drawing drawing, IReadOnlyList<int> selection)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        ArgumentNullException.ThrowIfNull(selection);
+        return selection.Count > MostObjects ? [] : selection.Where(entity => entity < drawing.Entities.Count).SelectMany(entity => Find(drawing, entity)).Take(MostGrips);
+    }
+
+    /// <summary>The grips that a press at a place takes: the nearest one, and all that lie on it; none where the nearest is farther away than <paramref name="reach"/>.</summary>
+    public static IReadOnlyList<Grip> At(Drawing drawing, IReadOnlyList<int> selection, Point2D place, double reach)
+    {
+        var all = Find(drawing, selection).ToList();
+        if (all.Count == 0) return [];
+        var nearest = all.MinBy(grip => grip.Place.DistanceTo(place));
+        return nearest.Place.DistanceTo(place) > reach ? [] : [.. all.Where(grip => AreOne(grip.Place, nearest.Place))];
+    }
+
+    internal static bool AreOne(Point2D a, Point2D b) => a.DistanceTo(b) <= OnePlace * (1.0 + Math.Max(Math.Abs(a.X) + Math.Abs(a.Y), Math.Abs(b.X) + Math.Abs(b.Y)));
+
+    private static IEnumerable<Grip> Find(Drawing drawing, int entity)
+    {
+        var (first, count) = (drawing.Entities[entity].FirstPart, drawing.Entities[entity].PartCount);
+        for (var part = first; part < first + count; part++)
+        {
+            var segment = drawing.SegmentOf(drawing.Parts[part]);
+            var grips = segment.IsFreeCurve ? OfCurve(segment) : segment.Kind switch
+            {
+                SegmentKind.Line => [(GripKind.Vertex, segment.Start), (GripKind.Vertex, segment.End), (count == 1 ? GripKind.Whole : GripKind.Side, segment.PointAt(0.5))],
+                SegmentKind.Circle => [(GripKind.Whole, segment.Arc.Centre), .. Quadrants(segment.Arc)],
+                _ => count == 1
+                    ? [(GripKind.Vertex, segment.Start), (GripKind.Vertex, segment.End), (GripKind.Bulge, segment.PointAt(0.5)), (GripKind.Whole, segment.Arc.Centre)]
+                    : [(GripKind.Vertex, segment.Start), (GripKind.Vertex, segment.End), (GripKind.Bulge, segment.PointAt(0.5))],
+            };
+            foreach (var (kind, place) in grips) yield return new Grip(entity, part, kind, place);
+        }
+    }
+
+    private static IEnumerable<(GripKind, Point2D)> OfCurve(Segment segment)
+    {
+        if (CentreOf(segment) is { } centre) return [(GripKind.Whole, centre), .. AxisEnds(segment.Curve)];
+        return segment is { Kind: SegmentKind.Spline, IsClosed: false } ? [(GripKind.Vertex, segment.Start), (GripKind.Vertex, segment.End), (GripKind.Whole, segment.PointAt(0.5))] : [(GripKind.Whole, segment.PointAt(0.5))];
+    }
+
+    /// <summary>Centre of a whole ellipse; null for any other curve.</summary>
+    internal static Point2D? CentreOf(in Segment segment)
+    {
+        if (segment.Kind != SegmentKind.Ellipse || !segment.IsClosed || segment.Curve.Spans.Length != SpansOfWholeEllipse) return null;
+        var (a, b) = (segment.Curve.Spans[0].Start, segment.Curve.Spans[2].Start);
+        return new Point2D((a.X + b.X) / 2.0, (a.Y + b.Y) / 2.0);
+    }
+
+    private static IEnumerable<(GripKind, Point2D)> AxisEnds(RationalCurve curve) => Enumerable.Range(0, curve.Spans.Length).Select(span => (GripKind.Axis, curve.Spans[span].Start));
+
+    private static IEnumerable<(GripKind, Point2D)> Quadrants(ArcSegment circle) =>
+        Enumerable.Range(0, 4).Select(quadrant => (GripKind.Radius, circle.Centre + Vector2D.FromPolar(circle.Radius, Angle.FromDegrees(90.0 * quadrant))));
+}
+
+/// <summary>A place by which an object can be dragged.</summary>
+/// <param name="Entity">Index into the drawing's entities.</param>
+/// <param name="Part">Index into the drawing's parts.</param>
+/// <param name="Kind">What dragging it does.</param>
+/// <param name="Place">Drawing units.</param>
+public readonly record struct Grip(int Entity, int Part, GripKind Kind, Point2D Place);
+
+/// <summary>What dragging a grip does.</summary>
+public enum GripKind
+{
+    /// <summary>Moves an end or a vertex; arcs that meet there keep their included angle.</summary>
+    Vertex,
+
+    /// <summary>Moves the whole object.</summary>
+    Whole,
+
+    /// <summary>Moves a side of a polyline, both its vertices.</summary>
+    Side,
+
+    /// <summary>Bends an arc between its ends, so that it goes through the place.</summary>
+    Bulge,
+
+    /// <summary>Changes the radius of a circle.</summary>
+    Radius,
+
+    /// <summary>Changes the length of an axis of an ellipse.</summary>
+    Axis,
+}

@@ -1,0 +1,173 @@
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.Core.Machines;
+using Engraver.TestKit;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.Tests.CommandWindow;
+
+/// <summary>What the operator can do while a job runs: everything that only looks, and nothing that changes the drawing or the machine.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class BesideTests(DesktopFixture fixture)
+{
+    [Fact]
+    public Task Typed_view_commands_and_queries_work_while_a_job_runs() => fixture.WithOperator(here =>
+    {
+        Start(here);
+        var extents = here.Commands.View.Current.Height;
+        Type(here, "zoom", "w", "0,0", "0.5,0.5");
+        here.Until(() => here.Commands.View.Current.Height < extents / 2.0);
+        Type(here, "dist", "0,0", "3,4");
+        Heard(here, "Distance = 5");
+        Type(here, "id", "1,2");
+        Heard(here, "X = 1");
+        Type(here, "list", "all", "");
+        Heard(here, ", layer ");
+        Type(here, "area", "0,0", "2,0", "2,2", "");
+        Heard(here, "Area = 2");
+        Type(here, "properties", "history", "list", "help", "zoom");
+        Heard(here, "ZOOM");
+        Type(here, "theme", "light");
+        here.Until(() => here.Commands.View.Current.Theme.ToString() == "Light");
+        Type(here, "ortho", "on", "pickbox", "7");
+        here.Until(() => here.Commands.View.Current.Ortho && here.Window.Canvas.PickBox == 7.0);
+
+        Runs(here);
+        Assert.Null(here.Desk.Prompt.Command);
+        End(here);
+    });
+
+    [Fact]
+    public Task Menus_keys_and_clicks_on_the_canvas_work_too() => fixture.WithOperator(here =>
+    {
+        Start(here);
+        here.Hands.Press(Key.F8);
+        here.Until(() => here.Commands.View.Current.Ortho);
+        here.Hands.Press(Key.F8);
+        here.Until(() => !here.Commands.View.Current.Ortho);
+        Type(here, "dist");
+        here.Until(() => here.Desk.Prompt.Command == "DIST");
+        var canvas = here.MiddleOf(here.Window.Canvas);
+        here.Hands.Click(canvas);
+        here.Until(() => here.Desk.Prompt.Text.StartsWith("Specify second point", StringComparison.Ordinal));
+        here.Hands.Click(canvas + new Avalonia.Vector(40, 0));
+        Heard(here, "Distance = ");
+        var zoomed = here.Commands.View.Current.Height;
+        Type(here, "zoom", "2x");
+        here.Until(() => here.Commands.View.Current.Height < zoomed);
+        here.Click(here.Find<ItemsControl>("ToolColumn").GetVisualDescendants().OfType<Button>().First(button => Equals(button.Tag, "ZOOM"))); // extents
+        here.Until(() => here.Commands.View.Current.Height >= zoomed * 0.99);
+
+        Runs(here);
+        End(here);
+    });
+
+    [Fact]
+    public Task Objects_can_be_selected_and_asked_about_while_a_job_runs() => fixture.WithOperator(here =>
+    {
+        Start(here);
+        _ = here.Desk.SelectAsync(_ => [1], remove: false);
+        here.Until(() => here.Commands.Document.Current.Selection.Count == 1);
+        Type(here, "list");
+        Heard(here, "1 found");
+
+        Runs(here);
+        End(here);
+    });
+
+    [Theory]
+    [InlineData("move", "MOVE may change the drawing")]
+    [InlineData("open", "OPEN may change the drawing")]
+    [InlineData("cncfeed", "CNCFEED may change the drawing")]
+    [InlineData("cncgoto", "CNCGOTO acts on the machine")]
+    [InlineData("cncrun", "CNCRUN acts on the machine")]
+    [InlineData("cnczero", "CNCZERO acts on the machine")]
+    [InlineData("nonsense", "'nonsense' is no command")]
+    public Task What_changes_the_drawing_or_the_machine_is_refused_with_the_reason(string typed, string reason) => fixture.WithOperator(here =>
+    {
+        Start(here);
+        var before = here.Commands.Document.Current;
+        Type(here, typed);
+        here.Until(() => here.History.Any(line => line.StartsWith(reason, StringComparison.Ordinal)));
+        Runs(here);
+        End(here);
+
+        Assert.Same(before, here.Commands.Document.Current);
+        Assert.Null(here.Desk.Prompt.Command);
+    });
+
+    [Fact]
+    public Task CNCSTOP_stops_though_something_else_asks_beside_the_job() => fixture.WithOperator(here =>
+    {
+        Start(here);
+        Type(here, "dist", "0,0");
+        here.Until(() => here.Desk.Prompt.Command == "DIST");
+        Type(here, "cncstop");
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Null(here.Desk.Prompt.Command);
+    });
+
+    /// <summary>Esc holds the job, as it always does; what asks beside it ends, and the job goes on with START.</summary>
+    [Fact]
+    public Task Escape_holds_the_job_and_ends_what_asks_beside_it() => fixture.WithOperator(here =>
+    {
+        Start(here);
+        Type(here, "dist", "0,0");
+        here.Until(() => here.Desk.Prompt.Command == "DIST");
+        here.Hands.Press(Key.Escape);
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Held && here.Desk.Prompt.Command is null);
+        Assert.True(here.Commands.IsBusy);
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
+        End(here);
+    });
+
+    /// <summary>A question that is open when the job ends stays and is answered as any other.</summary>
+    [Fact]
+    public Task A_question_outlives_the_job_beside_which_it_was_asked() => fixture.WithOperator(here =>
+    {
+        Start(here);
+        Type(here, "dist", "0,0");
+        here.Until(() => here.Desk.Prompt.Command == "DIST");
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+        Assert.Equal("DIST", here.Desk.Prompt.Command);
+        here.Enter("6,8");
+
+        Assert.Contains(here.History, line => line.StartsWith("Distance = 10", StringComparison.Ordinal));
+        Assert.Null(here.Desk.Prompt.Command);
+    });
+
+    private static void Start(Operator here)
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
+        here.Hands.Type("CNCRUN");
+        here.Hands.Press(Key.Enter);
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Progress is { SegmentsSent: > 0 });
+    }
+
+    /// <summary>Types quickly: nothing is waited for between two words.</summary>
+    private static void Type(Operator here, params string[] words)
+    {
+        foreach (var word in words)
+        {
+            here.Hands.Type(word);
+            here.Hands.Press(Key.Enter);
+        }
+    }
+
+    private static void Heard(Operator here, string beginning) => here.Until(() => here.History.Any(line => line.TrimStart().Contains(beginning, StringComparison.Ordinal)));
+
+    private static void Runs(Operator here) => Assert.Equal((true, MachineState.Running), (here.Commands.Machine.IsRunning, here.Commands.Machine.Status.State));
+
+    private static void End(Operator here)
+    {
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+    }
+}

@@ -1,0 +1,78 @@
+using Avalonia;
+using Avalonia.Controls;
+using Engraver.App.MachineStrip;
+using Engraver.Core.Machines;
+using Engraver.TestKit;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.Tests.MachineStrip;
+
+/// <summary>A key of the strip that does not work says why, on itself and in its tip.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class KeyReasonTests(DesktopFixture fixture)
+{
+    [Fact]
+    public Task ARM_and_START_say_why_they_do_not_work_as_the_machine_goes_through_its_states() => fixture.WithOperator(here =>
+    {
+        Says(here, "ArmKey", "no machine", "No controller is connected");
+        Says(here, "StartKey", "no machine", "No controller is connected");
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", SlowMachine.Address);
+        here.Rest();
+        Says(here, "ArmKey", null, "Checks the job");
+        Says(here, "StartKey", "ARM first", "Press ARM first");
+        here.Enter("CNCARM", "Stream");
+        Says(here, "ArmKey", "armed", "The job is armed");
+        Says(here, "StartKey", null, "Starts the armed job");
+        Says(here, "HoldKey", null, "HOLD works while a job runs");
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });
+        here.Step();
+        Says(here, "ArmKey", "job runs", "A job is under way");
+        Says(here, "StartKey", "job runs", "A job is under way");
+        here.Hands.Press(Avalonia.Input.Key.Pause);
+        here.Until(() => here.Commands.Machine.LastRun is not null);
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+    });
+
+    [Fact]
+    public Task The_reason_fits_on_the_key() => fixture.WithOperator(here =>
+    {
+        var why = here.Find<TextBlock>("StartWhyText");
+        var key = here.Find<Button>("StartKey");
+        var corner = why.TranslatePoint(new Point(why.Bounds.Width, why.Bounds.Height), key)!.Value;
+
+        Assert.InRange(corner.X, 0, key.Bounds.Width);
+        Assert.InRange(corner.Y, 0, key.Bounds.Height);
+        Assert.DoesNotContain(why.TextLayout.TextLines, line => line.HasOverflowed || line.HasCollapsed);
+    });
+
+    [Fact]
+    public Task Every_state_of_the_machine_has_its_reason_in_words() => fixture.WithOperator(_ =>
+    {
+        foreach (var state in Enum.GetValues<MachineState>())
+        {
+            var status = MachineStatus.Offline with { State = state };
+            foreach (var reason in new[] { KeyReasons.Arm(status), KeyReasons.Start(status), KeyReasons.Hold(status) })
+            {
+                Assert.True(reason is null || KeyReasons.ShortOf(reason).Length is > 0 and <= 13, $"{state}: {reason}");
+                Assert.EndsWith(".", KeyReasons.TipOf(reason ?? "NoJob", "Machine.StopTip", status), StringComparison.Ordinal);
+            }
+        }
+    });
+
+    /// <param name="why">On the key; null: nothing.</param>
+    private static void Says(Operator here, string key, string? why, string tip)
+    {
+        here.Step();
+        var button = here.Find<Button>(key);
+        Assert.StartsWith(tip, (string)ToolTip.GetTip(button)!, StringComparison.Ordinal);
+        Assert.True(ToolTip.GetShowOnDisabled(button));
+        if (key == "HoldKey") return;
+        Assert.Equal(why is null, button.IsEffectivelyEnabled);
+        var text = here.Find<TextBlock>(key.Replace("Key", "WhyText", StringComparison.Ordinal));
+        Assert.Equal((why ?? "", why is not null), (text.Text, text.IsEffectivelyVisible));
+    }
+}

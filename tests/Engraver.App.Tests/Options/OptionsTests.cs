@@ -1,0 +1,153 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.App.Options;
+using Engraver.TestKit;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.Tests.Options;
+
+[Collection(DesktopCollection.Name)]
+public sealed class OptionsTests(DesktopFixture fixture)
+{
+    [Theory]
+    [InlineData("typed")]
+    [InlineData("inside another")]
+    public Task OPTIONS_opens_the_sheet_and_the_machine_strip_stays(string how) => fixture.WithOperator(here =>
+    {
+        if (how == "typed") here.Enter("OPTIONS");
+        else here.Enter("DIST", "'OPTIONS");
+        here.Until(() => here.Window.Model.Options.IsOpen);
+        here.Step();
+
+        Assert.True(here.Find<TextBox>("SearchBox").IsFocused);
+        var sheet = here.Find<OptionsView>("OptionsSheet");
+        Assert.False(new Rect(sheet.TranslatePoint(default, here.Window)!.Value, sheet.Bounds.Size).Intersects(here.Window.StopArea));
+        Assert.Equal(how == "typed" ? null : "DIST", here.Desk.Prompt.Command);
+        here.Hands.Press(Key.Escape);
+        here.Step();
+        Assert.False(here.Window.Model.Options.IsOpen);
+        Assert.Equal(how == "typed" ? null : "DIST", here.Desk.Prompt.Command);
+    });
+
+    [Fact]
+    public Task With_a_dash_it_asks_at_the_command_line() => fixture.WithOperator(here =>
+    {
+        here.Enter("-OPTIONS");
+        Assert.Equal(("OPTIONS", false), (here.Desk.Prompt.Command, here.Window.Model.Options.IsOpen));
+        here.Enter("PICKBOX", "9");
+
+        Assert.Equal(9.0, here.Commands.Settings.Current.Variables["PICKBOX"]);
+    });
+
+    [Fact]
+    public Task Pages_show_the_settings_and_a_search_finds_across_them() => fixture.WithOperator(here =>
+    {
+        Open(here);
+        Assert.Equal(["Drawing", "Toolpath", "Feeds", "Screen and commands", "Drafting aids"], here.Window.Model.Options.Pages);
+        here.Hands.Type("wheel");
+        here.Step();
+        Assert.Equal(["ZOOMFACTOR", "ZOOMWHEEL"], here.Window.Model.Options.Shown.Select(row => row.Entry.Key).Order(StringComparer.Ordinal));
+        here.Click(here.Find<ListBox>("OptionPages").GetVisualDescendants().OfType<ListBoxItem>().Single(item => Equals(item.DataContext, "Feeds")));
+        here.Step();
+
+        Assert.Equal(["feed", "vector-speed", "rapid", "acceleration"], here.Window.Model.Options.Shown.Select(row => row.Entry.Key));
+        Assert.Equal("", here.Window.Model.Options.Search);
+    });
+
+    [Fact]
+    public Task OK_takes_by_the_commands_so_that_UNDO_takes_it_back() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        Open(here);
+        Field<TextBox>(here, "max-error").Text = "0.02";
+        Show(here, "Toolpath");
+        Field<ComboBox>(here, "order").SelectedItem = "Drawn";
+        Show(here, "Drafting aids");
+        Field<CheckBox>(here, "ORTHOMODE").IsChecked = true;
+        here.Click(here.Find<Button>("OptionsTake"));
+        here.Until(() => !here.Window.Model.Options.IsOpen);
+        here.Rest();
+
+        Assert.Equal((0.02, "Drawn", true), (here.Commands.Document.Current.Settings.MaxErrorMm, here.Commands.Document.Current.Settings.Order.ToString(), here.Commands.View.Current.Ortho));
+        Assert.Contains(here.History, line => line.Contains("CNCMAXERR", StringComparison.Ordinal));
+        here.Enter("U", "U");
+        Assert.NotEqual(0.02, here.Commands.Document.Current.Settings.MaxErrorMm);
+    });
+
+    [Fact]
+    public Task A_wrong_value_is_told_beside_its_field_and_nothing_is_taken() => fixture.WithOperator(here =>
+    {
+        Open(here);
+        Field<TextBox>(here, "max-error").Text = "-3";
+        here.Step();
+        Assert.Contains(here.Find<OptionsView>("OptionsSheet").GetVisualDescendants().OfType<TextBlock>(), text => text is { IsEffectivelyVisible: true } && text.Text?.Contains("-3 is not allowed", StringComparison.Ordinal) == true);
+        Show(here, "Toolpath");
+        Field<ComboBox>(here, "order").SelectedItem = "Drawn";
+        here.Click(here.Find<Button>("OptionsApply"));
+        here.Rest();
+
+        Assert.True(here.Window.Model.Options.IsOpen);
+        Assert.Equal("Drawing", here.Window.Model.Options.Page); // where the wrong one is
+        Assert.Equal("Nearest", here.Commands.Document.Current.Settings.Order.ToString());
+        here.Click(here.Find<Button>("OptionsCancel"));
+        Assert.False(here.Window.Model.Options.IsOpen);
+    });
+
+    [Fact]
+    public Task What_a_command_refuses_is_told_beside_the_setting() => fixture.WithOperator(here =>
+    {
+        Open(here, "Toolpath");
+        Field<ComboBox>(here, "kerf").SelectedItem = "Outside"; // and no diameter
+        here.Click(here.Find<Button>("OptionsTake"));
+        here.Until(() => Row(here, "kerf").IsWrong);
+        here.Rest();
+        Assert.Null(here.Desk.Prompt.Command);
+        Field<TextBox>(here, "tool-diameter").Text = "3";
+        here.Click(here.Find<Button>("OptionsTake"));
+        here.Until(() => !here.Window.Model.Options.IsOpen);
+
+        Assert.Equal(("Outside", 3.0), (here.Commands.Document.Current.Settings.Kerf.ToString(), here.Commands.Document.Current.Settings.ToolDiameterMm));
+    });
+
+    [Fact]
+    public Task While_a_job_runs_it_opens_and_what_belongs_to_the_job_is_refused() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
+        _ = here.Desk.RunAsync("OPTIONS");
+        here.Until(() => here.Window.Model.Options.IsOpen);
+        here.Step();
+        Show(here, "Feeds");
+        Field<TextBox>(here, "feed").Text = "77";
+        here.Click(here.Find<Button>("OptionsApply"));
+        here.Until(() => Row(here, "feed").IsWrong);
+        Assert.StartsWith("CNCFEED may change the drawing", Row(here, "feed").Wrong, StringComparison.Ordinal);
+        Assert.True(here.Commands.Machine.IsRunning);
+        here.Hands.Press(Key.Pause);
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+    });
+
+    private static void Open(Operator here, string? page = null)
+    {
+        here.Enter("OPTIONS");
+        here.Until(() => here.Window.Model.Options.IsOpen);
+        here.Step();
+        if (page is not null) Show(here, page);
+    }
+
+    private static void Show(Operator here, string page)
+    {
+        here.Window.Model.Options.Page = page;
+        here.Step();
+    }
+
+    private static OptionRow Row(Operator here, string key) => here.Window.Model.Options.Shown.Single(row => row.Entry.Key == key);
+
+    private static T Field<T>(Operator here, string key)
+        where T : Control => here.Find<ItemsControl>("SettingList").GetVisualDescendants().OfType<T>().Single(field => Equals(field.Tag, key) && field.IsVisible);
+}

@@ -1,0 +1,108 @@
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.TestKit;
+
+namespace Engraver.App.Tests.StatusBar;
+
+/// <summary>A computation that takes long says in the status bar what it is, how far it is and how it is ended; and Esc ends it with nothing changed.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class LongWorkTests(DesktopFixture fixture)
+{
+    [Fact]
+    public async Task Planning_shows_itself_and_Esc_ends_it_and_REGEN_begins_it_again()
+    {
+        var clock = new ManualTimeProvider();
+        await fixture.WithOperator(here =>
+        {
+            using var goOn = new ManualResetEventSlim();
+            here.Commands.Derivation.Progress.Changed += Hold;
+            here.Hands.Type("open");
+            here.Hands.Press(Key.Enter);
+            here.Until(() => here.Desk.Prompt.Command == "OPEN");
+            here.Hands.Type("paper-001.dxf");
+            here.Hands.Press(Key.Enter);
+            var text = here.Find<TextBlock>("WorkText");
+            here.Until(() => text.IsEffectivelyVisible);
+            Assert.Equal("planning: contours and their order, 10 %, Esc ends it", text.Text);
+            here.Show("Job");
+            Assert.Contains(Hints(here), hint => hint.Text == "The job is being planned: contours and their order.");
+            var before = here.Commands.Document.Current;
+            here.Hands.Press(Key.Escape);
+            here.Until(() => !text.IsEffectivelyVisible);
+            goOn.Set();
+            here.Commands.Derivation.Progress.Changed -= Hold;
+            here.Rest();
+
+            Assert.True(here.Commands.Derivation.IsGivenUp);
+            Assert.Same(before, here.Commands.Document.Current);
+            Assert.Null(here.Desk.Derived.Job);
+            Assert.Contains(here.History, line => line.StartsWith("Planning was ended", StringComparison.Ordinal));
+            Assert.Contains(Hints(here), hint => hint.Text == "Planning was ended with Esc. REGEN plans the job again.");
+            _ = here.Desk.SelectAsync(_ => [0], remove: false); // selecting begins nothing
+            here.Rest();
+            Assert.True(here.Commands.Derivation.IsGivenUp);
+            here.Enter("REGEN");
+            here.Until(() => here.Desk.Derived.Job is not null);
+            Assert.DoesNotContain(Hints(here), hint => hint.IsVisible);
+
+            void Hold(object? sender, EventArgs e)
+            {
+                if (here.Commands.Derivation.Progress.Stage?.Key == "Order") goOn.Wait(TimeSpan.FromSeconds(60));
+            }
+        }, clock: clock);
+    }
+
+    private static IEnumerable<TextBlock> Hints(Operator here) => here.Window.GetVisualDescendants().OfType<TextBlock>().Where(text => text.Name == "HintText");
+
+    /// <summary>Esc has nearer things to end: what is typed, asked or selected.</summary>
+    [Fact]
+    public Task Esc_that_clears_a_selection_does_not_end_the_planning() => fixture.WithOperator(here =>
+    {
+        using var goOn = new ManualResetEventSlim();
+        here.Open("paper-001.dxf");
+        here.Commands.Document.Select([0], []);
+        here.Commands.Derivation.Progress.Changed += Hold;
+        here.Hands.Type("cncmaxerr 0.02 ");
+        here.Until(() => here.Commands.Derivation.Progress.Stage?.Key == "Order");
+        here.Commands.Document.Select([0], []);
+        here.Hands.Press(Key.Escape);
+        here.Until(() => here.Commands.Document.Current.Selection.Count == 0);
+        goOn.Set();
+        here.Rest();
+
+        Assert.False(here.Commands.Derivation.IsGivenUp);
+        Assert.Equal(0.02, here.Desk.Derived.Current.State.Settings.MaxErrorMm);
+        here.Commands.Derivation.Progress.Changed -= Hold;
+
+        void Hold(object? sender, EventArgs e)
+        {
+            if (here.Commands.Derivation.Progress.Stage?.Key == "Order") goOn.Wait(TimeSpan.FromSeconds(60));
+        }
+    });
+
+    /// <summary>OPEN waits for its drawing, which nobody gives it.</summary>
+    [Fact]
+    public async Task A_command_at_work_is_named()
+    {
+        await fixture.WithOperator(here =>
+        {
+            using var folder = new Start.TemporaryDesktopFolder();
+            var path = NamedPipe.Make(Path.Combine(folder.Path, "slow.dxf"));
+            var writer = NamedPipe.WriterAsync(path);
+            here.Enter("open");
+            here.Hands.Type(path);
+            here.Hands.Press(Key.Enter);
+            var text = here.Find<TextBlock>("WorkText");
+            here.Until(() => text.IsEffectivelyVisible && writer.IsCompleted);
+
+            Assert.Equal("OPEN is at work, Esc ends it", text.Text);
+            Assert.True(here.Find<ProgressBar>("WorkLine").IsIndeterminate);
+            here.Hands.Press(Key.Escape);
+            here.Until(() => text.Text == "OPEN is ending ...");
+            writer.GetAwaiter().GetResult().Dispose();
+            here.Rest();
+            Assert.False(text.IsEffectivelyVisible);
+        }, clock: new ManualTimeProvider());
+    }
+}

@@ -1,0 +1,182 @@
+using Engraver.TestKit;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>Commands beside one that is at work, which here works until it is let go.</summary>
+public sealed class BesideCommandTests : IAsyncDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-beside-");
+    private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
+    private readonly List<CommandMessage> _said = [];
+    private readonly WorkCommand _work = new();
+    private readonly CommandSession _session;
+
+    public BesideCommandTests()
+    {
+        var built = CommandCatalog.Built();
+        _session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, new CommandCatalog([.. built.All.Select(info => built.Find(info.Name)!), _work]));
+        _session.Said += (_, message) =>
+        {
+            lock (_said) _said.Add(message);
+        };
+        _session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Circle(20, 5, 3).Build() });
+    }
+
+    [Fact]
+    public async Task What_only_looks_is_run_and_may_ask()
+    {
+        var working = EnterAsync("WORK");
+        Assert.True(_session.IsBusy);
+        Assert.IsType<InputResult.Done>(await EnterAsync("ZOOM E"));
+        Assert.IsType<InputResult.Asking>(await EnterAsync("DIST"));
+        Assert.Equal(("DIST", "WORK"), (_session.Prompt.Command, _session.Running));
+        Assert.IsType<InputResult.NotUnderstood>(await EnterAsync("here"));
+        Assert.IsType<InputResult.Asking>(await EnterAsync("0,0"));
+        Assert.IsType<InputResult.Done>(await EnterAsync("0,5"));
+        Assert.Contains(_said, message => message.Text.StartsWith("Distance = 5", StringComparison.Ordinal));
+        Assert.IsType<InputResult.Asking>(await EnterAsync("LIST"));
+        await _session.CancelAsync();
+        Assert.True(_session.IsBusy);
+
+        _work.LetGo();
+        Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
+        Assert.Equal("WORK", Assert.Single(_session.Document.UndoNames.Take(1)));
+    }
+
+    [Theory]
+    [InlineData("OSNAP")]
+    [InlineData("HELP")]
+    [InlineData("-OPTIONS")]
+    public async Task CNCSTOP_is_a_command_whatever_is_asked_beside_the_work_and_never_an_answer(string asks)
+    {
+        var working = EnterAsync("WORK");
+        Assert.IsType<InputResult.Asking>(await EnterAsync(asks));
+        await EnterAsync("CNCSTOP");
+
+        Assert.Null(_session.Prompt.Command);
+        Assert.DoesNotContain(_said, message => message.Text.Contains("'CNCSTOP'", StringComparison.Ordinal));
+        Assert.Contains(_said, message => message.Text == "No job runs.");
+        _work.LetGo();
+        await working.WaitAsync(_limit.Token);
+    }
+
+    [Fact]
+    public async Task A_setting_of_the_drawing_is_not_changed_in_the_middle_of_a_command_that_draws()
+    {
+        await EnterAsync("LINE");
+        await EnterAsync("0,0");
+        await EnterAsync("10,0");
+        await EnterAsync("'-OPTIONS");
+        Assert.Contains("CNCFEED", Assert.IsType<InputResult.Failed>(await EnterAsync("CNCFEED")).Sentence, StringComparison.Ordinal);
+        Assert.Equal("LINE", _session.Prompt.Command);
+    }
+
+    [Theory]
+    [InlineData("ERASE", "ERASE may change the drawing or its job and is not run while WORK is at work: enter it again when that has ended.")]
+    [InlineData("OPEN", "OPEN may change the drawing or its job and is not run while WORK is at work: enter it again when that has ended.")]
+    [InlineData("CNCHOME", "CNCHOME acts on the machine and is not run while WORK is at work: enter it again when that has ended. CNCSTOP, CNCHOLD and what only looks are heard.")]
+    [InlineData("FOO", "Unknown command 'FOO'; HELP lists what there is.")]
+    public async Task Everything_else_is_refused_with_the_reason(string typed, string reason)
+    {
+        var working = EnterAsync("WORK");
+        Assert.Equal(reason, Assert.IsType<InputResult.NotUnderstood>(await EnterAsync(typed)).Sentence);
+        _work.LetGo();
+        Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
+    }
+
+    [Fact]
+    public async Task Every_command_of_the_catalogue_is_heard_or_refused_and_none_changes_anything()
+    {
+        var working = EnterAsync("WORK");
+        var before = _session.Document.Current;
+        foreach (var info in _session.Catalog.All.Where(info => info.Name != "WORK"))
+        {
+            var result = await EnterAsync(info.Name);
+            Assert.True(info.IsHeardBeside == result is not InputResult.NotUnderstood, $"{info.Name}: {result}");
+            await _session.EndBesideAsync();
+        }
+
+        Assert.Same(before, _session.Document.Current);
+        _work.LetGo();
+        Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
+    }
+
+    [Theory]
+    [InlineData("HISTORY", "Open")]
+    [InlineData("-OPTIONS", "CNCMAXERR")]
+    public async Task The_part_of_a_looking_command_that_changes_the_document_is_refused(string command, string option)
+    {
+        var working = EnterAsync("WORK");
+        var before = _session.Document.Current;
+        await EnterAsync(command);
+        var result = await EnterAsync(option);
+        if (result is InputResult.Asking) result = await EnterAsync("0.5");
+        Assert.IsType<InputResult.Failed>(result);
+        Assert.Same(before, _session.Document.Current);
+        _work.LetGo();
+        await working.WaitAsync(_limit.Token);
+    }
+
+    [Fact]
+    public async Task Esc_while_it_works_leaves_the_document_as_it_was_however_late_it_looks()
+    {
+        var before = _session.Document.Current;
+        var working = EnterAsync("WORK");
+        await _session.CancelAsync();
+        Assert.True(_session.IsEnding);
+        _work.LetGo();
+
+        Assert.IsType<InputResult.Cancelled>(await working.WaitAsync(_limit.Token));
+        Assert.Same(before, _session.Document.Current);
+        Assert.DoesNotContain("WORK", _session.Document.UndoNames);
+    }
+
+    [Fact]
+    public void A_selection_made_meanwhile_is_only_of_the_drawing_that_was_seen()
+    {
+        var drawing = _session.Document.Current.Drawing!;
+        _session.Document.SelectIn(drawing, _ => [1]);
+        Assert.Equal([1], _session.Document.Current.Selection);
+        _session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Build() });
+        _session.Document.SelectIn(drawing, _ => [1]);
+
+        Assert.Empty(_session.Document.Current.Selection);
+    }
+
+    [Fact]
+    public void Suggestions_are_all_names_that_match_prefix_first_and_the_stop_before_its_neighbours()
+    {
+        var names = _session.Suggest("cnc").Where(found => found.Alias is null).Select(found => found.Command.Name).ToList();
+        Assert.Equal("CNCSTOP", names[0]);
+        Assert.Equal(_session.Catalog.All.Count(info => info.Name.Contains("CNC", StringComparison.Ordinal)), names.Count);
+        Assert.Equal(["OVERKILL", "CNCOVERRIDE", "CNCRECOVER"], _session.Suggest("OVER").Where(found => found.Alias is null).Select(found => found.Text));
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        _work.LetGo();
+        await _session.DisposeAsync();
+        _limit.Dispose();
+        _folder.Delete(recursive: true);
+    }
+
+    private Task<InputResult> EnterAsync(string input) => _session.EnterAsync(input, _limit.Token);
+
+    /// <summary>Is at work until it is let go, looks at no cancellation meanwhile, and then takes a step.</summary>
+    private sealed class WorkCommand : ICommand
+    {
+        private readonly TaskCompletionSource _go = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+        public CommandInfo Info { get; } = new("WORK", CommandGroup.Drawing);
+
+        public void LetGo() => _go.TrySetResult();
+
+        public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+        {
+            await _go.Task;
+            context.Take(context.Document.Current with { Settings = context.Document.Current.Settings with { MaxErrorMm = 0.25 } });
+        }
+    }
+}
