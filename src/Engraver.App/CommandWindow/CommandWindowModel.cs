@@ -68,8 +68,8 @@ public sealed class CommandWindowModel : Observable
         set => Set(ref _suggested, value);
     }
 
-    /// <summary>True when Space ends the input, as Enter does: everywhere but in an answer that may hold spaces.</summary>
-    public bool SpaceSubmits => !_desk.Prompt.TakesSpaces;
+    /// <summary>True when Space ends the input, as Enter does: everywhere but in an answer that may hold spaces, and in a path, which may be typed before the command has asked for it.</summary>
+    public bool SpaceSubmits => !_desk.Prompt.TakesSpaces && !TypedFileName.IsPath(_line);
 
     /// <summary>Enter (or Space): the line goes to the command session.</summary>
     public void Submit()

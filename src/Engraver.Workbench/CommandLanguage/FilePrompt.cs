@@ -54,6 +54,13 @@ public static class TypedFileName
     /// <summary>The path as it has to be written at a prompt, so that it is read back as it is.</summary>
     public static string Write(string path) => Read(path) == path && path.Trim() == path ? path : $"\"{path}\"";
 
+    /// <summary>True for what can only be the beginning of a file's name: a quote, a path from the root or from the home folder, a file address. No command, option or point begins so.</summary>
+    public static bool IsPath(string typed)
+    {
+        ArgumentNullException.ThrowIfNull(typed);
+        return typed is ['"' or '/' or '\\', ..] or ['~', '/' or '\\', ..] or [_, ':', '/' or '\\', ..] || typed.StartsWith("file:", StringComparison.OrdinalIgnoreCase);
+    }
+
     private static string Unquoted(string name) => name is ['"', .., '"'] or ['\'', .., '\''] ? name[1..^1] : name;
 
     private static string AtHome(string name)

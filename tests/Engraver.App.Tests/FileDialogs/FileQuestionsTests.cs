@@ -170,6 +170,21 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         here.Rest();
     });
 
+    /// <summary>The command has not asked yet: a space within a path is a letter nevertheless.</summary>
+    [Fact]
+    public Task A_path_that_is_typed_at_once_keeps_its_spaces() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Rest();
+        here.Hands.Type("saveas ");
+        var path = Path.Combine(_folder.FullName, "my second plate");
+        here.Hands.Type(path);
+        here.Enter("");
+
+        Assert.Equal("my second plate.dxf", Path.GetFileName(here.Commands.Document.FilePath));
+        Assert.Equal([path + ".dxf"], Directory.GetFiles(_folder.FullName));
+    });
+
     [Fact]
     public Task What_was_typed_ahead_goes_into_the_name() => fixture.WithOperator(here =>
     {

@@ -2,8 +2,10 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
+using Engraver.App.HandMoves;
 using Engraver.App.Tabs;
 using Engraver.App.Terminals;
+using Engraver.Core.Geometry;
 
 namespace Engraver.App.Tests.Shell;
 
@@ -115,10 +117,11 @@ public sealed class KeyboardTests(DesktopFixture fixture)
     {
         here.Enter("CNCCONNECT", "sim:");
         here.Show("Machine");
-        Open(here, "FileSheet");
+        here.Find<JogPad>("Pad").Focus();
+        Assert.True(here.Find<JogPad>("Pad").IsFocused);
+        _ = here.Desk.RunAsync("OPEN");
         here.Until(() => here.Find<UserControl>("FileSheet").IsVisible);
         here.Rest();
-        here.Find<HandMoves.JogPad>("Pad").Focus();
         here.Hands.KeyDown(Key.Left);
         here.Step();
         here.Hands.KeyUp(Key.Left);
@@ -126,7 +129,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
 
         Assert.False(here.Commands.Machine.IsRunning);
         Assert.DoesNotContain(here.History, line => line.Contains("CNCJOG", StringComparison.Ordinal));
-        Assert.Equal(0.0, here.Commands.Machine.Status.Position?.XMm ?? 0.0);
+        Assert.Equal(new Point2D(0, 0), here.Commands.Machine.Status.MachinePosition ?? new Point2D(0, 0));
     });
 
     private static void Open(Operator here, string sheet)

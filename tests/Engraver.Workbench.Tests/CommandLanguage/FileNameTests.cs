@@ -84,4 +84,20 @@ public class FileNameTests
         Assert.Empty(SettingsFile.Load(path, TimeProvider.System).Settings.FileFolders);
         folder.Delete(recursive: true);
     }
+
+    [Theory]
+    [InlineData("\"my plate", true)]
+    [InlineData("/tmp/my", true)]
+    [InlineData("~/my", true)]
+    [InlineData("C:\\my", true)]
+    [InlineData("\\\\server\\my", true)]
+    [InlineData("file:///tmp/my", true)]
+    [InlineData("my", false)]
+    [InlineData("", false)]
+    [InlineData("-LAYER", false)]
+    [InlineData("_LINE", false)]
+    [InlineData("'ZOOM", false)]
+    [InlineData("@10<45", false)]
+    [InlineData("10,20", false)]
+    public void A_path_is_known_by_its_beginning(string typed, bool isPath) => Assert.Equal(isPath, TypedFileName.IsPath(typed));
 }

@@ -44,12 +44,12 @@ public class PropertyTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("ELLIPSE", "A", "-10,0", "10,0", "5", "0", "180");
-        var before = Assert.Single(talk.State.Drawing!.Entities);
+        var before = talk.State.Drawing!.Entities[0];
         var segments = talk.State.Drawing!.Parts.Count;
         var result = await talk.TypeAsync("CHPROP", "ALL", "", "StartX", "12");
 
         Assert.IsType<InputResult.Failed>(result);
-        Assert.Equal((before, segments), (Assert.Single(talk.State.Drawing!.Entities), talk.State.Drawing!.Parts.Count));
+        Assert.Equal((1, before, segments), (talk.State.Drawing!.Entities.Count, talk.State.Drawing!.Entities[0], talk.State.Drawing!.Parts.Count));
     }
 
     [Theory]

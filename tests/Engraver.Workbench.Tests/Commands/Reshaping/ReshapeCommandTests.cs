@@ -71,6 +71,17 @@ public class ReshapeCommandTests
         Assert.Contains("1 object had no end in a box", talk.Said, StringComparison.Ordinal);
     }
 
+    /// <summary>As COPY and MOVE offer it: Enter at "Specify displacement" takes the one before.</summary>
+    [Fact]
+    public async Task Stretch_remembers_its_displacement()
+    {
+        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        await talk.TypeAsync("STRETCH", "C", "9,-1", "11,1", "", "D", "2.5,1");
+        await talk.TypeAsync("STRETCH", "C", "12,0", "13,2", "", "D", "");
+
+        Assert.Equal(["Line: 0,0>15,2"], Shape.All(talk));
+    }
+
     [Fact]
     public async Task Stretch_is_seen_before_the_click()
     {
