@@ -22,10 +22,11 @@ internal static class PostBenchmark
         return [.. files.Take(most)];
     }
 
-    /// <summary>The rows, one after the other, each followed by what was not verified.</summary>
-    public static async IAsyncEnumerable<string> RowsAsync(IReadOnlyList<string> files, [System.Runtime.CompilerServices.EnumeratorCancellation] CancellationToken stop)
+    /// <summary>The rows, one after the other, each followed by what was not verified and by the program that took most processor time.</summary>
+    /// <param name="target">Name of the only target; null: all.</param>
+    public static async IAsyncEnumerable<string> RowsAsync(IReadOnlyList<string> files, string? target, [System.Runtime.CompilerServices.EnumeratorCancellation] CancellationToken stop)
     {
-        foreach (var entry in PostTable.All)
+        foreach (var entry in PostTable.All.Where(entry => target is null || entry.Post.Name == target))
         {
             IEnumerable<string> dialects = entry.Dialects.Count == 0 ? [""] : entry.Dialects.Keys;
             foreach (var dialect in dialects)
@@ -34,6 +35,7 @@ internal static class PostBenchmark
                 foreach (var file in files) await MeasureAsync(row, file, entry, dialect, stop).ConfigureAwait(false);
                 yield return row.ToMarkdown();
                 foreach (var failure in row.Failures) yield return failure;
+                yield return row.Slowest;
             }
         }
     }
@@ -47,7 +49,7 @@ internal static class PostBenchmark
         var before = Environment.CpuUsage.TotalTime;
         var posted = PostedProgram.Create(drawing, settings, entry.Post, options);
         var between = Environment.CpuUsage.TotalTime;
-        row.AddPosted(posted.Text, (between - before).TotalSeconds);
+        row.AddPosted(Path.GetFileName(file), posted.Text, (between - before).TotalSeconds);
         if (posted.Text is not { } text || entry.Reader is not { } usual) return;
         var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), dialect.Length == 0 ? usual : entry.Dialects[dialect], drawing, settings, progress: null, stop).ConfigureAwait(false);
         row.AddVerified(Path.GetFileName(file), report, drawing.HasErrors, (Environment.CpuUsage.TotalTime - between).TotalSeconds);
@@ -65,11 +67,16 @@ internal sealed class PostFigure(string target)
     private int _verified;
     private double _posting;
     private double _verifying;
+    private double _longest;
 
     public List<string> Failures { get; } = [];
 
-    public void AddPosted(string? text, double seconds)
+    /// <summary>The program that took most processor time to post or to verify; a line.</summary>
+    public string Slowest { get; private set; } = "";
+
+    public void AddPosted(string name, string? text, double seconds)
     {
+        AddTime(name, "post", seconds);
         _posting += seconds;
         if (text is null) _unwritten++;
         else (_programs, _lines, _bytes) = (_programs + 1, _lines + text.Count(sign => sign == '\n'), _bytes + text.Length);
@@ -77,10 +84,18 @@ internal sealed class PostFigure(string target)
 
     public void AddVerified(string name, VerificationReport report, bool isDamaged, double seconds)
     {
+        AddTime(name, "verify", seconds);
         _verifying += seconds;
         _worst = Math.Max(_worst, report.MaxDeviationMm ?? 0.0);
         if (report.Ok) _verified++;
         else Failures.Add($"  {target} {name}: {(isDamaged ? "damaged drawing; " : "")}{string.Join(' ', report.Diagnostics.Select(finding => finding.Sentence).Take(1))} extra {report.ExtraLengthMm.ToString("0.####", CultureInfo.InvariantCulture)}");
+    }
+
+    private void AddTime(string name, string work, double seconds)
+    {
+        if (seconds <= _longest) return;
+        _longest = seconds;
+        Slowest = string.Create(CultureInfo.InvariantCulture, $"  {target}: slowest {work} {name} {seconds:0.##} s");
     }
 
     public string ToMarkdown() => string.Create(CultureInfo.InvariantCulture, $"| {target} | {_programs} | {_unwritten} | {_lines} | {_bytes} | {_worst:0.#####} | {_verified} | {_posting:0.##} | {_verifying:0.##} |");

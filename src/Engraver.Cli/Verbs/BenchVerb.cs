@@ -9,6 +9,7 @@ using Engraver.Benchmarks.Stops;
 using Engraver.Benchmarks.Trajectories;
 using Engraver.Cli.Options;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Verbs;
 
@@ -103,12 +104,14 @@ internal static class BenchVerb
             foreach (var folder in result.Tokens.Where(token => !Directory.Exists(token.Value))) result.AddError(Wording.Get("Bench.NoFolder", folder.Value));
         });
         var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMost"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 60.0 };
-        var command = new Command("posts", Wording.Get("Bench.Posts")) { folders, most };
+        var target = new Option<string?>("--target") { HelpName = "NAME", Description = Wording.Get("Bench.PostTarget") };
+        target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
+        var command = new Command("posts", Wording.Get("Bench.Posts")) { folders, most, target };
         command.SetAction(async (parsed, stop) =>
         {
             var files = PostBenchmark.Choose(parsed.GetRequiredValue(folders), (int)parsed.GetValue(most), LargestPosted, PostSeed);
             await SayAsync(host, PostBenchmark.Head, stop).ConfigureAwait(false);
-            await foreach (var row in PostBenchmark.RowsAsync(files, stop).ConfigureAwait(false)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            await foreach (var row in PostBenchmark.RowsAsync(files, parsed.GetValue(target), stop).ConfigureAwait(false)) await SayAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;
