@@ -41,7 +41,7 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>The handle for commands; when its link is lost and the second handle still works, that one.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, except on a serial line.</summary>
+    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, on a serial line only for the bytes that are under way (<see cref="CommandChannel.UrgeAsync"/>).</summary>
     public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
 
     /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and on a serial line the echo.</summary>
