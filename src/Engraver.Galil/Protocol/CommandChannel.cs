@@ -268,13 +268,13 @@ public sealed partial class CommandChannel : IAsyncDisposable
         while (true)
         {
             if (_echo?.Harm is { } heard) throw await HarmedAsync(text, heard).ConfigureAwait(false);
+            if (_echo?.UrgentHarm is not null) return null;
             if (_framer.TryTake(out var frame))
             {
                 _trace?.Write(_name, '<', frame.Data + (frame.Accepted ? ":" : "?"));
                 return frame;
             }
 
-            if (_echo?.UrgentHarm is not null) return null;
             await ReadSomeAsync(text).ConfigureAwait(false);
         }
     }

@@ -80,6 +80,45 @@ public sealed class OfferedClockTests : IDisposable
         Assert.True(clock.GetElapsedTime(0, clock.GetTimestamp()) >= TimeSpan.FromMilliseconds(1020));
     }
 
+    /// <summary>A controller that still counted the host would let no time pass: its machine would never come to rest.</summary>
+    [Fact]
+    public async Task A_clock_that_does_not_answer_as_one_is_given_back()
+    {
+        var taking = Task.Run(() => OfferedClock.Take(Port));
+        using var other = await _other.AcceptSocketAsync();
+        await AnswerAsync(other, "1000000\n");
+        using var clock = await taking;
+        clock.Heard();
+        var asking = Task.Run(clock.GetTimestamp);
+        await AnswerAsync(other, "what?\n");
+        await asking;
+
+        Assert.Equal("", await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1)));
+    }
+
+    /// <summary>As an operator's stop ends the pause between two looks at the machine, and the stop's own pause begins inside the call that ends it.</summary>
+    [Fact]
+    public async Task A_wait_that_begins_as_another_is_cancelled_is_asked_for()
+    {
+        var taking = Task.Run(() => OfferedClock.Take(Port));
+        using var other = await _other.AcceptSocketAsync();
+        await AnswerAsync(other, "1000000\n");
+        using var clock = await taking;
+        using var stop = new CancellationTokenSource();
+        var starting = Task.Run(() => Task.Delay(TimeSpan.FromSeconds(10), clock, stop.Token).ContinueWith(_ => Task.Delay(TimeSpan.FromMilliseconds(5), clock), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default).Unwrap());
+        await AnswerAsync(other, "1000000\n");
+        Assert.Equal("wait 10000000\n", await HeardAsync(other));
+        await stop.CancelAsync();
+        Assert.StartsWith("stop\n", await HeardAsync(other), StringComparison.Ordinal);
+        await other.SendAsync("1000000\n"u8.ToArray());
+
+        string heard;
+        do heard = await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1)); // a second stop may come before it
+        while (!heard.EndsWith("wait 5000\n", StringComparison.Ordinal));
+        await other.SendAsync("1005000\n"u8.ToArray());
+        await starting;
+    }
+
     private static async Task AnswerAsync(Socket other, string answer)
     {
         Assert.Equal("now\n", await HeardAsync(other));

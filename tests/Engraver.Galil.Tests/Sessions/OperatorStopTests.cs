@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;

@@ -135,6 +135,22 @@ public class HostClockTests
         Assert.Equal(200 * speed, controller.Status.Sample);
     }
 
+    /// <summary>A task goes on before the timer of its cancelled wait is disposed.</summary>
+    [Fact]
+    public async Task A_wait_that_begins_as_another_is_cancelled_lets_time_pass()
+    {
+        var wall = new StoppedTime();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20.0, Time = wall });
+        using var clock = controller.JoinClock();
+        using var stop = new CancellationTokenSource();
+        var second = Task.Delay(TimeSpan.FromSeconds(100), clock, stop.Token).ContinueWith(_ => Task.Delay(TimeSpan.FromSeconds(1), clock), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default).Unwrap();
+        await stop.CancelAsync();
+
+        for (var step = 0; step < 10; step++) wall.Advance(TimeSpan.FromSeconds(0.1));
+
+        await second.WaitAsync(TimeSpan.FromMinutes(1));
+    }
+
     [Fact]
     public async Task A_host_that_waits_for_an_answer_which_never_comes_reaches_its_time_out()
     {
