@@ -240,7 +240,7 @@ public sealed record SessionOptions
     /// <summary>Time without a reply after which the link counts as lost.</summary>
     public TimeSpan ReplyTimeout { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop is then sent after the next prompt.</summary>
+    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop then goes out behind the bytes under way.</summary>
     public bool SecondHandle { get; init; } = true;
 
     /// <summary>Receives every line on the wire; null for none.</summary>
