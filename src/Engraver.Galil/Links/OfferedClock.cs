@@ -112,7 +112,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         var now = due == Timeout.InfiniteTimeSpan || isWait ? 0 : GetTimestamp();
         lock (_gate)
         {
-            // Ended early, by a cancellation. What was told of it may have begun the next wait by now: a task goes on before its timer is disposed.
+            // Ended early, by a cancellation: the host is at work, unless it has begun another wait meanwhile.
             if (timer.IsWait && !isWait && _set.Contains(timer)) _isHostWaiting = _set.Exists(other => other.IsWait && other.Begun > timer.Begun);
             if (isWait) timer.Begun = ++_begun;
             timer.IsWait = isWait;

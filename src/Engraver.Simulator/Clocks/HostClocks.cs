@@ -36,7 +36,7 @@ internal sealed class HostClocks
     /// <param name="due">Ticks of controller time; <see cref="long.MaxValue"/> stops the timer.</param>
     public void Set(HostTimer timer, long due, long period, bool isWait)
     {
-        // A wait that is ended early, by a cancellation, leaves the host at work, unless what was told of it has begun the next wait by now: a task goes on before its timer is disposed.
+        // A wait that is ended early, by a cancellation, leaves the host at work, unless it has begun another one meanwhile.
         if (timer.IsWait && !isWait) timer.Host.IsWaiting = _set.Exists(other => other.Host == timer.Host && other.IsWait && other.Begun > timer.Begun);
         if (isWait) timer.Begun = ++_begun;
         (timer.Due, timer.Period, timer.IsWait) = (due, period, isWait);

@@ -96,19 +96,22 @@ public sealed class OfferedClockTests : IDisposable
         Assert.Equal("", await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1)));
     }
 
-    /// <summary>As an operator's stop ends the pause between two looks at the machine, and the stop's own pause begins inside the call that ends it.</summary>
+    /// <summary>As where somebody goes on before the wait that he gave up is disposed.</summary>
     [Fact]
-    public async Task A_wait_that_begins_as_another_is_cancelled_is_asked_for()
+    public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
     {
         var taking = Task.Run(() => OfferedClock.Take(Port));
         using var other = await _other.AcceptSocketAsync();
         await AnswerAsync(other, "1000000\n");
         using var clock = await taking;
-        using var stop = new CancellationTokenSource();
-        var starting = Task.Run(() => Task.Delay(TimeSpan.FromSeconds(10), clock, stop.Token).ContinueWith(_ => Task.Delay(TimeSpan.FromMilliseconds(5), clock), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default).Unwrap());
+        clock.Heard();
+        var starting = Task.Run(() => clock.CreateTimer(_ => { }, null, TimeSpan.FromSeconds(10), Timeout.InfiniteTimeSpan));
         await AnswerAsync(other, "1000000\n");
+        var given = await starting;
         Assert.Equal("wait 10000000\n", await HeardAsync(other));
-        await stop.CancelAsync();
+        var passed = new TaskCompletionSource();
+        await using var second = clock.CreateTimer(_ => passed.SetResult(), null, TimeSpan.FromMilliseconds(5), Timeout.InfiniteTimeSpan);
+        await given.DisposeAsync();
         Assert.StartsWith("stop\n", await HeardAsync(other), StringComparison.Ordinal);
         await other.SendAsync("1000000\n"u8.ToArray());
 
@@ -116,7 +119,7 @@ public sealed class OfferedClockTests : IDisposable
         do heard = await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1)); // a second stop may come before it
         while (!heard.EndsWith("wait 5000\n", StringComparison.Ordinal));
         await other.SendAsync("1005000\n"u8.ToArray());
-        await starting;
+        await passed.Task;
     }
 
     private static async Task AnswerAsync(Socket other, string answer)
