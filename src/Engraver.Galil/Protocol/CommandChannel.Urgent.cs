@@ -20,7 +20,7 @@ public sealed partial class CommandChannel
         None,
         Command,
 
-        /// <summary>A download, an upload, a record or a greeting: on a serial line its bytes are not told from those of another line.</summary>
+        /// <summary>A download, an upload or a record: on a serial line its bytes are not told from those of another line.</summary>
         Transfer,
     }
 

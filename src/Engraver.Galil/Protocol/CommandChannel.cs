@@ -211,7 +211,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
         var isDownload = text.EndsWith('\\');
         _trace?.Write(_name, '>', text);
         Expect(shape, recordLength, isDownload);
-        _underWay = isDownload || shape != ReplyShape.Text ? Exchange.Transfer : Exchange.Command;
+        _underWay = isDownload || shape is ReplyShape.Upload or ReplyShape.Record ? Exchange.Transfer : Exchange.Command;
         if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
         var count = Encoding.Latin1.GetBytes(text, _sent);
         if (!isDownload) _sent[count++] = (byte)'\r';

@@ -15,19 +15,20 @@ public enum EchoTime
 
 /// <summary>A controller of a few lines on a serial line at 19,200 baud: it echoes what it hears, answers what it knows and prompts for the rest. The answer to one line it keeps until told.</summary>
 /// <param name="answers">What is answered to a command, its line end included; "" is a prompt alone.</param>
-/// <param name="kept">The line whose answer is kept.</param>
-internal sealed class EchoingLink(Func<string, string> answers, string kept, EchoTime echo) : IControllerLink
+internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) : IControllerLink
 {
     private readonly Channel<byte[]> _said = Channel.CreateUnbounded<byte[]>();
     private readonly StringBuilder _behind = new();
     private string? _keeps;
-    private bool _hasKept;
     private bool _echoes;
     private int _greets; // lines of a greeting that are still to come
 
     public string Description => "echoing";
 
     public SerialLine? Line { get; } = new(19200);
+
+    /// <summary>The line whose answer is kept, once; null for none.</summary>
+    public string? Kept { private get; set; }
 
     /// <summary>What arrives instead of a line.</summary>
     public Func<string, string> Harm { private get; set; } = line => line;
@@ -73,10 +74,10 @@ internal sealed class EchoingLink(Func<string, string> answers, string kept, Ech
         _greets = Math.Max(0, _greets - 1);
         var heard = _echoes ? line + "\r" : "";
         if (line == "EO 1") _echoes = true;
-        if (line == kept && !_hasKept && heard.Length > 0)
+        if (line == Kept)
         {
             Say(heard);
-            (_keeps, _hasKept) = (replies, true);
+            (_keeps, Kept) = (replies, null);
         }
         else if (_keeps is null) Say(heard + replies);
         else Overtake(heard, replies);
@@ -97,5 +98,8 @@ internal sealed class EchoingLink(Func<string, string> answers, string kept, Ech
         _behind.Append(replies);
     }
 
-    private void Say(string text) => _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text));
+    private void Say(string text)
+    {
+        if (text.Length > 0) _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // nothing would be the end of the link
+    }
 }

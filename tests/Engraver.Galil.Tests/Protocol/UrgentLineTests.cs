@@ -16,8 +16,9 @@ public class UrgentLineTests
     [InlineData(EchoTime.AmidTheAnswer)]
     public async Task A_question_that_is_overtaken_has_its_own_answer_wherever_the_echo_comes(EchoTime echo)
     {
-        var link = new EchoingLink(Answer, "MG _RPA", echo);
+        var link = new EchoingLink(Answer, echo);
         await using var channel = await OpenAsync(link);
+        link.Kept = "MG _RPA";
         var late = channel.SendAsync("MG _RPA", CancellationToken.None).AsTask();
 
         await channel.UrgeAsync(Stop);
@@ -34,8 +35,9 @@ public class UrgentLineTests
     [InlineData(EchoTime.BeforeTheAnswer)]
     public async Task A_command_that_is_overtaken_has_its_own_answer(EchoTime echo)
     {
-        var link = new EchoingLink(Answer, "VP 1,2", echo);
+        var link = new EchoingLink(Answer, echo);
         await using var channel = await OpenAsync(link);
+        link.Kept = "VP 1,2";
         var late = channel.SendAsync("VP 1,2", CancellationToken.None).AsTask();
 
         await channel.UrgeAsync(Stop);
@@ -49,7 +51,7 @@ public class UrgentLineTests
     [Fact]
     public async Task On_a_free_line_it_goes_out_whole_and_the_echo_of_the_next_command_is_compared()
     {
-        var link = new EchoingLink(Answer, "", EchoTime.BehindTheAnswer);
+        var link = new EchoingLink(Answer, EchoTime.BehindTheAnswer);
         await using var channel = await OpenAsync(link);
 
         await channel.UrgeAsync(Stop);
@@ -63,8 +65,9 @@ public class UrgentLineTests
     [Fact]
     public async Task Where_the_echo_of_an_urgent_line_is_harmed_the_next_one_waits_for_its_turn()
     {
-        var link = new EchoingLink(Answer, "MG _RPA", EchoTime.AmidTheAnswer);
+        var link = new EchoingLink(Answer, EchoTime.AmidTheAnswer);
         await using var channel = await OpenAsync(link);
+        link.Kept = "MG _RPA";
         var late = channel.SendAsync("MG _RPA", CancellationToken.None).AsTask();
         await channel.UrgeAsync(Stop);
         link.Release();
@@ -76,6 +79,23 @@ public class UrgentLineTests
         Assert.Empty(link.Written);
         Assert.Equal(Accepted.Silent, await channel.SendAsync(Stop, CancellationToken.None));
         Assert.Equal(["CB 1\r", "STS\r", "ST AB\r", "HX0\r"], link.Written);
+    }
+
+    /// <summary>A line that carries something else than was said is greeted again; a stop meanwhile does not wait for that.</summary>
+    [Fact]
+    public async Task It_goes_out_while_a_harmed_line_is_greeted_again()
+    {
+        var link = new EchoingLink(Answer, EchoTime.BehindTheAnswer) { Harm = line => line == "VP 1,2" ? "VP 1,3" : line };
+        await using var channel = await OpenAsync(link);
+        link.Kept = "MG \"READY\"";
+        var harmed = channel.SendAsync("VP 1,2", CancellationToken.None).AsTask();
+
+        await channel.UrgeAsync(Stop);
+        Assert.Equal(Stop + "\r", link.Written[^1]);
+        link.Release();
+
+        await Assert.ThrowsAsync<EchoException>(() => harmed);
+        Assert.Equal(new Accepted("5.0000"), await channel.SendAsync("MG x", CancellationToken.None));
     }
 
     private static string Answer(string command) => command switch { "MG _RPA" => " 1111.0000\r\n", "MG x" => " 5.0000\r\n", "MG \"ECHO\"" => "ECHO\r\n", _ => "" };
