@@ -55,6 +55,7 @@ public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
         const int Halvings = 60;
         var count = Steps * curve.Spans.Length;
         var best = Enumerable.Range(0, count + 1).MinBy(step => curve.PointAt((double)step / count).DistanceTo(point));
+        if (best % count == 0 && curve.IsClosed) best = Leaving(0.0) > 0.0 ? count : 0; // at the seam of a closed curve: on which side of it
         var (from, to) = (Math.Max(0.0, (best - 1.0) / count), Math.Min(1.0, (best + 1.0) / count));
         if (Leaving(from) >= 0.0) return from;
         if (Leaving(to) <= 0.0) return to;

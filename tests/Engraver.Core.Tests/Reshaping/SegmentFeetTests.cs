@@ -43,8 +43,21 @@ public class SegmentFeetTests
             found += feet.Count + touches.Count;
             return feet.TrueForAll(foot => SegmentCrossings.IsOn(segment, foot) && Math.Abs((foot - from).Dot(TangentAt(segment, foot))) <= 1e-5 * (1.0 + foot.DistanceTo(from)))
                 && touches.TrueForAll(touch => SegmentCrossings.IsOn(segment, touch) && Math.Abs((touch - from).Cross(TangentAt(segment, touch))) <= 1e-5 * (1.0 + touch.DistanceTo(from)));
-        }).QuickCheckThrowOnFailure();
+        }).Check(Config.QuickThrowOnFailure.WithMaxTest(2000));
         Assert.True(found > 50, "Most arcs have feet.");
+    }
+
+    /// <summary>A place on a whole ellipse just before its seam lies at the end of the parameter, one just behind it at the beginning.</summary>
+    [Theory]
+    [InlineData(0.9999)]
+    [InlineData(0.99999)]
+    [InlineData(0.00001)]
+    [InlineData(0.0001)]
+    public void A_place_near_the_seam_of_an_ellipse_is_found_on_its_side(double fraction)
+    {
+        var whole = Segment.FromCurve(FreeCurves.Ellipse(3, 4, 20, 0.4, 30, 0, 360).ToCurve());
+
+        Assert.Equal(fraction, PathPlace.Nearest(0, whole, whole.PointAt(fraction)).Fraction, 9);
     }
 
     [Theory]
