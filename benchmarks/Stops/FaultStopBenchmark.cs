@@ -158,7 +158,7 @@ internal sealed record FaultStopFigure(string Fault, IReadOnlyList<double> Milli
     /// <summary>The longest garbage collection between a press and the wire, milliseconds.</summary>
     public double LongestPause { get; init; }
 
-    /// <summary>On a serial line: from the end of the exchange under way, ascending; null for TCP, where a stop does not wait for it.</summary>
+    /// <summary>On a serial line: from the end of the bytes under way, ascending; null for TCP, where a stop does not wait for them.</summary>
     public IReadOnlyList<double>? Behind { get; init; }
 
     /// <summary>The head of the table for a serial line.</summary>

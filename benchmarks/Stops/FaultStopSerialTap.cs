@@ -15,10 +15,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     /// <summary>Time stamp at which the line has carried everything that the host gave it.</summary>
     private double _free;
 
-    private long _sent;
-    private long _prompted;
-    private long _pressed = long.MaxValue;
-    private long _ended;
+    private double _underWay;
 
     /// <param name="baud">Bits per second.</param>
     private FaultStopSerialTap(string path, int baud)
@@ -33,7 +30,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     {
         get
         {
-            lock (_gate) return _ended == 0 ? 0.0 : Stopwatch.GetElapsedTime(_pressed, _ended).TotalMilliseconds;
+            lock (_gate) return _underWay;
         }
     }
 
@@ -47,7 +44,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
 
     public override void Press(long at)
     {
-        lock (_gate) _pressed = _sent > _prompted ? at : long.MaxValue;
+        lock (_gate) _underWay = Math.Max(0.0, _free - at) * 1000.0 / Stopwatch.Frequency;
     }
 
     /// <summary>The line ends with its controller.</summary>
@@ -55,30 +52,22 @@ internal sealed class FaultStopSerialTap : FaultStopWire
 
     private void Hear(ReadOnlyMemory<byte> bytes, bool fromHost)
     {
+        if (!fromHost) return;
         var came = Stopwatch.GetTimestamp();
-        var commands = new List<(string Text, long At)>();
-        lock (_gate)
-        {
-            if (fromHost) commands.AddRange(Carried(bytes.Span, came));
-            else if (bytes.Span.IndexOfAny(":?"u8) >= 0)
-            {
-                _prompted = came;
-                if (_pressed != long.MaxValue && _ended == 0) _ended = came;
-            }
-        }
-
+        List<(string Text, long At)> commands;
+        lock (_gate) commands = Carried(bytes.Span, came);
         foreach (var (text, at) in commands) Tell(text, at);
     }
 
+    /// <summary>The commands that end in these bytes, each with the time stamp at which its end has left the line: a semicolon ends a command as a CR does (galil-dmc.md A.3).</summary>
     private List<(string Text, long At)> Carried(ReadOnlySpan<byte> bytes, long came)
     {
         var commands = new List<(string, long)>();
-        _sent = came;
         _free = Math.Max(_free, came);
         foreach (var one in bytes)
         {
             _free += _ticksPerByte;
-            if (one != '\r')
+            if (one is not ((byte)'\r' or (byte)';'))
             {
                 _command.Append((char)one);
                 continue;

@@ -11,7 +11,7 @@ internal abstract class FaultStopWire : IAsyncDisposable
     /// <summary>Where the host finds the controller.</summary>
     public abstract string Address { get; }
 
-    /// <summary>From <see cref="Press"/> on: for how long the exchange that was under way kept the wire, milliseconds. 0 where a stop does not wait for it.</summary>
+    /// <summary>How long the wire was still busy at <see cref="Press"/> with bytes that the host had given it, milliseconds. 0 where a stop does not wait for them.</summary>
     public virtual double UnderWayMilliseconds => 0.0;
 
     /// <summary>STOP is pressed at this time stamp.</summary>

@@ -108,8 +108,9 @@ public sealed class HistoryRow(HistoryEntry entry, TimeZoneInfo here)
 
     public string Seconds => entry.Seconds is { } seconds ? ClockText.Format(seconds) : "";
 
-    public string Deviation => entry.MaxDeviation?.ToString("0.0000", CultureInfo.InvariantCulture) ?? "";
+    /// <summary>That of what was commanded says so.</summary>
+    public string Deviation => entry.MaxDeviation is not { } deviation ? "" : entry.OpenLoop is null ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : Text.Get("History.Commanded", deviation);
 
-    /// <summary>How it ended, and where its files are.</summary>
-    public string Tip => string.Join('\n', new[] { entry.Sentence, entry.Drawing, entry.Address, entry.Program, entry.Journal, entry.Report }.Where(line => !string.IsNullOrEmpty(line)));
+    /// <summary>How it ended, of what its deviation is, and where its files are.</summary>
+    public string Tip => string.Join('\n', new[] { entry.Sentence, HistoryText.OpenLoop(entry), entry.Drawing, entry.Address, entry.Program, entry.Journal, entry.Report }.Where(line => !string.IsNullOrEmpty(line)));
 }

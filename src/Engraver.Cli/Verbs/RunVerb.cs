@@ -140,7 +140,9 @@ internal sealed class RunVerb
         MachineRunReport report;
         try
         {
-            report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, progress), stop)).ConfigureAwait(false);
+            var lines = new LineQueue(_host.Error.WriteLine);
+            await using var written = lines.ConfigureAwait(false);
+            report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
         }
         catch (Exception ended) when (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested && parsed.GetValue(_json)))
         {
@@ -162,11 +164,11 @@ internal sealed class RunVerb
     }
 
     /// <summary>Somebody with keys is told of them, and they are looked at with every word of the job.</summary>
-    private IProgress<JobProgress>? Watching(JobControl control, CountsScale scale, IProgress<JobProgress>? progress)
+    private IProgress<JobProgress>? Watching(JobControl control, CountsScale scale, LineQueue lines, IProgress<JobProgress>? progress)
     {
         if (_host.Keys is not { } next) return progress;
         _host.Error.WriteLine(Wording.Get("RunKeys.Help"));
-        return new BothProgress(new RunKeys(control, scale, next, _host.Error.WriteLine), progress);
+        return new BothProgress(new RunKeys(control, scale, next, lines.Say), progress);
     }
 
     private sealed class BothProgress(IProgress<JobProgress> first, IProgress<JobProgress>? second) : IProgress<JobProgress>

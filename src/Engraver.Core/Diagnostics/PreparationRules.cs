@@ -25,6 +25,8 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule StateNotKept = new("JOB0013", Severity.Warning, "reason");
 
+    public static readonly DiagnosticRule MotorUntold = new("JOB0014", Severity.Warning, "axes");
+
     public static readonly DiagnosticRule TraceNotKept = new("JOB0020", Severity.Warning, "reason");
 
     public static readonly DiagnosticRule ConversationNotKept = new("JOB0021", Severity.Warning, "reason");
@@ -42,5 +44,5 @@ public static class PreparationRules
     public static readonly DiagnosticRule NotResumed = new("JOB0040", Severity.Error, "journal", "reason");
 
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed];
 }

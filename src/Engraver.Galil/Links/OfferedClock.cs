@@ -10,7 +10,7 @@ namespace Engraver.Galil.Links;
 /// <remarks>
 /// <para>Over the wire, in lines: <c>now</c> is answered with the controller's time; <c>wait N</c> too, when N have passed; <c>stop</c> ends a wait. Whole microseconds.</para>
 /// <para>A timer that is created with a due time (<c>Task.Delay</c>) is a wait; one that is created without and set later is a deadline, which fires when time reaches it and does not let time pass.</para>
-/// <para>When the other end is gone, time continues with the wall clock from its last value, so that every wait and every deadline still ends.</para>
+/// <para>When the other end is gone or does not answer, the clock is given back and time continues with the wall clock from its last value, so that every wait and every deadline still ends.</para>
 /// </remarks>
 public sealed class OfferedClock : TimeProvider, IDisposable
 {
@@ -32,6 +32,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     private bool _isHostWaiting;
     private bool _isAsked;
     private long _askedFor;
+    private long _begun;
 
     private OfferedClock(Socket socket)
     {
@@ -111,7 +112,9 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         var now = due == Timeout.InfiniteTimeSpan || isWait ? 0 : GetTimestamp();
         lock (_gate)
         {
-            if (timer.IsWait && !isWait && _set.Contains(timer)) _isHostWaiting = false; // ended early, by a cancellation
+            // Ended early, by a cancellation: the host is at work, unless it has begun another wait meanwhile.
+            if (timer.IsWait && !isWait && _set.Contains(timer)) _isHostWaiting = _set.Exists(other => other.IsWait && other.Begun > timer.Begun);
+            if (isWait) timer.Begun = ++_begun;
             timer.IsWait = isWait;
             _set.Remove(timer);
             if (due != Timeout.InfiniteTimeSpan) _set.Add(timer);
@@ -236,10 +239,12 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         }
     }
 
+    /// <summary>Gives the clock back: a controller that still counted us as a host would let no time pass, and never come to rest.</summary>
     private void Lose()
     {
         if (_isLost) return;
         (_isLost, _lostAt) = (true, System.GetTimestamp());
+        _socket.Dispose();
     }
 
     private sealed class Timer(OfferedClock clock, TimerCallback callback, object? state) : ITimer
@@ -247,6 +252,9 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         public long Due { get; set; } = long.MaxValue;
 
         public bool IsWait { get; set; }
+
+        /// <summary>Waits in the order in which they began.</summary>
+        public long Begun { get; set; }
 
         public void Fire() => callback(state);
 

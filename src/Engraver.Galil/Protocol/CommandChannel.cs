@@ -7,7 +7,7 @@ namespace Engraver.Galil.Protocol;
 /// <summary>Commands and replies over one link: one outstanding command, every prompt counted, the reason of a <c>?</c> fetched with TC1 (galil-dmc.md A.3, A.4).</summary>
 /// <remarks>A cancellation is honoured before a command is sent; the reply to a sent command is always awaited, otherwise the prompts would no longer match. After an exception of the
 /// <see cref="ControllerException"/> family the channel refuses all further use.</remarks>
-public sealed class CommandChannel : IAsyncDisposable
+public sealed partial class CommandChannel : IAsyncDisposable
 {
     /// <summary>DL, UL and burning take longer than a command (galil-dmc.md A.6).</summary>
     public static readonly TimeSpan TransferTimeout = TimeSpan.FromSeconds(10);
@@ -36,9 +36,6 @@ public sealed class CommandChannel : IAsyncDisposable
     private TimeSpan _timeout;
     private ControllerException? _failure;
     private LineEcho? _echo;
-
-    /// <summary>Prompts of urgent lines that nobody has taken yet; whoever holds <see cref="_writing"/> changes it.</summary>
-    private int _owed;
 
     /// <param name="link">Owned: closed with the channel.</param>
     /// <param name="name">The handle's name in the trace.</param>
@@ -83,30 +80,6 @@ public sealed class CommandChannel : IAsyncDisposable
     {
         var text = CommandLine.Checked(line);
         return _echo is not null && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
-    }
-
-    /// <summary>Puts a line on the wire at once where another command waits for its answer, which may be late or lost; its own prompts are taken before the next command goes out. Otherwise does nothing: <see cref="SendAsync"/> is as quick then.</summary>
-    /// <remarks>Not on a serial line, where the bytes of two lines would mix with their echoes. What the controller answers is not told: send the line again in its turn.</remarks>
-    public async ValueTask UrgeAsync(string line)
-    {
-        var text = CommandLine.Checked(line);
-        if (Line is not null || _turn.CurrentCount > 0) return;
-        await _writing.WaitAsync().ConfigureAwait(false);
-        try
-        {
-            if (_failure is not null) return;
-            _trace?.Write(_name, '>', text);
-            _owed += CommandLine.Parts(text).Count;
-            await _link.WriteAsync(Encoding.Latin1.GetBytes(text + "\r"), _deadline.Expired).ConfigureAwait(false);
-        }
-        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
-        {
-            Fail(Describe(failure, text));
-        }
-        finally
-        {
-            _writing.Release();
-        }
     }
 
     /// <summary>Sends the parts of a line one after the other where echoes are compared: else the reply to one would come in the middle of the echo of the next. The number of bytes is the same.</summary>
@@ -158,20 +131,8 @@ public sealed class CommandChannel : IAsyncDisposable
         {
             if (_failure is not null) throw new ControllerLinkException(_failure.Message, _failure);
             var isDownload = text.EndsWith('\\');
-            var parts = isDownload ? 2 : text.Contains(';', StringComparison.Ordinal) ? CommandLine.Parts(text).Count : 1;
             var cutShort = await WriteAsync(text, isDownload, shape, recordLength, timeout, cancellation).ConfigureAwait(false);
-            var data = "";
-            var refused = -1;
-            for (var part = 0; part < parts;)
-            {
-                var frame = await ReadFrameAsync(text).ConfigureAwait(false);
-                if (!frame.Accepted && refused < 0) refused = part;
-
-                // The ? of a bad program line comes before the two prompts of the end mark (galil-dmc.md A.6).
-                if (frame.Accepted || !isDownload) part++;
-                if (frame.Data.Length > 0) data = data.Length == 0 ? frame.Data : data + frame.Data;
-            }
-
+            (var data, var refused) = await ReadPartsAsync(text, isDownload).ConfigureAwait(false);
             if (cutShort) throw new OperationCanceledException(cancellation);
             if (refused >= 0) return await FetchReasonAsync(isDownload ? "DL" : CommandLine.Parts(text)[refused]).ConfigureAwait(false);
             return data.Length == 0 ? Accepted.Silent : new Accepted(shape == ReplyShape.Text ? Trimmed(data) : data);
@@ -179,8 +140,34 @@ public sealed class CommandChannel : IAsyncDisposable
         finally
         {
             _deadline.Stop();
+            _underWay = Exchange.None;
             _turn.Release();
         }
+    }
+
+    /// <summary>Reads the prompts of all parts.</summary>
+    /// <returns>What was answered, and the first part that was refused; -1 for none.</returns>
+    private async ValueTask<(string Data, int Refused)> ReadPartsAsync(string text, bool isDownload)
+    {
+        var parts = isDownload ? 2 : text.Contains(';', StringComparison.Ordinal) ? CommandLine.Parts(text).Count : 1;
+        var (data, refused) = ("", -1);
+        for (var part = 0; part < parts;)
+        {
+            if (await TryReadFrameAsync(text).ConfigureAwait(false) is not { } frame)
+            {
+                await AskAgainAsync(text).ConfigureAwait(false);
+                (data, refused, part) = ("", -1, 0);
+                continue;
+            }
+
+            if (!frame.Accepted && refused < 0) refused = part;
+
+            // The ? of a bad program line comes before the two prompts of the end mark (galil-dmc.md A.6).
+            if (frame.Accepted || !isDownload) part++;
+            if (frame.Data.Length > 0) data = data.Length == 0 ? frame.Data : data + frame.Data;
+        }
+
+        return (data, refused);
     }
 
     private static string Trimmed(string data) => data.Replace("\r\n", "\n", StringComparison.Ordinal).Trim();
@@ -195,44 +182,15 @@ public sealed class CommandChannel : IAsyncDisposable
         return new Rejected(code, text, command);
     }
 
-    /// <summary>Takes the prompts of urgent lines, so that those which come then belong to the next line, and lets nobody else write before it.</summary>
-    private async ValueTask WritingAsync(string text)
-    {
-        await _writing.WaitAsync().ConfigureAwait(false);
-        if (_owed == 0) return;
-        try
-        {
-            _deadline.Start(_timeout);
-            for (; _owed > 0; _owed--) await ReadFrameAsync(text).ConfigureAwait(false);
-        }
-        catch (ControllerException)
-        {
-            _writing.Release();
-            throw;
-        }
-    }
-
     /// <returns>True when a download was ended early.</returns>
     private async ValueTask<bool> WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
     {
         await WritingAsync(text).ConfigureAwait(false);
-        _trace?.Write(_name, '>', text);
-        _framer.Expect(shape, recordLength);
-        _echo?.Begin(isDownload);
-        if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
-        var count = Encoding.Latin1.GetBytes(text, _sent);
-        if (!isDownload) _sent[count++] = (byte)'\r';
-        _timeout = timeout + WireTime(count + LongestCommandReply);
-        _deadline.Start(_timeout);
         try
         {
-            if (isDownload && Line is not null) return await WriteInPortionsAsync(count, cancellation).ConfigureAwait(false);
-            await WriteAsync(_sent.AsMemory(0, count)).ConfigureAwait(false);
+            if (!isDownload || Line is null) await PutAsync(text, shape, recordLength, timeout).ConfigureAwait(false);
+            else return await WriteInPortionsAsync(Begin(text, shape, recordLength, timeout), text, cancellation).ConfigureAwait(false);
             return false;
-        }
-        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
-        {
-            throw Fail(Describe(failure, text));
         }
         finally
         {
@@ -240,53 +198,85 @@ public sealed class CommandChannel : IAsyncDisposable
         }
     }
 
-    private async ValueTask<bool> WriteInPortionsAsync(int count, CancellationToken cancellation)
+    /// <summary>Writes a line or a download. The caller holds <see cref="_writing"/>.</summary>
+    private async ValueTask PutAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout)
+    {
+        var count = Begin(text, shape, recordLength, timeout);
+        await WriteAsync(_sent.AsMemory(0, count), text).ConfigureAwait(false);
+    }
+
+    /// <returns>The number of bytes to send.</returns>
+    private int Begin(string text, ReplyShape shape, int recordLength, TimeSpan timeout)
+    {
+        var isDownload = text.EndsWith('\\');
+        _trace?.Write(_name, '>', text);
+        Expect(shape, recordLength, isDownload);
+        _underWay = isDownload || shape is ReplyShape.Upload or ReplyShape.Record ? Exchange.Transfer : Exchange.Command;
+        if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
+        var count = Encoding.Latin1.GetBytes(text, _sent);
+        if (!isDownload) _sent[count++] = (byte)'\r';
+        _timeout = timeout + WireTime(count + LongestCommandReply);
+        _deadline.Start(_timeout);
+        return count;
+    }
+
+    private void Expect(ReplyShape shape, int recordLength, bool isDownload)
+    {
+        _framer.Expect(shape, recordLength);
+        _echo?.Begin(isDownload);
+    }
+
+    private async ValueTask<bool> WriteInPortionsAsync(int count, string text, CancellationToken cancellation)
     {
         for (var from = 0; from < count;)
         {
             if (from > 0 && cancellation.IsCancellationRequested)
             {
-                await WriteAsync("\\"u8.ToArray()).ConfigureAwait(false);
+                await WriteAsync("\\"u8.ToArray(), text).ConfigureAwait(false);
                 return true;
             }
 
             var lineEnd = _sent.AsSpan(0, count)[Math.Min(from + DownloadPortion, count)..].IndexOf((byte)'\r');
             var to = lineEnd < 0 ? count : Math.Min(from + DownloadPortion, count) + lineEnd + 1;
-            await WriteAsync(_sent.AsMemory(from, to - from)).ConfigureAwait(false);
+            await WriteAsync(_sent.AsMemory(from, to - from), text).ConfigureAwait(false);
             from = to;
         }
 
         return false;
     }
 
-    private async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes)
+    private async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, string text)
     {
         _echo?.Sent(bytes.Span);
-        await _link.WriteAsync(bytes, _deadline.Expired).ConfigureAwait(false);
+        try
+        {
+            await _link.WriteAsync(bytes, _deadline.Expired).ConfigureAwait(false);
+        }
+        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
+        {
+            throw Fail(Describe(failure, text));
+        }
     }
 
     private TimeSpan WireTime(int bytes) => Line?.Time(bytes) ?? TimeSpan.Zero;
 
-    private async ValueTask<ReplyFrame> ReadFrameAsync(string text)
+    private async ValueTask<ReplyFrame> ReadFrameAsync(string text) => await TryReadFrameAsync(text).ConfigureAwait(false) ?? throw await HarmedAsync(text, _echo!.UrgentHarm!).ConfigureAwait(false);
+
+    /// <returns>Null where the answer cannot be told from the echo of an urgent line.</returns>
+    private async ValueTask<ReplyFrame?> TryReadFrameAsync(string text)
     {
-        ReplyFrame frame;
-        while (!_framer.TryTake(out frame))
+        while (true)
         {
-            await ReadSomeAsync(text).ConfigureAwait(false);
             if (_echo?.Harm is { } heard) throw await HarmedAsync(text, heard).ConfigureAwait(false);
+            if (_echo?.UrgentHarm is not null) return null;
+            if (_framer.TryTake(out var frame))
+            {
+                _trace?.Write(_name, '<', frame.Data + (frame.Accepted ? ":" : "?"));
+                return frame;
+            }
+
+            await ReadSomeAsync(text).ConfigureAwait(false);
         }
-
-        _trace?.Write(_name, '<', frame.Data + (frame.Accepted ? ":" : "?"));
-        return frame;
-    }
-
-    /// <summary>After a wrong echo it is not known what the controller executed, but the stop must still reach it: the line is greeted again, which ends any half command, and continues without echoes.</summary>
-    private async ValueTask<EchoException> HarmedAsync(string text, string heard)
-    {
-        _echo = null;
-        await WriteAsync(SerialGreeting.Text, false, ReplyShape.Greeting, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
-        await ReadFrameAsync(SerialGreeting.Text).ConfigureAwait(false);
-        return new EchoException(Wording.Get("CommandChannel.HeardWhereSentLine", _link.Description, heard.TrimEnd('\r'), FirstLine(text)));
     }
 
     private async ValueTask ReadSomeAsync(string text)

@@ -6,45 +6,71 @@ namespace Engraver.Galil.Protocol;
 /// <remarks>
 /// Lines are sent one command at a time, so that an echo is complete before its reply begins. Whether the end of a line is echoed as CR, as CR LF or not at all is not known (A.2), so each is accepted.
 /// A download is verified by the upload after it: its echo, if there is one, is only removed. Bytes with bit 7 set are messages (A.5) and may come in between.
+/// An urgent line goes out while another waits for its answer: whether its echo comes behind that answer, before it or in the middle of it is not known (A.2), so each is accepted where the bytes can be told apart.
+/// Thread-safe, because an urgent line is said beside the reader.
 /// </remarks>
 internal sealed class LineEcho
 {
     private const byte Return = (byte)'\r';
+    private const byte Feed = (byte)'\n';
 
+    private readonly Lock _gate = new();
     private readonly List<byte> _expected = [];
+    private readonly List<byte> _urgent = [];
     private int _heard;
+    private int _urgentHeard;
     private bool _isDownload;
+    private bool _wasUrgentReturn;
 
     /// <summary>The echo up to the first byte that differs; null while all agrees.</summary>
     public string? Harm { get; private set; }
 
+    /// <summary>The same of an urgent line. Where an answer is mixed with its echo neither can be told.</summary>
+    public string? UrgentHarm { get; private set; }
+
     /// <summary>Call before a line is sent.</summary>
     public void Begin(bool isDownload)
     {
-        _expected.Clear();
-        (_heard, _isDownload, Harm) = (0, isDownload, null);
+        lock (_gate)
+        {
+            _expected.Clear();
+            _urgent.Clear();
+            (_heard, _urgentHeard, _isDownload, _wasUrgentReturn, Harm, UrgentHarm) = (0, 0, isDownload, false, null, null);
+        }
     }
 
-    public void Sent(ReadOnlySpan<byte> bytes) => _expected.AddRange(bytes);
+    public void Sent(ReadOnlySpan<byte> bytes)
+    {
+        lock (_gate) _expected.AddRange(bytes);
+    }
+
+    /// <summary>An urgent line goes out behind what was sent: commands that are answered by prompts alone, so that a prompt in its echo is none of it.</summary>
+    public void Overtaken(ReadOnlySpan<byte> bytes)
+    {
+        lock (_gate) _urgent.AddRange(bytes);
+    }
 
     /// <summary>Removes the echo from the received bytes, in place.</summary>
     /// <returns>Number of bytes that are left at the front of <paramref name="received"/>.</returns>
     public int Strip(Span<byte> received)
     {
-        var left = 0;
-        foreach (var value in received)
+        lock (_gate)
         {
-            if (!IsEcho(value)) received[left++] = value;
-        }
+            var left = 0;
+            foreach (var value in received)
+            {
+                if (!IsEcho(value)) received[left++] = value;
+            }
 
-        return left;
+            return left;
+        }
     }
 
     private bool IsEcho(byte value)
     {
-        if (value >= 0x80 || Harm is not null) return false;
-        if (_heard > _expected.Count) return false;
-        if (_heard == _expected.Count) return IsFeedBehindEcho(value);
+        if (value >= 0x80 || Harm is not null || UrgentHarm is not null) return false;
+        if (_heard > _expected.Count) return IsUrgentEcho(value);
+        if (_heard == _expected.Count) return IsFeedBehindEcho(value) || IsUrgentEcho(value);
         if (value == _expected[_heard])
         {
             _heard++;
@@ -52,10 +78,10 @@ internal sealed class LineEcho
         }
 
         if (_isDownload) return value is not ((byte)':' or (byte)'?');
-        if (_heard == _expected.Count - 1 && (value == (byte)':' || value == (byte)'\n')) // the end of the line was not echoed as it was sent
+        if (_heard == _expected.Count - 1 && (value is (byte)':' or Feed || IsUrgentBeginning(value))) // the end of the line was not echoed as it was sent
         {
             _heard = _expected.Count + 1;
-            return value == (byte)'\n';
+            return value == Feed || IsUrgentEcho(value);
         }
 
         Harm = Encoding.Latin1.GetString([.. _expected.Take(_heard), value]);
@@ -65,8 +91,27 @@ internal sealed class LineEcho
     /// <summary>True for an LF directly after the CR of the echo.</summary>
     private bool IsFeedBehindEcho(byte value)
     {
-        var isFeed = value == (byte)'\n' && _expected.Count > 0 && _expected[^1] == Return;
+        var isFeed = value == Feed && _expected.Count > 0 && _expected[^1] == Return;
         _heard = _expected.Count + 1;
         return isFeed;
+    }
+
+    private bool IsUrgentBeginning(byte value) => _urgentHeard == 0 && _urgent.Count > 0 && value == _urgent[0];
+
+    private bool IsUrgentEcho(byte value)
+    {
+        var isFeed = value == Feed && _wasUrgentReturn;
+        _wasUrgentReturn = false;
+        if (isFeed || value is (byte)':' or (byte)'?') return isFeed;
+        if (_urgentHeard < _urgent.Count && value == _urgent[_urgentHeard])
+        {
+            _wasUrgentReturn = _urgent[_urgentHeard++] == Return;
+            return true;
+        }
+
+        if (_urgentHeard == 0) return false; // the answer that was overtaken, or nothing is urgent
+        if (_urgent[_urgentHeard - 1] == Return || _urgent[_urgentHeard] == Return) return false; // the answer behind the whole echo
+        UrgentHarm = Encoding.Latin1.GetString([.. _urgent.Take(_urgentHeard), value]);
+        return false;
     }
 }

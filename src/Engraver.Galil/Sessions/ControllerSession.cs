@@ -41,7 +41,7 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>The handle for commands; when its link is lost and the second handle still works, that one.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, except on a serial line.</summary>
+    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, on a serial line only for the bytes that are under way (<see cref="CommandChannel.UrgeAsync"/>).</summary>
     public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
 
     /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and on a serial line the echo.</summary>
@@ -240,7 +240,7 @@ public sealed record SessionOptions
     /// <summary>Time without a reply after which the link counts as lost.</summary>
     public TimeSpan ReplyTimeout { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop is then sent after the next prompt.</summary>
+    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop then goes out behind the bytes under way.</summary>
     public bool SecondHandle { get; init; } = true;
 
     /// <summary>Receives every line on the wire; null for none.</summary>

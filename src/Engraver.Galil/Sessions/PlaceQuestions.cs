@@ -24,14 +24,14 @@ internal static class PlaceQuestions
         var serial = await Ask("_BN").ConfigureAwait(false);
         var mark = await Ask(MarkVariable).ConfigureAwait(false);
         var clock = await Ask("TIME").ConfigureAwait(false);
-        var steppers = await SteppersAsync(axes.Letters, Ask).ConfigureAwait(false);
+        var (steppers, untold) = await SteppersAsync(axes, Ask).ConfigureAwait(false);
         var steppersOff = await OffAsync(steppers, Ask).ConfigureAwait(false);
         return new ControllerPlace(
             CountsPoint.From([.. position.Values]),
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), steppersOff.AsEnumerable()))) { Uncounted = steppers };
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), steppersOff.AsEnumerable()))) { Uncounted = steppers, Untold = untold };
     }
 
     /// <summary>The variable is made by the assignment.</summary>
@@ -39,16 +39,19 @@ internal static class PlaceQuestions
     public static async ValueTask<bool> MarkAsync(CommandChannel channel, int mark, CancellationToken cancellation) =>
         await channel.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{MarkVariable}={mark}"), cancellation).ConfigureAwait(false) is Accepted;
 
-    /// <summary>A servo without current is still counted by its encoder. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C).</summary>
-    private static async ValueTask<string> SteppersAsync(string axes, Func<string, ValueTask<double?>> ask)
+    /// <summary>A servo without current is still counted by its encoder, a stepper is not. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C), with decimals or without. Where the controller does not know _MT the profile tells; where neither does, the axis counts as a stepper, which promises less.</summary>
+    /// <returns>The letters of all of them, and of those that nobody has told.</returns>
+    private static async ValueTask<(string All, string Untold)> SteppersAsync(MachineAxes axes, Func<string, ValueTask<double?>> ask)
     {
-        var steppers = "";
-        foreach (var axis in axes)
+        var (steppers, untold) = ("", "");
+        foreach (var axis in axes.All)
         {
-            if (await ask($"_MT{axis}").ConfigureAwait(false) is { } type && Math.Abs(type) >= 2.0) steppers += axis;
+            var type = await ask($"_MT{axis.Letter}").ConfigureAwait(false) ?? axis.MotorType;
+            if (type is null) untold += axis.Letter;
+            if (type is not { } known || (axis with { MotorType = known }).IsStepper) steppers += axis.Letter;
         }
 
-        return steppers;
+        return (steppers, untold);
     }
 
     private static async ValueTask<string> OffAsync(string axes, Func<string, ValueTask<double?>> ask)

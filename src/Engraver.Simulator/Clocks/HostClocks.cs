@@ -5,6 +5,7 @@ internal sealed class HostClocks
 {
     private readonly List<HostClock> _hosts = [];
     private readonly List<HostTimer> _set = [];
+    private long _begun;
 
     /// <summary>At least one host has the clock: time passes only as the hosts let it.</summary>
     public bool AreThere => _hosts.Count > 0;
@@ -35,8 +36,9 @@ internal sealed class HostClocks
     /// <param name="due">Ticks of controller time; <see cref="long.MaxValue"/> stops the timer.</param>
     public void Set(HostTimer timer, long due, long period, bool isWait)
     {
-        // A wait that is ended early, by a cancellation, leaves the host at work.
-        if (timer.IsWait && !isWait) timer.Host.IsWaiting = false;
+        // A wait that is ended early, by a cancellation, leaves the host at work, unless it has begun another one meanwhile.
+        if (timer.IsWait && !isWait) timer.Host.IsWaiting = _set.Exists(other => other.Host == timer.Host && other.IsWait && other.Begun > timer.Begun);
+        if (isWait) timer.Begun = ++_begun;
         (timer.Due, timer.Period, timer.IsWait) = (due, period, isWait);
         _set.Remove(timer);
         if (due == long.MaxValue || !_hosts.Contains(timer.Host)) return;

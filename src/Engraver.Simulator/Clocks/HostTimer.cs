@@ -14,6 +14,9 @@ internal sealed class HostTimer(HostClockCoordinator coordinator, HostClock host
     /// <summary>The host waits for it, so that time may pass up to it.</summary>
     public bool IsWait { get; set; }
 
+    /// <summary>Waits in the order in which they began.</summary>
+    public long Begun { get; set; }
+
     public void Fire() => callback(state);
 
     public bool Change(TimeSpan dueTime, TimeSpan period)

@@ -64,6 +64,9 @@ public sealed record HistoryEntry
 
     public double? MissingLength { get; init; }
 
+    /// <summary>X, Y and Z as far as <see cref="MaxDeviation"/> is that of what was commanded, because steppers moved them and nothing tells whether they followed; null for none.</summary>
+    public IReadOnlyList<char>? OpenLoop { get; init; }
+
     /// <summary>Full path; null where there is none, or where it went into a stream.</summary>
     public string? Journal { get; init; }
 
@@ -111,6 +114,7 @@ public sealed record HistoryEntry
             PlannedSeconds = report.PlannedSeconds,
             MaxDeviation = report.Judgement.MaxDeviationMm,
             MissingLength = report.Judgement.MissingLengthMm,
+            OpenLoop = report.Judgement.MaxDeviationMm is null || report.Unseen.Count == 0 ? null : report.Unseen,
         };
     }
 

@@ -26,5 +26,12 @@ public static class HistoryText
         return Wording.Get("History.Moment", TimeZoneInfo.ConvertTime(entry.Date, here));
     }
 
-    private static string Figures(HistoryEntry entry) => string.Create(CultureInfo.InvariantCulture, $"{(entry.Seconds is { } seconds ? $"{seconds:0.0} s" : "")}{(entry.MaxDeviation is { } deviation ? $"  {deviation:0.0000} mm" : "")}").Trim();
+    /// <summary>That the deviation is the commanded one, and of which axes; empty where it is that of the motors.</summary>
+    public static string OpenLoop(HistoryEntry entry)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        return entry.OpenLoop is { Count: > 0 } axes ? Wording.Get("History.IfTheMotorsFollowed", string.Join(", ", axes)) : "";
+    }
+
+    private static string Figures(HistoryEntry entry) => string.Create(CultureInfo.InvariantCulture, $"{(entry.Seconds is { } seconds ? $"{seconds:0.0} s" : "")}{(entry.MaxDeviation is { } deviation ? $"  {deviation:0.0000} mm {OpenLoop(entry)}" : "")}").Trim();
 }

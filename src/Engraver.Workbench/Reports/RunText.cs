@@ -25,10 +25,10 @@ public static class RunText
 
     private static string Verdict(MachineRunReport report, int leftOut, NotCutFindings notCut)
     {
-        var (judgement, openLoop) = (report.Judgement, report.OpenLoop);
+        var (judgement, openLoop) = (report.Judgement, report.Unseen);
         var unseen = Unseen(notCut);
         if (judgement.MaxDeviationMm is not { } deviation) return Wording.Get("RunText.NothingKnownAboutCut", unseen);
-        var isOpenLoop = judgement.Source != "record" && openLoop.Count > 0;
+        var isOpenLoop = openLoop.Count > 0;
         var who = Wording.Get(judgement.Source == "record" ? "RunText.SimulatedMotors" : isOpenLoop ? "RunText.CommandedPositions" : "RunText.PolledPositions");
         var missing = judgement.MissingLengthMm switch
         {

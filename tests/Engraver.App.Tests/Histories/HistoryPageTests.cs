@@ -2,6 +2,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.Histories;
+using Engraver.Workbench.Histories;
 
 namespace Engraver.App.Tests.Histories;
 
@@ -28,6 +29,17 @@ public sealed class HistoryPageTests(DesktopFixture fixture)
         here.Until(() => !here.Desk.IsBusy && here.Commands.Document.Current.Settings.MaxErrorMm == 0.004);
         Assert.Equal("gasket.dxf", Path.GetFileName(here.Commands.Document.Current.Drawing!.FileName));
     });
+
+    /// <summary>Nobody knows whether steppers followed: their deviation is that of what was commanded.</summary>
+    [Fact]
+    public void The_deviation_of_steppers_says_that_it_was_commanded()
+    {
+        var run = new HistoryEntry { Date = default, Kind = "run", Drawing = "/part.dxf", Target = "galil", Outcome = "complete", MaxDeviation = 0.1, Settings = new Dictionary<string, string>() };
+        HistoryRow Row(HistoryEntry entry) => new(entry, TimeZoneInfo.Utc);
+
+        Assert.Equal(("0.1000", "/part.dxf"), (Row(run).Deviation, Row(run).Tip));
+        Assert.Equal(("0.1000 cmd", "as commanded, if the motors followed (steppers: X, Y)\n/part.dxf"), (Row(run with { OpenLoop = ['X', 'Y'] }).Deviation, Row(run with { OpenLoop = ['X', 'Y'] }).Tip));
+    }
 
     [Fact]
     public Task Twice_on_a_job_opens_its_drawing() => fixture.WithOperator(here =>

@@ -17,7 +17,8 @@ public class StepperRunTests
         controller.Schedule(new ScheduledFault { Kind = FaultKind.Jam, Axis = "A", AtSeconds = 0.0 });
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         var clock = await controller.ListenClockAsync(CancellationToken.None);
-        string[] run = ["run", SampleDrawing.PathOf("paper-001"), "--machine", folder.WithFile("stepper.json", Profile), "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}?clock={clock.Port}"), "--journal", folder.PathOf("run.jsonl")];
+        var drawing = folder.WithFile("steppers.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001")));
+        string[] run = ["run", drawing, "--machine", folder.WithFile("stepper.json", Profile), "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}?clock={clock.Port}"), "--journal", folder.PathOf("run.jsonl")];
 
         var told = await CliRun.RunAsync(run);
 
@@ -25,6 +26,31 @@ public class StepperRunTests
         Assert.Equal(0, controller.MotorPlace(0));
         Assert.Contains("the commanded positions were at worst 0.00", told.Out, StringComparison.Ordinal);
         Assert.Contains("nothing of it is missing, if the motors followed: those of X, Y are steppers, and nothing tells whether they lost steps.", told.Out, StringComparison.Ordinal);
+        Assert.EndsWith(" mm as commanded, if the motors followed (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')), StringComparison.Ordinal);
+        Assert.Equal(["X", "Y"], JsonText.Of(await CliRun.RunAsync("history", "--search", drawing, "--json")).GetProperty("entries")[0].GetProperty("openLoop").EnumerateArray().Select(axis => axis.GetString()));
+        await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("page.html"));
+        var page = await File.ReadAllTextAsync(folder.PathOf("page.html"));
+        Assert.Equal(3, page.Split("The deviation is that of the commanded positions: the motors of X, Y are steppers, and nothing tells whether they lost steps.").Length); // below the picture and above the figures
+        Assert.Contains("Largest deviation of the commanded positions, mm", page, StringComparison.Ordinal);
+        Assert.EndsWith(" mm wie befohlen, wenn die Motoren folgten (Schrittmotoren: X, Y)", (await CliRun.RunAsync("history", "--search", drawing, "--culture", "de")).Out.TrimEnd(), StringComparison.Ordinal);
+        await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("seite.html"), "--culture", "de");
+        Assert.Contains("Die Abweichung ist die der Sollpositionen: Die Motoren von X, Y sind Schrittmotoren, und nichts sagt, ob sie Schritte verloren.", await File.ReadAllTextAsync(folder.PathOf("seite.html")), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Where_the_profile_is_silent_the_controller_tells_that_its_motors_are_steppers()
+    {
+        using var folder = new TemporaryFolder();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var place = await controller.ListenTcpAsync(0, CancellationToken.None);
+        var clock = await controller.ListenClockAsync(CancellationToken.None);
+        var address = string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}?clock={clock.Port}");
+        var set = await CliRun.Typing("confirm MO AB\nconfirm MT 2,-2\nconfirm SH AB\n", "terminal", "--connect", address);
+
+        var told = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--journal", folder.PathOf("run.jsonl"));
+
+        Assert.True(told.ExitCode == ExitCode.Done, set.Out + set.Error + told.Error);
+        Assert.Contains("if the motors followed: those of X, Y are steppers", told.Out, StringComparison.Ordinal);
     }
 
     /// <summary>The simulator's own record is no witness of what was commanded but of where the shafts were.</summary>

@@ -80,6 +80,48 @@ public sealed class OfferedClockTests : IDisposable
         Assert.True(clock.GetElapsedTime(0, clock.GetTimestamp()) >= TimeSpan.FromMilliseconds(1020));
     }
 
+    /// <summary>A controller that still counted the host would let no time pass: its machine would never come to rest.</summary>
+    [Fact]
+    public async Task A_clock_that_does_not_answer_as_one_is_given_back()
+    {
+        var taking = Task.Run(() => OfferedClock.Take(Port));
+        using var other = await _other.AcceptSocketAsync();
+        await AnswerAsync(other, "1000000\n");
+        using var clock = await taking;
+        clock.Heard();
+        var asking = Task.Run(clock.GetTimestamp);
+        await AnswerAsync(other, "what?\n");
+        await asking;
+
+        Assert.Equal("", await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1)));
+    }
+
+    /// <summary>As where somebody goes on before the wait that he gave up is disposed.</summary>
+    [Fact]
+    public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
+    {
+        var taking = Task.Run(() => OfferedClock.Take(Port));
+        using var other = await _other.AcceptSocketAsync();
+        await AnswerAsync(other, "1000000\n");
+        using var clock = await taking;
+        clock.Heard();
+        var starting = Task.Run(() => clock.CreateTimer(_ => { }, null, TimeSpan.FromSeconds(10), Timeout.InfiniteTimeSpan));
+        await AnswerAsync(other, "1000000\n");
+        var given = await starting;
+        Assert.Equal("wait 10000000\n", await HeardAsync(other));
+        var passed = new TaskCompletionSource();
+        await using var second = clock.CreateTimer(_ => passed.SetResult(), null, TimeSpan.FromMilliseconds(5), Timeout.InfiniteTimeSpan);
+        await given.DisposeAsync();
+        Assert.StartsWith("stop\n", await HeardAsync(other), StringComparison.Ordinal);
+        await other.SendAsync("1000000\n"u8.ToArray());
+
+        var heard = await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1));
+        if (heard == "stop\n") heard = await HeardAsync(other); // two of them may come one by one
+        Assert.EndsWith("wait 5000\n", heard, StringComparison.Ordinal);
+        await other.SendAsync("1005000\n"u8.ToArray());
+        await passed.Task;
+    }
+
     private static async Task AnswerAsync(Socket other, string answer)
     {
         Assert.Equal("now\n", await HeardAsync(other));

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;
@@ -148,6 +149,26 @@ public class OperatorStopTests
         }
 
         Assert.Equal((0, true, JobOutcome.LinkLost), (atOnce, rests, (await running).Outcome));
+    }
+
+    /// <summary>A serial line has one channel: the answer to a poll or a segment may be late there too.</summary>
+    [Fact]
+    public async Task Stop_over_a_serial_line_is_on_the_wire_at_once_while_an_answer_is_late()
+    {
+        await using var bench = new SimulatedBench();
+        var link = new WithheldLink(bench.OpenSerialLink(19200));
+        await using var session = await ControllerSession.OpenAsync(_ => Task.FromResult<IControllerLink>(link), new SessionOptions(), bench.Clock, CancellationToken.None);
+        using var stop = new CancellationTokenSource();
+        var trial = new CancelWhen(progress => progress.X > 50000, link.Withhold);
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, trial, stop.Token);
+        await link.SomebodyWaits;
+
+        await stop.CancelAsync();
+        var atOnce = bench.Controller.Status.Outputs;
+        var rests = bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
+        link.Release();
+
+        Assert.Equal((0, true, JobOutcome.Stopped), (atOnce, rests, (await running).Outcome));
     }
 
     [Fact]

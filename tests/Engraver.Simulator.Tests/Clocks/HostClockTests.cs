@@ -135,6 +135,22 @@ public class HostClockTests
         Assert.Equal(200 * speed, controller.Status.Sample);
     }
 
+    /// <summary>As where somebody goes on before the wait that he gave up is disposed.</summary>
+    [Fact]
+    public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
+    {
+        var wall = new StoppedTime();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20.0, Time = wall });
+        using var clock = controller.JoinClock();
+        var given = clock.CreateTimer(_ => { }, null, TimeSpan.FromSeconds(100), Timeout.InfiniteTimeSpan);
+        var second = WaitAsync(clock, TimeSpan.FromSeconds(2));
+        await given.DisposeAsync();
+
+        for (var step = 0; step < 10; step++) wall.Advance(TimeSpan.FromSeconds(0.1));
+
+        await second.WaitAsync(TimeSpan.FromMinutes(1));
+    }
+
     [Fact]
     public async Task A_host_that_waits_for_an_answer_which_never_comes_reaches_its_time_out()
     {

@@ -10,4 +10,7 @@ public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, 
 {
     /// <summary>The letters of those axes whose position is lost when their motor is off, because nothing counts how they are moved then.</summary>
     public string Uncounted { get; init; } = "";
+
+    /// <summary>The letters of those of them that are taken for steppers because neither the controller nor the profile tells their motor type.</summary>
+    public string Untold { get; init; } = "";
 }

@@ -172,19 +172,22 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
         return await machine.PollUntilAsync(state => !state.SequenceRunning || state.PathSpeed != 0 || !WillMove(state) || PollTimes.SamplesSince(from, state.Time) > SamplesToMove).ConfigureAwait(false);
     }
 
+    /// <summary>Polls until two looks in a row see the machine at rest at the same place: at a corner where the path stops by itself one look may, while VR still runs down.</summary>
     private async ValueTask<JobStep> AwaitStandstillAsync()
     {
         var from = machine.State.Time;
-        while (!await IsAtRestAsync().ConfigureAwait(false))
+        CountsPoint? rest = null;
+        while (true)
         {
+            var isAtRest = await IsAtRestAsync().ConfigureAwait(false);
+            if (isAtRest && rest == machine.State.Position) return JobStep.Done;
+            rest = isAtRest ? machine.State.Position : null;
             if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
             var state = machine.State;
             if (!state.SequenceRunning) from = state.Time;
             if (PollTimes.SamplesSince(from, state.Time) > SamplesToBrake) return JobStep.Broken(Wording.Get("JobHold.DidNotStop", state.Position.X, state.Position.Y));
             machine.HasProgress();
         }
-
-        return JobStep.Done;
     }
 
     /// <summary>The path stands in the middle, or everything stands where nothing is begun by itself.</summary>

@@ -23,6 +23,9 @@ public sealed class JobPlacement
     /// <summary>X, Y and Z as far as steppers move them, by the controller or by the profile: their positions are those that were commanded, and nobody knows whether the motors followed.</summary>
     public IReadOnlyList<char> OpenLoop { get; private init; } = [];
 
+    /// <summary>Letters of the axes that are taken for steppers because nobody tells their motor type.</summary>
+    public IReadOnlyList<char> Untold { get; private init; } = [];
+
     /// <summary>Asks the controller where the machine is and finds the place by the kept work origin.</summary>
     /// <param name="dryRun">The tool stays out of the work, which takes a tool that an axis holds higher.</param>
     /// <param name="time">Gives the number of the mark that is left in the controller.</param>
@@ -39,7 +42,7 @@ public sealed class JobPlacement
         if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, hold.Memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(hold, found, program);
         if (found.Source == OriginSource.Work) await VouchAsync(machine, hold, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory, time, cancellation).ConfigureAwait(false);
-        return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place) };
+        return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), Untold = [.. place.Untold] };
     }
 
     /// <summary>Notes that the machine is about to move.</summary>
@@ -80,8 +83,9 @@ public sealed class JobPlacement
         hold.Recognise(place with { Mark = mark });
     }
 
+    /// <summary>The motor type of the profile is set before the job moves; where it names none the controller's own stays.</summary>
     private static IReadOnlyList<char> OpenLoopOf(MachineAxes axes, ControllerPlace place) =>
-        [.. axes.All.Zip("XYZ").Where(pair => pair.First.IsStepper || place.Uncounted.Contains(pair.First.Letter, StringComparison.Ordinal)).Select(pair => pair.Second)];
+        [.. axes.All.Zip("XYZ").Where(pair => pair.First.MotorType is null ? place.Uncounted.Contains(pair.First.Letter, StringComparison.Ordinal) : pair.First.IsStepper).Select(pair => pair.Second)];
 
     private static CountsPoint? FinishOf(MotionProgram program, FinishPlace finish, CountsPoint frame) => finish switch
     {

@@ -134,17 +134,18 @@ public sealed class MachineHold : IDisposable
         Keep(before => before with { IsMoving = moves, Rest = moves ? null : at });
     }
 
-    /// <summary>Notes the end of a motion of this program. Where its end is not known, the controller must be asked again before anything is kept with its zero.</summary>
+    /// <summary>Notes the end of a motion of this program. Where its end is not known, the controller must be asked again before anything is kept with its zero; where it ended before anything was sent, nothing has changed.</summary>
     /// <returns>Why it could not be written; null when it was.</returns>
     public string? KeepEnd(JobResult result)
     {
         ArgumentNullException.ThrowIfNull(result);
         var rest = result.IsEndKnown ? result.FinalPosition : null;
+        var isUntouched = result.IsEndKnown && rest is null;
         lock (_guard)
         {
             var knew = _knowsZero;
-            if (rest is null) _knowsZero = false;
-            return Keep(memory => (knew ? memory with { IsMoving = rest is null, Rest = rest } : memory) with { Lost = result.PositionDoubt.Length > 0 ? result.PositionDoubt : memory.Lost });
+            if (rest is null && !isUntouched) _knowsZero = false;
+            return Keep(memory => (!knew ? memory : isUntouched ? memory with { IsMoving = false } : memory with { IsMoving = rest is null, Rest = rest }) with { Lost = result.PositionDoubt.Length > 0 ? result.PositionDoubt : memory.Lost });
         }
     }
 

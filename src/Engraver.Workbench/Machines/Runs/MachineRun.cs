@@ -138,9 +138,10 @@ public static class MachineRun
             Frame = frame,
             SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],
             KeepsPolledTrace = connection.Simulator is null,
-            AsksFollowingError = connection.Simulator is null,
+            AsksFollowingError = connection.Simulator is null && !placement.OpenLoop.Intersect("XY").Any(), // a stepper has none: its position is what was commanded
         };
         options.Placed?.Invoke(frame);
+        if (placement.Untold.Count > 0) options.Told?.Invoke(PreparationRules.MotorUntold.At(default, string.Join(", ", placement.Untold)));
         placement.Begin();
         var result = await machine.RunAsync(placement.Program, jobOptions, progress, stop).ConfigureAwait(false);
         if (placement.End(result) is { } unkept) options.Told?.Invoke(unkept);
@@ -173,6 +174,9 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
 
     /// <summary>X, Y and Z as far as steppers move them: a judgement by polled positions knows of them what was commanded, and nothing of what the motors did.</summary>
     public IReadOnlyList<char> OpenLoop { get; init; } = [];
+
+    /// <summary>Those of <see cref="OpenLoop"/> whose deviation is that of what was commanded: the record of a simulated controller knows where its motors were.</summary>
+    public IReadOnlyList<char> Unseen => Judgement.Source == "record" ? [] : OpenLoop;
 
     /// <summary>The tool stayed off.</summary>
     public bool IsDryRun { get; init; }

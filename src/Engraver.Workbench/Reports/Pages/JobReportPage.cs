@@ -3,6 +3,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Plots;
+using Engraver.Core.Verification;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
@@ -50,8 +51,14 @@ public static class JobReportPage
         var (job, title) = (report.Job, Path.GetFileName(report.Job.Drawing.FileName));
         page.Section("path", Wording.Get("JobReport.Path"), () => page.Figure("picture", output => SvgPlotWriter.Write(PlotModel.FromPath(job.Toolpath, title), output)));
         if (report.Motion is { } motion) page.Section("speed", Wording.Get("JobReport.Speed"), () => page.Figure("chart", output => SpeedPicture.Write(motion, output)));
-        if (report.Trace is { } trace) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Figure("picture", output => SvgPlotWriter.Write(RunPlot.Create(job.Analysed, trace, RunMeasure.Deviation, title), output)));
+        if (report.Trace is { } trace) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => Deviation(report, trace, title, page));
         else if (report.TraceProblem is { } problem) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Paragraph(problem));
+    }
+
+    private static void Deviation(JobReport report, RunTrace trace, string title, PageWriter page)
+    {
+        page.Figure("picture", output => SvgPlotWriter.Write(RunPlot.Create(report.Job.Analysed, trace, RunMeasure.Deviation, title), output));
+        if (report.Run is { OpenLoop: { Count: > 0 } axes }) page.Paragraph(Wording.Get("JobReport.OpenLoop", string.Join(", ", axes)));
     }
 
     /// <summary>The figures stand under their names in <c>plan --json</c>.</summary>
@@ -93,6 +100,7 @@ public static class JobReportPage
         {
             if (report.RunDiffers is [_, ..] differs) page.Paragraph(SettingWording.OnConsole(Wording.Get("JobReport.OtherRun", string.Join(", ", differs.Select(CertificateStanding.Said)))));
             if (run.RanTrajectories) page.Paragraph(Wording.Get("JobReport.RanTrajectories"));
+            if (run.OpenLoop is { Count: > 0 } axes) page.Paragraph(Wording.Get("JobReport.OpenLoop", string.Join(", ", axes)));
             page.Pairs(RunPairs(report, run, here));
         });
         page.Section("checks", Wording.Get("JobReport.Checks"), () =>
@@ -109,7 +117,7 @@ public static class JobReportPage
         new PagePair(Wording.Get("JobReport.Sentence"), run.Sentence),
         new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
         PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
-        PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
+        PagePair.Of(Wording.Get(run.OpenLoop is null ? "JobReport.MaxDeviation" : "JobReport.CommandedDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
         PagePair.Of(Wording.Get("JobReport.Tolerance"), "tolerance", RunJudge.Tolerances(report.Job).Deviation, "0.0000"),
         PagePair.Of(Wording.Get("JobReport.Missing"), "missingLength", run.MissingLength, "0.####"),
         new PagePair(Wording.Get("JobReport.Journal"), run.Journal ?? "–", Style: "code"),

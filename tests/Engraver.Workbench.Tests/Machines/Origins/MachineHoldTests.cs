@@ -51,6 +51,23 @@ public sealed class MachineHoldTests : IDisposable
         Assert.True(free.IsKept);
     }
 
+    /// <summary>A jog that was let go before it began, or a job that was refused, is no reason to doubt where the machine is; one whose link is lost is.</summary>
+    [Fact]
+    public void A_move_that_ended_before_anything_was_sent_leaves_what_is_known_of_the_machine()
+    {
+        using var hold = Take(serial: 4711);
+        hold.Keep(memory => memory with { Mark = 815, Clock = 1.0, Rest = new CountsPoint(3, 4) });
+        hold.Recognise(new ControllerPlace(new CountsPoint(3, 4), 4711, 815, 2.0));
+        hold.KeepMoving();
+        Assert.True(hold.Memory.IsMoving);
+
+        Assert.Null(hold.KeepEnd(JobResult.NotStarted(0, "Let go.")));
+        Assert.Equal((true, false, new CountsPoint(3, 4)), (hold.KnowsZero, hold.Memory.IsMoving, hold.Memory.Rest));
+        hold.KeepMoving();
+        hold.KeepEnd(JobResult.NotStarted(0, "The link is lost.") with { IsEndKnown = false });
+        Assert.Equal((false, true, null), (hold.KnowsZero, hold.Memory.IsMoving, hold.Memory.Rest));
+    }
+
     [Theory]
     [InlineData("null", "it holds null")]
     [InlineData("[]", "could not be converted")]

@@ -1,0 +1,30 @@
+using Engraver.Cli.Terminals;
+
+namespace Engraver.Cli.Tests.Terminals;
+
+public class LineQueueTests
+{
+    /// <summary>What speaks to the terminal while a job runs is the job itself, whose heartbeat the watchdog waits for.</summary>
+    [Fact]
+    public async Task A_terminal_that_takes_nothing_holds_up_nobody_who_speaks_to_it()
+    {
+        using var taken = new ManualResetEventSlim();
+        var written = new List<string>();
+        var queue = new LineQueue(line =>
+        {
+            taken.Wait();
+            written.Add(line);
+        });
+
+        var said = Task.Run(() =>
+        {
+            foreach (var line in (string[])["held", "moved", "feed"]) queue.Say(line);
+        });
+        await said.WaitAsync(TimeSpan.FromMinutes(1));
+        Assert.Empty(written);
+        taken.Set();
+        await queue.DisposeAsync();
+
+        Assert.Equal(["held", "moved", "feed"], written);
+    }
+}

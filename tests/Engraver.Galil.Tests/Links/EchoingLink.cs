@@ -1,0 +1,105 @@
+using System.Text;
+using System.Threading.Channels;
+using Engraver.Core.Machines;
+using Engraver.Galil.Links;
+
+namespace Engraver.Galil.Tests.Links;
+
+/// <summary>When a controller echoes a line that comes while it still answers another: nobody knows it of the real one (galil-dmc.md A.2).</summary>
+public enum EchoTime
+{
+    BehindTheAnswer,
+    BeforeTheAnswer,
+    AmidTheAnswer,
+}
+
+/// <summary>A controller of a few lines on a serial line at 19,200 baud: it echoes what it hears, answers what it knows and prompts for the rest. The answer to one line it keeps until told.</summary>
+/// <param name="answers">What is answered to a command, its line end included; "" is a prompt alone.</param>
+internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) : IControllerLink
+{
+    private readonly Channel<byte[]> _said = Channel.CreateUnbounded<byte[]>();
+    private readonly StringBuilder _behind = new();
+    private string? _keeps;
+    private bool _echoes;
+    private int _greets; // lines of a greeting that are still to come
+
+    public string Description => "echoing";
+
+    public SerialLine? Line { get; } = new(19200);
+
+    /// <summary>The line whose answer is kept, once; null for none.</summary>
+    public string? Kept { private get; set; }
+
+    /// <summary>What arrives instead of a line.</summary>
+    public Func<string, string> Harm { private get; set; } = line => line;
+
+    /// <summary>Lines as they came, in one piece or several.</summary>
+    public List<string> Written { get; } = [];
+
+    public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        var text = Encoding.Latin1.GetString(bytes.Span);
+        Written.Add(text);
+        foreach (var line in text.Split('\r', StringSplitOptions.RemoveEmptyEntries)) Hear(Harm(line));
+        return ValueTask.CompletedTask;
+    }
+
+    /// <summary>The kept answer comes, and what waits behind it.</summary>
+    public void Release()
+    {
+        var answer = _keeps! + _behind;
+        _keeps = null;
+        Say(answer);
+    }
+
+    public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
+    {
+        if (!await _said.Reader.WaitToReadAsync(cancellation)) return 0;
+        _said.Reader.TryRead(out var next);
+        next!.CopyTo(buffer);
+        return next!.Length;
+    }
+
+    public ValueTask DisposeAsync()
+    {
+        _said.Writer.TryComplete();
+        return ValueTask.CompletedTask;
+    }
+
+    private void Hear(string line)
+    {
+        if (line == "\\") _greets = 3;
+        if (line == "EO 0") _echoes = false;
+        var replies = string.Concat(line.Split(';').Select(part => _greets == 3 ? "?" : _greets == 1 ? "READY\r\n:" : answers(part) + ":"));
+        _greets = Math.Max(0, _greets - 1);
+        var heard = _echoes ? line + "\r" : "";
+        if (line == "EO 1") _echoes = true;
+        if (line == Kept)
+        {
+            Say(heard);
+            (_keeps, Kept) = (replies, null);
+        }
+        else if (_keeps is null) Say(heard + replies);
+        else Overtake(heard, replies);
+    }
+
+    /// <summary>A line behind the one whose answer is kept.</summary>
+    private void Overtake(string heard, string replies)
+    {
+        if (echo == EchoTime.BehindTheAnswer || heard.Length == 0)
+        {
+            _behind.Append(heard).Append(replies);
+            return;
+        }
+
+        var head = heard[..(heard.Length / 2)];
+        Say(echo == EchoTime.BeforeTheAnswer ? heard : head);
+        if (echo == EchoTime.AmidTheAnswer) _keeps = _keeps![..2] + heard[head.Length..] + _keeps[2..];
+        _behind.Append(replies);
+    }
+
+    private void Say(string text)
+    {
+        if (text.Length > 0) _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // nothing would be the end of the link
+    }
+}
