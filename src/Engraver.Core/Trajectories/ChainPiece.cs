@@ -8,6 +8,9 @@ internal sealed class ChainPiece
     /// <summary>Steps of the table of lengths of a free piece; pieces are nearly straight and of nearly constant speed (<see cref="CurvePieces"/>).</summary>
     private const int TableSteps = 8;
 
+    /// <summary>Millimetres that a control point of a straight curve may lie off its chord: rounding.</summary>
+    private const double StraightWithin = 1e-9;
+
     private const int MostNewtonSteps = 8;
 
     private readonly Segment _segment;
@@ -52,7 +55,7 @@ internal sealed class ChainPiece
     /// <summary>The pieces of a segment, which together are it exactly.</summary>
     public static IEnumerable<ChainPiece> Of(Segment segment, double start)
     {
-        IEnumerable<Segment> parts = segment.IsFreeCurve ? segment.Curve.Pieces().Select(Segment.FromCurve) : [segment];
+        IEnumerable<Segment> parts = segment.IsFreeCurve ? segment.Curve.Pieces().Select(piece => IsStraight(piece.Spans[0]) ? Segment.FromLine(piece.Start, piece.End) : Segment.FromCurve(piece)) : [segment];
         foreach (var part in parts)
         {
             var piece = new ChainPiece(part, start);
@@ -160,6 +163,23 @@ internal sealed class ChainPiece
         var after = _powers.Evaluate(to, out var second);
         var chord = before.DistanceTo(after);
         return chord > 0.0 ? Math.Atan2(first.Cross(second), first.Dot(second)) / chord : 0.0;
+    }
+
+    /// <summary>True when the control points go straight from end to end, as between the triple points with which some programs write the corners of a polygon: the curve may stand still there, where its curvature is that of rounding, and is a line all the same.</summary>
+    private static bool IsStraight(BezierSpan span)
+    {
+        var chord = span.End - span.Start;
+        if (!(chord.Length > 0.0)) return false;
+        var (along, before) = (chord * (1.0 / chord.Length), 0.0);
+        for (var i = 1; i <= span.Degree; i++)
+        {
+            var from = span.Control(i) - span.Start;
+            var ahead = from.Dot(along);
+            if (Math.Abs(from.Cross(along)) > StraightWithin || ahead < before - StraightWithin || !(span.Weight(i) > 0.0)) return false;
+            before = ahead;
+        }
+
+        return true;
     }
 
     private static double[] LengthTable(PowerBasis span)

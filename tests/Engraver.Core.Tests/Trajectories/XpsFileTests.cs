@@ -2,6 +2,7 @@ using Engraver.Benchmarks.Trajectories;
 using Engraver.Core.Geometry;
 using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Trajectories;
 
@@ -54,6 +55,35 @@ public class XpsFileTests
         var file = Assert.Single(TrajectoryFiles.Write(Shapes.Ellipse(10.0, 5.0), closed: true, new TrajectoryOptions(0.001), format, s_motion).Files);
 
         Assert.InRange(file.SampledError, 0.25 * file.VerifiedBound, file.VerifiedBound);
+    }
+
+    /// <summary>The first two control points are one: the curvature grows there without bound, as 1 over the root of the length.</summary>
+    [Fact]
+    public void A_spline_that_begins_at_a_doubled_control_point_is_divided_towards_it()
+    {
+        var curve = Segment.FromCurve(FreeCurves.Spline(3, [new(0, 0), new(0, 0), new(10, 0), new(10, 10)], [1, 1, 1, 1]));
+        var file = Assert.Single(TrajectoryFiles.Write([curve], closed: false, new TrajectoryOptions(0.001), TrajectoryFormat.XpsPvt, s_motion).Files);
+
+        Assert.InRange(file.VerifiedBound, 1e-9, 0.001);
+        Assert.InRange(file.SampledError, 0.0, file.VerifiedBound);
+        Assert.InRange(file.Points, 5, 200);
+    }
+
+    /// <summary>Some programs write a polygon as a spline with triple points: straight pieces that stand still at their ends.</summary>
+    [Theory]
+    [InlineData(TrajectoryFormat.Sace)]
+    [InlineData(TrajectoryFormat.XpsLineArc)]
+    [InlineData(TrajectoryFormat.XpsSpline)]
+    [InlineData(TrajectoryFormat.XpsPvt)]
+    public void The_straight_pieces_of_a_spline_with_triple_points_are_lines(TrajectoryFormat format)
+    {
+        var (a, b, c) = (new Point2D(-1227.9772, 416.6468), new Point2D(-1271.4778, 416.6468), new Point2D(-1288.7016, 462.1777));
+        var curve = Segment.FromCurve(FreeCurves.Spline(3, [a, a, b, b, b, b, c, c], [1, 1, 1, 1, 1, 1, 1, 1]));
+        var written = TrajectoryFiles.Write([curve], closed: false, new TrajectoryOptions(0.001), format, s_motion);
+
+        Assert.NotEmpty(written.Files);
+        Assert.Equal(a.DistanceTo(b) + b.DistanceTo(c), written.Files.Sum(file => file.Length), 6);
+        Assert.All(written.Files, file => Assert.InRange(file.SampledError, 0.0, 1e-6));
     }
 
     [Theory]

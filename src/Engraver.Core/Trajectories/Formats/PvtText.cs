@@ -16,6 +16,12 @@ internal static class PvtText
 
     private const int MostRounds = 14;
 
+    /// <summary>Curvature at an end of a part over that inside: above it the part is halved.</summary>
+    private const double MostUneven = 16.0;
+
+    /// <summary>Curvature by length, radians, of what is taken for straight.</summary>
+    private const double Straight = 1e-9;
+
     /// <summary>Part of the error that an uneven speed may take.</summary>
     private const double RampShare = 0.5;
 
@@ -43,10 +49,11 @@ internal static class PvtText
         var knots = new List<double> { 0.0 };
         foreach (var piece in chain.Pieces)
         {
-            var curvature = Enumerable.Range(0, 9).Max(i => Math.Abs(piece.At(i / 8.0).Curvature));
-            var step = curvature * piece.Length < 1e-9 ? piece.Length : Math.Min(1.0 / curvature, scale * Math.Pow(384.0 * error / (curvature * curvature * curvature), 0.25));
-            var count = Math.Max(1, (int)Math.Ceiling(piece.Length / step));
-            for (var i = 1; i <= count; i++) knots.Add(i == count ? piece.End : piece.Start + (piece.Length * i / count));
+            foreach (var (end, count) in Divided(piece, 0.0, 1.0, error, scale))
+            {
+                var start = knots[^1];
+                for (var i = 1; i <= count; i++) knots.Add(i == count ? end : start + ((end - start) * i / count));
+            }
         }
 
         foreach (var ramp in plan.Ramps)
@@ -56,6 +63,24 @@ internal static class PvtText
         }
 
         return Graded(chain, plan, knots, RampShare * error * scale * scale * scale * scale);
+    }
+
+    /// <summary>Parts of a piece, and into how many elements the error divides each. Where the curvature at an end is far from that inside, as at the end of a spline whose first two control points are one (there it has no bound), the part is halved until one element is enough.</summary>
+    /// <returns>Where each part ends, as a length of the chain, in order, and the number of its elements.</returns>
+    private static IEnumerable<(double End, int Count)> Divided(ChainPiece piece, double from, double to, double error, double scale)
+    {
+        var curvatures = Enumerable.Range(0, 9).Select(i => Math.Abs(piece.At(from + ((to - from) * i / 8.0)).Curvature)).ToArray();
+        var (inside, ends) = (curvatures[1..8].Max(), Math.Max(curvatures[0], curvatures[8]));
+        var (until, length) = (piece.LengthAt(to), piece.LengthAt(to) - piece.LengthAt(from));
+        var uneven = !(ends <= MostUneven * inside) && !(ends * length < Straight);
+        if (!uneven) return [(until, Elements(length, Math.Max(inside, ends), error, scale))];
+        return Elements(length, inside, error, scale) == 1 ? [(until, 1)] : [.. Divided(piece, from, (from + to) / 2.0, error, scale), .. Divided(piece, (from + to) / 2.0, to, error, scale)];
+    }
+
+    private static int Elements(double length, double curvature, double error, double scale)
+    {
+        var step = curvature * length < Straight ? length : Math.Min(1.0 / curvature, scale * Math.Pow(384.0 * error / (curvature * curvature * curvature), 0.25));
+        return Math.Max(1, (int)Math.Ceiling(length / step));
     }
 
     /// <summary>Elements in which the speed changes on a bend are divided into equal changes of speed: the error of what the change adds falls with the fourth power of their number.</summary>
