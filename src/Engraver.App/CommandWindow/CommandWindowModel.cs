@@ -1,6 +1,7 @@
 using System.Collections.ObjectModel;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
+using Engraver.App.MachineStrip;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 
@@ -31,7 +32,7 @@ public sealed class CommandWindowModel : Observable
     public Act Choose { get; }
 
     /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
-    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command.Working") : PromptLine.WithoutOptions(_desk.Prompt.Text);
+    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get(KeyReasons.Hold(_desk.Session.Machine.Status) is null ? "Command.JobRuns" : "Command.Working") : PromptLine.WithoutOptions(_desk.Prompt.Text);
 
     public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
 

@@ -41,7 +41,9 @@ public sealed class FileQuestions : Observable
     /// <summary>Opens a drawing that was dropped, or chosen from a list: edits of the one that is open are asked about first.</summary>
     public async Task OpenAsync(string path)
     {
-        if (await MayLoseEditsAsync()) await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
+        if (!await MayLoseEditsAsync()) return;
+        Remember(FileWanted.Drawing, path);
+        await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
     }
 
     /// <summary>Runs a script that was dropped.</summary>
@@ -111,18 +113,19 @@ public sealed class FileQuestions : Observable
         if (wanted is { Kind: FileWanted.Drawing, Writes: false })
         {
             if (await AskAboutEditsAsync() is not { } saves || !ReferenceEquals(_asked, wanted)) return;
-            Remember(choice);
+            Remember(wanted.Kind, choice.Path);
             if (saves) await SaveAndOpenAsync(choice.Path);
             else await AnswerNowAsync(wanted, choice.Path);
             return;
         }
 
         if (!ReferenceEquals(_asked, wanted)) return;
-        Remember(choice);
+        Remember(wanted.Kind, choice.Path);
         await AnswerNowAsync(wanted, choice.Path);
     }
 
-    private void Remember(FileChoice choice) => _desk.Session.Settings.Change(settings => settings.WithFileFolder(choice.Wanted.Kind, Path.GetDirectoryName(choice.Path)!));
+    /// <summary>The dialog begins in the folder that was used last.</summary>
+    private void Remember(string kind, string path) => _desk.Session.Settings.Change(settings => settings.WithFileFolder(kind, Path.GetDirectoryName(Path.GetFullPath(path))!));
 
     private async Task<bool> MayReplaceAsync(string path) =>
         await Question.AskAsync(Text.Get("Files.Replace", Path.GetFileName(path), Path.GetDirectoryName(path)), "Files.No", "Files.Yes") == "Files.Yes";

@@ -18,7 +18,7 @@ public partial class QuestionView : UserControl
     public bool Press(KeyEventArgs e)
     {
         if (e.Key == Key.Escape) Model.Leave();
-        else if (e.Key == Key.Enter && e.Source is Button { Tag: string } button && !Model.IsTyping) button.Command?.Execute(null);
+        else if (e.Key == Key.Enter && e.Source is Button { DataContext: QuestionAnswer } button && !Model.IsTyping) button.Command?.Execute(null);
         else if (e.Key == Key.Enter) Model.Take();
         else return e.Source is TextBox && (Edits(e.Key) || e.KeyModifiers is not (KeyModifiers.None or KeyModifiers.Shift)); // the text box under the question gets nothing of it
         return true;

@@ -74,7 +74,13 @@ public sealed class PropertiesModel : Observable
     private async Task<bool> ChangeAsync(PropertyValue value, string typed, DocumentState of)
     {
         var state = _desk.Session.Document.Current;
-        if (typed.Length == 0 || _desk.Prompt.Command is not null || !ReferenceEquals(state.Drawing, of.Drawing) || !ReferenceEquals(state.Selection, of.Selection)) return false;
+        if (typed.Length == 0 || !ReferenceEquals(state.Drawing, of.Drawing) || !ReferenceEquals(state.Selection, of.Selection)) return false;
+        if (_desk.Prompt.Command is { } asking)
+        {
+            _desk.Tell(MessageKind.Warning, Text.Get("Properties.CommandAsks", value.Property.Title, asking));
+            return false;
+        }
+
         return await _desk.RunAsync("CHPROP", value.Property.Name, typed) is InputResult.Done;
     }
 

@@ -67,6 +67,7 @@ public sealed class BesideTests(DesktopFixture fixture)
     public Task Objects_can_be_selected_and_asked_about_while_a_job_runs() => fixture.WithOperator(here =>
     {
         Start(here);
+        Assert.Equal("The job runs ... (Esc holds it)", here.Window.Model.Command.Instruction);
         _ = here.Desk.SelectAsync(_ => [1], remove: false);
         here.Until(() => here.Commands.Document.Current.Selection.Count == 1);
         Type(here, "list");

@@ -17,6 +17,7 @@ public sealed class FileDropTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
+        Assert.Equal(Path.GetDirectoryName(Sample("gasket.dxf")), here.Commands.Settings.Current.FileFolders.GetValueOrDefault("drawing"));
     });
 
     [Fact]

@@ -51,6 +51,18 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task While_a_command_asks_nothing_is_changed_and_it_is_said() => With(here =>
+    {
+        Select(here, 0);
+        _ = here.Desk.RunAsync("DIST");
+        here.Rest();
+        Type(here, "Radius", "7", Key.Enter);
+
+        Assert.Equal(20.0, Radius(here, 0));
+        Assert.Contains(here.History, line => line.StartsWith("Radius was not changed: DIST asks.", StringComparison.Ordinal));
+    });
+
+    [Fact]
     public Task Esc_gives_a_field_up_and_keeps_the_selection() => With(here =>
     {
         Select(here, 0);

@@ -37,12 +37,16 @@ public class BenchVerbTests
         using var folder = new TemporaryFolder();
         File.Copy(SampleDrawing.PathOf("paper-001"), folder.PathOf("part.dxf"));
         var run = await CliRun.RunAsync("bench", "posts", Path.GetDirectoryName(folder.PathOf("part.dxf"))!);
-        var rows = run.Out.TrimEnd('\n').Split('\n')[2..].Select(line => line.Split('|', StringSplitOptions.TrimEntries)).ToList();
+        var lines = run.Out.TrimEnd('\n').Split('\n')[2..];
+        var rows = lines.Where(line => line.StartsWith('|')).Select(line => line.Split('|', StringSplitOptions.TrimEntries)).ToList();
 
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        Assert.Equal(rows.Count, lines.Count(line => line.Contains(": slowest ", StringComparison.Ordinal) && line.Contains(" part.dxf ", StringComparison.Ordinal)));
         Assert.Equal(["galil", "galil-calls", "cldata", "agie", "gcode linuxcnc", "gcode grbl", "hpgl", "xps-linearc", "xps-spline", "xps-pvt"], rows.Select(row => row[1]));
         Assert.All(rows, row => Assert.Equal(("1", "0", "1"), (row[2], row[3], row[7])));
         Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "posts", folder.PathOf("nowhere"))).ExitCode);
+        var one = await CliRun.RunAsync("bench", "posts", Path.GetDirectoryName(folder.PathOf("part.dxf"))!, "--target", "hpgl");
+        Assert.Equal("hpgl", Assert.Single(one.Out.TrimEnd('\n').Split('\n')[2..], line => line.StartsWith('|')).Split('|', StringSplitOptions.TrimEntries)[1]);
     }
 
     /// <summary>No time is looked at: every fault has its row, and where the link stands the stop was heard on the wire.</summary>
