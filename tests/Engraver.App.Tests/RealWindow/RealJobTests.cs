@@ -23,8 +23,8 @@ public sealed class RealJobTests(DesktopFixture fixture)
         desktop.WaitForTitle("nameplate.dxf - CNC");
         desktop.Enter("CNCCONNECT", Machine);
         desktop.WaitForTitle("nameplate.dxf - READY");
-        desktop.Click(arm);
-        desktop.WaitForTitle("nameplate.dxf - ARMED");
+        desktop.Settle(); // the title comes before the command has ended
+        desktop.ClickUntil(arm, "nameplate.dxf - ARMED");
         desktop.Press("Return"); // starts nothing: there is one journal in the end
         desktop.Press("Escape");
         desktop.Click(start);

@@ -23,7 +23,7 @@ public sealed class JobPlacement
     /// <summary>X, Y and Z as far as steppers move them, by the controller or by the profile: their positions are those that were commanded, and nobody knows whether the motors followed.</summary>
     public IReadOnlyList<char> OpenLoop { get; private init; } = [];
 
-    /// <summary>Letters of the axes that are taken for steppers because nobody tells their motor type.</summary>
+    /// <summary>X, Y and Z as far as their motors are taken for steppers because nobody tells their type.</summary>
     public IReadOnlyList<char> Untold { get; private init; } = [];
 
     /// <summary>Asks the controller where the machine is and finds the place by the kept work origin.</summary>
@@ -42,7 +42,7 @@ public sealed class JobPlacement
         if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, hold.Memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(hold, found, program);
         if (found.Source == OriginSource.Work) await VouchAsync(machine, hold, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory, time, cancellation).ConfigureAwait(false);
-        return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), Untold = [.. place.Untold] };
+        return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), Untold = UntoldOf(program.Profile.Axes, place) };
     }
 
     /// <summary>Notes that the machine is about to move.</summary>
@@ -86,6 +86,9 @@ public sealed class JobPlacement
     /// <summary>The motor type of the profile is set before the job moves; where it names none the controller's own stays.</summary>
     private static IReadOnlyList<char> OpenLoopOf(MachineAxes axes, ControllerPlace place) =>
         [.. axes.All.Zip("XYZ").Where(pair => pair.First.MotorType is null ? place.Uncounted.Contains(pair.First.Letter, StringComparison.Ordinal) : pair.First.IsStepper).Select(pair => pair.Second)];
+
+    private static IReadOnlyList<char> UntoldOf(MachineAxes axes, ControllerPlace place) =>
+        [.. axes.All.Zip("XYZ").Where(pair => place.Untold.Contains(pair.First.Letter, StringComparison.Ordinal)).Select(pair => pair.Second)];
 
     private static CountsPoint? FinishOf(MotionProgram program, FinishPlace finish, CountsPoint frame) => finish switch
     {
