@@ -99,10 +99,11 @@ internal sealed class Operator
         Step();
     }
 
-    /// <summary>Brings a page or a palette to the front.</summary>
+    /// <summary>Brings a page or a palette to the front; a panel that is folded is opened.</summary>
     public void Show(string key)
     {
         var tabs = Window.GetVisualDescendants().OfType<PageTabs>().First(tabs => tabs.Pages.Any(page => page.Key == key));
+        if (tabs.IsFolded) Click(tabs.GetVisualDescendants().OfType<Button>().First(button => button.Name == "FoldButton"));
         Click(tabs.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is PageTab tab && tab.Key == key));
         Step();
     }

@@ -7,8 +7,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>The command window: history, prompt with its options, the line being typed, suggestions.</summary>
-public sealed class CommandWindowModel : Observable
+/// <summary>The command window and its line: history, prompt with its options, the line being typed, suggestions.</summary>
+public sealed class CommandWindowModel : Observable, ISeen
 {
     private const int MostLines = 5000;
     private readonly DesktopModel _desk;
@@ -17,6 +17,7 @@ public sealed class CommandWindowModel : Observable
     private string _line = "";
     private IReadOnlyList<CommandSuggestion> _suggestions = [];
     private int _suggested = -1;
+    private bool _isSeen;
 
     public CommandWindowModel(DesktopModel desk)
     {
@@ -27,6 +28,16 @@ public sealed class CommandWindowModel : Observable
     }
 
     public ObservableCollection<HistoryLine> History { get; } = [];
+
+    /// <summary>The history is in sight. While it is not, the line that was said last stands at the command line.</summary>
+    public bool IsSeen
+    {
+        get => _isSeen;
+        set => Set(ref _isSeen, value);
+    }
+
+    /// <summary>The line that was said last; null at the start.</summary>
+    public HistoryLine? Last => History.LastOrDefault(line => line.Text.Trim().Length > 0);
 
     /// <summary>A click on an option of the prompt.</summary>
     public Act Choose { get; }
@@ -162,6 +173,7 @@ public sealed class CommandWindowModel : Observable
         }
 
         while (History.Count > MostLines) History.RemoveAt(0);
+        Tell(nameof(Last));
     }
 
     private void OnChanged()

@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
 using Avalonia.Input;
 using Avalonia.Threading;
 
@@ -17,7 +18,7 @@ public partial class ConnectView : UserControl
     public bool Press(KeyEventArgs e)
     {
         if (e.Key == Key.Escape) Model.Cancel.Execute(null);
-        else if (e.Key == Key.Enter && e.Source is not ((Button and not RadioButton) or ComboBox or ComboBoxItem) && Model.Connect.CanExecute(null)) Model.Connect.Execute(null);
+        else if (e.Key == Key.Enter && e.Source is not ((Button and not ToggleButton) or ComboBox or ComboBoxItem) && Model.Connect.CanExecute(null)) Model.Connect.Execute(null);
         else return false;
         return true;
     }

@@ -9,8 +9,11 @@ public partial class MachineStripView : UserControl
     /// <summary>In a narrower window inputs and outputs make room for the progress; CNCSTATUS shows them. Units of 1/96 inch.</summary>
     private const double LeastWidthForWires = 1270.0;
 
-    /// <summary>In a still narrower one the strip has two rows.</summary>
+    /// <summary>In a still narrower one the state stands over the place, and the tool over the progress.</summary>
     private const double LeastWidthForOneRow = 1140.0;
+
+    /// <summary>Below this nothing but what an operator must see has room.</summary>
+    private const double LeastWidthForSegments = 1000.0;
 
     public MachineStripView()
     {
@@ -25,5 +28,6 @@ public partial class MachineStripView : UserControl
     {
         WiresField.IsVisible = width >= LeastWidthForWires;
         Classes.Set("narrow", width < LeastWidthForOneRow);
+        Classes.Set("tight", width < LeastWidthForSegments);
     }
 }

@@ -21,7 +21,7 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
     /// <summary>Between a menu and the edge of its window.</summary>
     private const double Edge = 8;
 
-    public IReadOnlyList<MenuItem> Build(IEnumerable<MenuSection> sections) => [.. sections.Where(section => section.Entries.Count > 0).Select(Top)];
+    public IReadOnlyList<MenuItem> Build(IEnumerable<MenuSection> sections) => [.. sections.Where(section => section.Entries.Count > 0).Select(Menu)];
 
     /// <summary>Gives a menu that has opened no more height than its window has; what is longer scrolls.</summary>
     public static void Fit(MenuItem? item, Visual window)
@@ -31,9 +31,9 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
         list.MaxHeight = Math.Max(LeastHeight, window.Bounds.Height - top - Edge);
     }
 
-    private MenuItem Top(MenuSection section)
+    private MenuItem Menu(MenuSection section)
     {
-        var item = new MenuItem { Header = Text.Get("Menu." + section.Key), Name = section.Key + "Menu" };
+        var item = new MenuItem { Header = Text.Get(section.Name), Name = section.Key + "Menu", Tag = section.Name };
         item.Items.Add(new MenuItem());
         item.SubmenuOpened += Fill;
         return item;
@@ -42,15 +42,16 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
         {
             item.SubmenuOpened -= Fill;
             item.Items.Clear();
-            foreach (var entry in Entries(section.Entries)) item.Items.Add(entry);
+            foreach (var name in section.Entries) item.Items.Add(section.Submenus.FirstOrDefault(submenu => submenu.Name == name) is { } submenu ? Menu(submenu) : Entry(name));
         }
     }
 
     /// <summary>Items for entries of a layout.</summary>
-    public IEnumerable<Control> Entries(IEnumerable<string> names) => names.Select(name => name.Length == 0 ? new Separator() : (Control)Entry(name));
+    public IEnumerable<Control> Entries(IEnumerable<string> names) => names.Select(Entry);
 
-    private MenuItem Entry(string name)
+    private Control Entry(string name)
     {
+        if (name.Length == 0) return new Separator();
         var isCommand = !name.Contains('.', StringComparison.Ordinal);
         var row = new Grid { ColumnDefinitions = new ColumnDefinitions("*,Auto"), MinWidth = 210 };
         row.Children.Add(new TextBlock { Text = isCommand ? MenuTitle.Find(name) : Text.Get(name), VerticalAlignment = VerticalAlignment.Center });

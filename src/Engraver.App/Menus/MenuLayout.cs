@@ -10,12 +10,38 @@ public static class MenuLayout
     private static readonly IReadOnlyList<MenuSection> s_sections =
     [
         new("File", ["NEW", "OPEN", "RECENT", "HISTORY", "CLOSE", Separator, "QSAVE", "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
-        new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", "Window.SelectAll", Separator, "ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", "ARRAY", "GRIPEDIT", "STRETCH", "EXPLODE", "REVERSE", Separator, "TRIM", "EXTEND", "BREAK", "FILLET", "CHAMFER", "MATCHPROP", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"]),
-        new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "POLAR", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", Separator, "Window.Palettes", "Window.Pages", "Window.Clean", "Window.History"]),
-        new("Drawing", ["LINE", "PLINE", "CIRCLE", "ARC", "RECTANG", "POLYGON", "ELLIPSE", Separator, "LAYER", "CLAYER", "PROPERTIES", "CHPROP", "LIST", Separator, "DIST", "ID", "AREA", "LUPREC", "AUPREC", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", Separator, "CNCUNITS", "CNCCUT", Separator, "OSMODE", "APERTURE", "POLARANG", "POLARTRACK"]),
+        new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", "Window.SelectAll", Separator, "ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", "ARRAY", "Menu.Reshape", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"])
+        {
+            Submenus = [new("Reshape", ["STRETCH", "GRIPEDIT", Separator, "TRIM", "EXTEND", "BREAK", "FILLET", "CHAMFER", Separator, "EXPLODE", "REVERSE"])],
+        },
+        new("View", ["ZOOM", "PAN", "REGEN", Separator, "Menu.DraftingAids", "SHOW", Separator, "Window.Palettes", "Window.Pages", "Window.Clean", "Window.History"])
+        {
+            Submenus = [new("DraftingAids", ["GRID", "SNAP", "ORTHO", "POLAR", "OSNAP", "DYNAMICINPUT", Separator, "OSMODE", "APERTURE", "POLARANG", "POLARTRACK"])],
+        },
+        new("Drawing", ["LINE", "PLINE", "CIRCLE", "ARC", "RECTANG", "POLYGON", "ELLIPSE", Separator, "Menu.ObjectProperties", "Menu.Measure", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", "Menu.Reading"])
+        {
+            Submenus =
+            [
+                new("ObjectProperties", ["LAYER", "CLAYER", Separator, "PROPERTIES", "CHPROP", "MATCHPROP", "LIST"]),
+                new("Measure", ["DIST", "ID", "AREA", Separator, "LUPREC", "AUPREC"]),
+                new("Reading", ["CNCUNITS", "CNCCUT"]),
+            ],
+        },
         new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "LINK", Separator, "OFFSET", "POCKET", "KERF", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"]),
-        new("Trajectory", ["SACEPATH", "SACEOFFSET", "SACEUNIFORMOFFSET", "SACECONSTANTOFFSETS", "SACEDEEPENGRAVING", "SACEHELICALDRILL", Separator, "SACESHOWTRAJECTORIES", "SACEEDITTRAJECTORY", "SACEUPDATETRAJECTORIES", "SACEDELETELASTTRAJECTORY", "SACEDELETEALLTRAJECTORIES", Separator, "SACESIMULATE", "SACEEXPORTTRAJECTORIES", Separator, "SACESETMAXERROR", "SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "SACECORNERS", "SACESETZPLANE"]),
-        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCCOMMISSION", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCFRAME", "CNCARM", "CNCRUN", "CNCHOME", "CNCJOG", "CNCGOTO", "CNCZERO", "CNCORIGIN", "CNCHOLD", "CNCRESUME", "CNCOVERRIDE", "CNCSTOP", "CNCABORT", "CNCOUTPUT", Separator, "CNCTRACE", "ALARMS", "CNCTERMINAL", Separator, "CNCFINISH", "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
+        new("Trajectory", ["SACEPATH", "SACEOFFSET", "SACEUNIFORMOFFSET", "SACECONSTANTOFFSETS", "SACEDEEPENGRAVING", "SACEHELICALDRILL", Separator, "SACESHOWTRAJECTORIES", "SACEEDITTRAJECTORY", "SACEUPDATETRAJECTORIES", "SACEDELETELASTTRAJECTORY", "SACEDELETEALLTRAJECTORIES", Separator, "SACESIMULATE", "SACEEXPORTTRAJECTORIES", Separator, "Menu.TrajectorySettings"])
+        {
+            Submenus = [new("TrajectorySettings", ["SACESETMAXERROR", "SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "SACECORNERS", "SACESETZPLANE"])],
+        },
+        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCSTATUS", Separator, "CNCSIM", "CNCFRAME", "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "Menu.ByHand", "Menu.Feeds", "Menu.Watch", "Menu.Setup"])
+        {
+            Submenus =
+            [
+                new("ByHand", ["CNCMOTORS", "CNCHOME", Separator, "CNCJOG", "CNCGOTO", Separator, "CNCZERO", "CNCORIGIN", Separator, "CNCOUTPUT"]),
+                new("Feeds", ["CNCOVERRIDE", Separator, "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA", Separator, "CNCFINISH"]),
+                new("Watch", ["ALARMS", "CNCTRACE", "CNCTERMINAL"]),
+                new("Setup", ["CNCPROFILE", "CNCCOMMISSION"]),
+            ],
+        },
         new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", "CERTIFY", "SEND", Separator, "REPORT", "TABLE"]),
         new("Settings", ["THEME", "LANGUAGE"]),
         new("Help", ["HELP"]),
@@ -30,12 +56,20 @@ public static class MenuLayout
     /// <summary>The menus of what is built.</summary>
     public static IReadOnlyList<MenuSection> For(CommandCatalog catalog)
     {
-        var named = s_sections.SelectMany(section => section.Entries).ToHashSet(StringComparer.Ordinal);
+        ArgumentNullException.ThrowIfNull(catalog);
+        var named = s_sections.SelectMany(section => section.Commands).ToHashSet(StringComparer.Ordinal);
         var homeless = catalog.All.Where(info => !named.Contains(info.Name)).GroupBy(info => HomeOf(info.Group)).ToDictionary(group => group.Key, group => group.Select(info => info.Name).ToList());
-        return [.. s_sections.Select(section => section with { Entries = Tidy([.. section.Entries.Where(entry => IsBuilt(catalog, entry)), Separator, .. homeless.GetValueOrDefault(section.Key, [])]) })];
+        return [.. s_sections.Select(section => Built(catalog, section, homeless.GetValueOrDefault(section.Key, [])))];
     }
 
-    private static bool IsBuilt(CommandCatalog catalog, string entry) => entry.Length == 0 || entry.Contains('.', StringComparison.Ordinal) || catalog.Find(entry) is not null;
+    private static MenuSection Built(CommandCatalog catalog, MenuSection section, IReadOnlyList<string> more)
+    {
+        var submenus = section.Submenus.Select(submenu => Built(catalog, submenu, [])).Where(submenu => submenu.Entries.Count > 0).ToList();
+        return section with { Submenus = submenus, Entries = Tidy([.. section.Entries.Where(entry => IsBuilt(catalog, submenus, entry)), Separator, .. more]) };
+    }
+
+    private static bool IsBuilt(CommandCatalog catalog, IReadOnlyList<MenuSection> submenus, string entry) =>
+        entry.StartsWith(MenuSection.SubmenuPrefix, StringComparison.Ordinal) ? submenus.Any(submenu => submenu.Name == entry) : entry.Length == 0 || entry.Contains('.', StringComparison.Ordinal) || catalog.Find(entry) is not null;
 
     private static string HomeOf(CommandGroup group) => group switch
     {
@@ -65,7 +99,19 @@ public static class MenuLayout
     }
 }
 
-/// <summary>One top-level menu.</summary>
+/// <summary>One menu of the bar, or a submenu of one.</summary>
 /// <param name="Key">Name of its text (<c>Menu.File</c>).</param>
-/// <param name="Entries">Names of commands; empty is a separator; a name with a dot is an act of the window itself (<c>Window.Exit</c>).</param>
-public sealed record MenuSection(string Key, IReadOnlyList<string> Entries);
+/// <param name="Entries">Names of commands; empty is a separator; <c>Menu.KEY</c> is a submenu; another name with a dot is an act of the window itself (<c>Window.Exit</c>).</param>
+public sealed record MenuSection(string Key, IReadOnlyList<string> Entries)
+{
+    internal const string SubmenuPrefix = "Menu.";
+
+    /// <summary>What the entries name as submenus.</summary>
+    public IReadOnlyList<MenuSection> Submenus { get; init; } = [];
+
+    /// <summary>Name of its text, and of its entry in the menu around it.</summary>
+    public string Name => SubmenuPrefix + Key;
+
+    /// <summary>The commands in it and in its submenus.</summary>
+    public IEnumerable<string> Commands => Entries.Where(entry => entry.Length > 0 && !entry.Contains('.', StringComparison.Ordinal)).Concat(Submenus.SelectMany(submenu => submenu.Commands));
+}

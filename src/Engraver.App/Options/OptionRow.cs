@@ -17,11 +17,24 @@ public sealed class OptionRow(OptionEntry entry) : Observable
     public string Title => entry.Unit.Length > 0 ? Texts.Text.Get("Options.WithUnit", entry.Name, entry.Unit) : entry.Name;
 
     /// <summary>What it does, what is typed for it, and its first value.</summary>
-    public string Meaning => entry.Default.Length > 0 ? Texts.Text.Get("Options.MeaningWithDefault", entry.Meaning, entry.Command, entry.Default) : Texts.Text.Get("Options.Meaning", entry.Meaning, entry.Command);
+    public string Meaning => entry.Default.Length > 0 ? Texts.Text.Get("Options.MeaningWithDefault", entry.Meaning, entry.Command, entry.ShownDefault) : Texts.Text.Get("Options.Meaning", entry.Meaning, entry.Command);
 
     public bool IsNumber => entry.Choices.Count == 0 && !entry.IsSwitch;
 
     public bool IsChoice => entry.Choices.Count > 0;
+
+    /// <summary>The words that may be chosen.</summary>
+    public IReadOnlyList<OptionChoice> Choices { get; } = entry.ShownChoices;
+
+    /// <summary>The word that is chosen; null for a number.</summary>
+    public OptionChoice? Choice
+    {
+        get => Choices.FirstOrDefault(choice => choice.Value == _typed);
+        set
+        {
+            if (value is not null) Typed = value.Value;
+        }
+    }
 
     public string Typed
     {
@@ -31,6 +44,7 @@ public sealed class OptionRow(OptionEntry entry) : Observable
             if (!Set(ref _typed, (value ?? "").Trim())) return;
             Wrong = entry.WhyNot(_typed) ?? "";
             Tell(nameof(IsOn));
+            Tell(nameof(Choice));
         }
     }
 

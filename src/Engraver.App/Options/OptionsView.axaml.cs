@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
 using Avalonia.Input;
 using Avalonia.Threading;
 using Engraver.App.Desk;
@@ -13,13 +14,13 @@ public partial class OptionsView : UserControl
 
     private OptionsModel Model => (OptionsModel)DataContext!;
 
-    /// <summary>Enter takes and Esc leaves; everything else belongs to what has the keyboard.</summary>
+    /// <summary>Enter takes, also on a check box, which Space turns; Esc leaves. Everything else belongs to what has the keyboard.</summary>
     /// <returns>True when it was one of them.</returns>
     public bool Press(KeyEventArgs e)
     {
         if (e.Source is ComboBox { IsDropDownOpen: true } or ComboBoxItem) return false; // the keys are those of the open list
         if (e.Key == Key.Escape) Model.Cancel.Execute(null);
-        else if (e.Key == Key.Enter && e.Source is not (Button or ComboBox or ComboBoxItem)) Model.Take.Execute(null);
+        else if (e.Key == Key.Enter && e.Source is not ((Button and not ToggleButton) or ComboBox or ComboBoxItem)) Model.Take.Execute(null);
         else return false;
         return true;
     }

@@ -1,16 +1,19 @@
+using Avalonia;
 using Avalonia.Controls;
 using Engraver.App.Desk;
 using Engraver.App.Tabs;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The sizes of the palettes and the pages: dragged by the operator, folded to their strip of tabs, kept between two starts. In a small window they shrink before the canvas does, and grow back.</summary>
+/// <summary>The sizes of the palettes and the pages: dragged by the operator, folded to their strip of tabs, kept between two starts. In a small window they shrink before the canvas does, and grow back; in a very small one they are folded until the operator opens them there.</summary>
 public sealed class PanelSizes
 {
     private const string HistoryName = "history";
     private const string PagesName = "pages";
     private const string PalettesName = "palettes";
-    private const double FoldedPagesHeight = 29;
+
+    /// <summary>The strip of tabs, and the row with what was said last.</summary>
+    private const double FoldedPagesHeight = 29 + 24;
     private const double FoldedPalettesWidth = 30;
     private const double LeastPagesHeight = 110;
     private const double LeastPalettesWidth = 240;
@@ -20,24 +23,32 @@ public sealed class PanelSizes
     private const double LeastCanvasHeight = 140;
     private const double LeastCanvasWidth = 340;
     private const double SplitterSize = 4;
+
+    /// <summary>Where there is less room for canvas and panels the pages are folded, or the palettes.</summary>
+    private const double LeastHeightForPages = 380;
+    private const double LeastWidthForPalettes = 900;
     private readonly DesktopModel _desk;
     private readonly RowDefinition _pagesRow;
     private readonly ColumnDefinition _palettesColumn;
     private readonly PageTabs _pages;
     private readonly PageTabs _palettes;
     private bool _isExpanded;
+    private bool _isLow;
+    private bool _isNarrow;
 
+    /// <param name="room">Around both, and the command line.</param>
     /// <param name="rows">Of canvas, splitter and pages.</param>
     /// <param name="columns">Of tools, canvas, splitter and palettes.</param>
-    public PanelSizes(DesktopModel desk, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
+    public PanelSizes(DesktopModel desk, Control room, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
     {
         (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, rows.RowDefinitions[^1], columns.ColumnDefinitions[^1], pages, palettes);
         rows.SizeChanged += (_, e) => _pagesRow.MaxHeight = Math.Max(LeastPagesHeight, e.NewSize.Height - SplitterSize - LeastCanvasHeight);
         columns.SizeChanged += (_, e) => _palettesColumn.MaxWidth = Math.Max(LeastPalettesWidth, e.NewSize.Width - SplitterSize - LeastCanvasWidth);
+        room.SizeChanged += (_, e) => FitTo(e.NewSize);
         pages.FoldWanted += (_, _) => FoldPages();
         palettes.FoldWanted += (_, _) => FoldPalettes();
-        ShowPages(IsFolded(PagesName));
-        ShowPalettes(IsFolded(PalettesName));
+        ShowPages();
+        ShowPalettes();
     }
 
     /// <summary>Only the strip of tabs of the pages is seen.</summary>
@@ -45,31 +56,24 @@ public sealed class PanelSizes
 
     public void FoldPages()
     {
-        var folded = !IsFolded(PagesName);
-        Keep();
-        _desk.Session.Settings.Change(settings => settings.WithPanelFolded(PagesName, folded));
-        ShowPages(folded);
+        Fold(PagesName);
+        ShowPages();
     }
 
     public void FoldPalettes()
     {
-        var folded = !IsFolded(PalettesName);
-        Keep();
-        _desk.Session.Settings.Change(settings => settings.WithPanelFolded(PalettesName, folded));
-        ShowPalettes(folded);
+        Fold(PalettesName);
+        ShowPalettes();
     }
 
-    /// <summary>Brings the command line to the front when something is typed.</summary>
-    public void BringCommandLine()
-    {
-        if (IsFolded(PagesName)) FoldPages();
-        _pages.Show("Command");
-    }
+    /// <summary>Brings the history to the front when something is typed; where the pages are folded they stay so, and the command line shows the last line of it.</summary>
+    public void BringCommandLine() => _pages.Show("Command");
 
     /// <summary>F2: enlarges the history, or shrinks it back. Its large height is remembered beside the usual one.</summary>
     public void ExpandHistory()
     {
         BringCommandLine();
+        if (ArePagesFolded) FoldPages();
         Keep();
         _isExpanded = !_isExpanded;
         var usual = SizeOf(PagesName, DefaultPagesHeight);
@@ -93,23 +97,45 @@ public sealed class PanelSizes
         return settings;
     });
 
-    private const double DefaultPagesHeight = 190;
+    private const double DefaultPagesHeight = 164;
     private const double DefaultPalettesWidth = 380;
 
-    private bool IsFolded(string panel) => _desk.Session.Settings.Current.FoldedPanels.Contains(panel);
+    private bool IsSmall(string panel) => panel == PagesName ? _isLow : _isNarrow;
+
+    private bool IsFolded(string panel) => _desk.Session.Settings.Current is var settings && IsSmall(panel) ? !settings.PanelsOpenWhenSmall.Contains(panel) : settings.FoldedPanels.Contains(panel);
+
+    /// <summary>Folds it or opens it, for windows as small as this one or for all others.</summary>
+    private void Fold(string panel)
+    {
+        Keep();
+        var folds = !IsFolded(panel);
+        _desk.Session.Settings.Change(settings => IsSmall(panel) ? settings.WithPanelOpenWhenSmall(panel, !folds) : settings.WithPanelFolded(panel, folds));
+    }
+
+    private void FitTo(Size room)
+    {
+        var (low, narrow) = (room.Height < LeastHeightForPages, room.Width < LeastWidthForPalettes);
+        if (low == _isLow && narrow == _isNarrow) return;
+        Keep();
+        (_isLow, _isNarrow) = (low, narrow);
+        ShowPages();
+        ShowPalettes();
+    }
 
     private double SizeOf(string panel, double otherwise) => _desk.Session.Settings.Current.PanelSizes.GetValueOrDefault(panel, otherwise);
 
-    private void ShowPages(bool folded)
+    private void ShowPages()
     {
+        var folded = ArePagesFolded;
         _isExpanded = false;
         _pagesRow.MinHeight = folded ? FoldedPagesHeight : LeastPagesHeight;
         _pagesRow.Height = new GridLength(folded ? FoldedPagesHeight : SizeOf(PagesName, DefaultPagesHeight));
         _pages.ShowFolded(folded, "FoldUpIcon", "FoldDownIcon");
     }
 
-    private void ShowPalettes(bool folded)
+    private void ShowPalettes()
     {
+        var folded = IsFolded(PalettesName);
         _palettesColumn.MinWidth = folded ? FoldedPalettesWidth : LeastPalettesWidth;
         _palettesColumn.Width = new GridLength(folded ? FoldedPalettesWidth : SizeOf(PalettesName, DefaultPalettesWidth));
         _palettes.ShowFolded(folded, "FoldLeftIcon", "FoldRightIcon");

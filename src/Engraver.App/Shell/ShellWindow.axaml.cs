@@ -6,7 +6,6 @@ using Avalonia.Threading;
 using Avalonia.VisualTree;
 using Engraver.App.Binding;
 using Engraver.App.Canvas;
-using Engraver.App.CommandWindow;
 using Engraver.App.Desk;
 using Engraver.App.FileDialogs;
 using Engraver.App.HandMoves;
@@ -41,7 +40,7 @@ public partial class ShellWindow : Window
         Canvas.Children.Add(new StartPageView { Name = "StartSheet", DataContext = Model.StartPage });
         Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.Point, () => new CanvasMenu(desk, menus, Model.Command).Make(Bounds.Height).Open(Canvas));
         CanvasSource = new CanvasSource(desk, Canvas);
-        _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
+        _panels = new PanelSizes(desk, Middle, Rows, Columns, Pages, Palettes);
         OpeningSize.Give(this, new Size(desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight));
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
         _ = new WindowPresence(this, desk);
@@ -68,8 +67,6 @@ public partial class ShellWindow : Window
 
     /// <summary>The area of STOP in the window.</summary>
     public Rect StopArea => MachineStrip.StopAreaIn(this);
-
-    private CommandWindowView CommandLine => (CommandWindowView)Pages.Pages[0].Page;
 
     /// <summary>The terminal where it is in front; null otherwise.</summary>
     private TerminalView? ShownTerminal => Pages.Current is { Key: "Terminal", Page: TerminalView terminal } && !_panels.ArePagesFolded ? terminal : null;
@@ -230,8 +227,7 @@ public partial class ShellWindow : Window
     private void TakeKeyboard()
     {
         if (ShownTerminal is not null) _panels.BringCommandLine();
-        if (Pages.Current?.Key == "Command" && !_panels.ArePagesFolded) CommandLine.LineBox.Focus();
-        else FocusManager?.Focus(null);
+        CommandLine.LineBox.Focus();
     }
 
     /// <summary>Esc has held the machine: a question that is asked beside the job ends, the job does not.</summary>

@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.Interactivity;
 using Avalonia.Media;
 using Engraver.App.Binding;
@@ -11,9 +12,13 @@ public partial class PageTabs : UserControl
 {
     private Control? _seen;
 
-    public PageTabs() => InitializeComponent();
+    public PageTabs()
+    {
+        InitializeComponent();
+        Strip.AddHandler(PointerReleasedEvent, OnTabClick, RoutingStrategies.Tunnel | RoutingStrategies.Bubble, handledEventsToo: true);
+    }
 
-    /// <summary>Raised when the fold button was pressed; the shell folds or opens the panel.</summary>
+    /// <summary>Raised when the fold button was pressed, or a tab of a folded panel; the shell folds or opens the panel.</summary>
     public event EventHandler? FoldWanted;
 
     /// <summary>A page came to the front.</summary>
@@ -23,6 +28,9 @@ public partial class PageTabs : UserControl
 
     /// <summary>The page in front.</summary>
     public PageTab? Current => Strip.SelectedItem as PageTab;
+
+    /// <summary>Only the strip of tabs is seen, or the title of the page in front.</summary>
+    public bool IsFolded => !Shown.IsVisible;
 
     /// <param name="first">Key of the page in front.</param>
     public void SetPages(IReadOnlyList<PageTab> pages, string first)
@@ -42,8 +50,8 @@ public partial class PageTabs : UserControl
         FoldIcon.Data = (Geometry)Application.Current!.FindResource(folded ? openIcon : foldIcon)!;
     }
 
-    /// <summary>Hides the strip of tabs of a panel that is folded sideways.</summary>
-    public void HideStrip(bool hidden) => Strip.IsVisible = !hidden;
+    /// <summary>Hides the strip of tabs of a panel that is folded sideways; the title of the page in front, turned, stands for it.</summary>
+    public void HideStrip(bool hidden) => (Strip.IsVisible, FoldedTitle.IsVisible) = (!hidden, hidden);
 
     /// <summary>Shows a line over the page in front; empty hides it.</summary>
     public void Hint(string text) => (HintText.Text, HintText.IsVisible) = (text, text.Length > 0 && Shown.IsVisible);
@@ -52,6 +60,7 @@ public partial class PageTabs : UserControl
     {
         if (Current is not { } page) return;
         Shown.Content = page.Page;
+        FoldedText.Text = page.Title;
         See(page.Page);
         PageShown?.Invoke(this, EventArgs.Empty);
     }
@@ -62,6 +71,13 @@ public partial class PageTabs : UserControl
         if (!ReferenceEquals(page, _seen) && _seen?.DataContext is ISeen hidden) hidden.IsSeen = false;
         _seen = page;
         if (page?.DataContext is ISeen shown) shown.IsSeen = Shown.IsVisible;
+    }
+
+    private void OnTabClick(object? sender, PointerReleasedEventArgs e)
+    {
+        if (!IsFolded || e.Handled || (e.Source as Control)?.DataContext is not PageTab) return;
+        e.Handled = true;
+        FoldWanted?.Invoke(this, EventArgs.Empty);
     }
 
     private void OnFold(object? sender, RoutedEventArgs e) => FoldWanted?.Invoke(this, EventArgs.Empty);

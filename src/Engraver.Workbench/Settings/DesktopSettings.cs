@@ -35,6 +35,9 @@ public sealed record DesktopSettings
     /// <summary>Names of the panels that are folded.</summary>
     public IReadOnlyList<string> FoldedPanels { get; init; } = [];
 
+    /// <summary>Names of the panels that the operator has opened in a window so small that they are folded there.</summary>
+    public IReadOnlyList<string> PanelsOpenWhenSmall { get; init; } = [];
+
     /// <summary>File of the machine profile that was taken last; null: the built-in one.</summary>
     public string? LastProfile { get; init; }
 
@@ -63,10 +66,13 @@ public sealed record DesktopSettings
 
     public DesktopSettings WithPanelSize(string panel, double size) => this with { PanelSizes = new Dictionary<string, double>(PanelSizes) { [panel] = size } };
 
-    public DesktopSettings WithPanelFolded(string panel, bool folded) =>
-        this with { FoldedPanels = folded ? [.. FoldedPanels.Where(name => name != panel), panel] : [.. FoldedPanels.Where(name => name != panel)] };
+    public DesktopSettings WithPanelFolded(string panel, bool folded) => this with { FoldedPanels = With(FoldedPanels, panel, folded) };
+
+    public DesktopSettings WithPanelOpenWhenSmall(string panel, bool open) => this with { PanelsOpenWhenSmall = With(PanelsOpenWhenSmall, panel, open) };
 
     public DesktopSettings WithView(string path, SavedView view) => this with { Views = new Dictionary<string, SavedView>(Views) { [path] = view } };
+
+    private static IReadOnlyList<string> With(IReadOnlyList<string> names, string name, bool isThere) => isThere ? [.. names.Where(other => other != name), name] : [.. names.Where(other => other != name)];
 }
 
 /// <summary>Centre and height of a view, drawing units.</summary>

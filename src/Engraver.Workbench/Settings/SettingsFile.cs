@@ -55,6 +55,7 @@ public static class SettingsFile
         FileFolders = read.FileFolders ?? DesktopSettings.Default.FileFolders,
         PanelSizes = read.PanelSizes ?? DesktopSettings.Default.PanelSizes,
         FoldedPanels = read.FoldedPanels ?? [],
+        PanelsOpenWhenSmall = read.PanelsOpenWhenSmall ?? [],
         Variables = read.Variables ?? DesktopSettings.Default.Variables,
         Views = read.Views ?? DesktopSettings.Default.Views,
         Scale = Sane(read.Scale, 0.5, 4.0, 1.0),

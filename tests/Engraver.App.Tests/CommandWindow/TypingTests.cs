@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
+using Engraver.App.CommandWindow;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Tests.CommandWindow;
@@ -136,7 +137,7 @@ public sealed class TypingTests(DesktopFixture fixture)
     {
         here.Open("paper-001.dxf");
         here.Enter("CNCORDER");
-        var drawn = here.Find<ItemsControl>("OptionList").GetVisualDescendants().OfType<Button>().Single(button => button.DataContext is Keyword { Name: "Drawn" });
+        var drawn = here.Find<PromptOptions>("OptionList").GetVisualDescendants().OfType<Button>().Single(button => button.DataContext is Keyword { Name: "Drawn" });
         here.Click(drawn);
         here.Rest();
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
@@ -63,7 +64,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Open(here);
         Field<TextBox>(here, "max-error").Text = "0.02";
         Show(here, "Toolpath");
-        Field<ComboBox>(here, "order").SelectedItem = "Drawn";
+        Choose(here, "order", "Drawn");
         Show(here, "Drafting aids");
         Field<CheckBox>(here, "ORTHOMODE").IsChecked = true;
         here.Click(here.Find<Button>("OptionsTake"));
@@ -84,7 +85,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         here.Step();
         Assert.Contains(here.Find<OptionsView>("OptionsSheet").GetVisualDescendants().OfType<TextBlock>(), text => text is { IsEffectivelyVisible: true } && text.Text?.Contains("-3 is not allowed", StringComparison.Ordinal) == true);
         Show(here, "Toolpath");
-        Field<ComboBox>(here, "order").SelectedItem = "Drawn";
+        Choose(here, "order", "Drawn");
         here.Click(here.Find<Button>("OptionsApply"));
         here.Rest();
 
@@ -99,7 +100,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
     public Task What_a_command_refuses_is_told_beside_the_setting() => fixture.WithOperator(here =>
     {
         Open(here, "Toolpath");
-        Field<ComboBox>(here, "kerf").SelectedItem = "Outside"; // and no diameter
+        Choose(here, "kerf", "Outside"); // and no diameter
         here.Click(here.Find<Button>("OptionsTake"));
         here.Until(() => Row(here, "kerf").IsWrong);
         here.Rest();
@@ -131,6 +132,58 @@ public sealed class OptionsTests(DesktopFixture fixture)
         here.Hands.Press(Key.Escape);
         here.Rest();
     });
+
+    /// <summary>A check box of a sheet is no motion: Tab reaches it, it is seen that it has the keyboard, and Space turns it.</summary>
+    [Fact]
+    public Task Check_boxes_and_pages_are_worked_by_keyboard_alone() => fixture.WithOperator(here =>
+    {
+        Open(here, "Drafting aids");
+        var box = Field<CheckBox>(here, "GRIDMODE");
+        for (var presses = 0; presses < 20 && !box.IsFocused; presses++) Press(here, Key.Tab);
+        Assert.True(box.IsFocused, "Tab does not reach the check box");
+        Assert.True(((IPseudoClasses)box.Classes).Contains(":focus-visible"), "that it has the keyboard is not seen");
+        var before = box.IsChecked;
+        Press(here, Key.Space);
+        Assert.Equal(!before, box.IsChecked);
+        for (var presses = 0; presses < 20 && here.Window.FocusManager?.GetFocusedElement() is not ListBoxItem; presses++) Press(here, Key.Tab);
+        Press(here, Key.Up);
+        Assert.Equal("Screen and commands", here.Window.Model.Options.Page);
+        for (var presses = 0; presses < 20 && here.Window.FocusManager?.GetFocusedElement() is not CheckBox; presses++) Press(here, Key.Tab);
+        Press(here, Key.Enter);
+        here.Until(() => !here.Window.Model.Options.IsOpen);
+        here.Rest();
+
+        Assert.Equal(!before, here.Commands.View.Current.Grid);
+    });
+
+    /// <summary>What is typed and kept stays English; what is read is German.</summary>
+    [Fact]
+    public Task Choices_are_shown_in_German_and_kept_in_English() => fixture.WithOperator(here =>
+    {
+        here.Enter("OPTIONS");
+        here.Until(() => here.Window.Model.Options.IsOpen);
+        Show(here, here.Window.Model.Options.Pages[1]);
+        var order = Field<ComboBox>(here, "order");
+        Assert.Contains("Nächste", order.GetVisualDescendants().OfType<TextBlock>().Select(text => text.Text));
+        Assert.Contains("Gezeichnet", Row(here, "order").Entry.ShownChoices.Select(choice => choice.Word));
+        Assert.Contains("Aus", Row(here, "kerf").Entry.ShownChoices.Select(choice => choice.Word));
+        Assert.Contains("Nächste", Row(here, "order").Meaning, StringComparison.Ordinal);
+        Choose(here, "order", "Drawn");
+        here.Click(here.Find<Button>("OptionsTake"));
+        here.Until(() => !here.Window.Model.Options.IsOpen);
+        here.Rest();
+
+        Assert.Equal("Drawn", here.Commands.Document.Current.Settings.Order.ToString());
+    }, language: new CultureInfo("de"));
+
+    private static void Choose(Operator here, string key, string value) => Field<ComboBox>(here, key).SelectedItem = Row(here, key).Choices.Single(choice => choice.Value == value);
+
+    private static void Press(Operator here, Key key)
+    {
+        if (key == Key.Space) here.Hands.Type(" ");
+        here.Hands.Press(key);
+        here.Step();
+    }
 
     private static void Open(Operator here, string? page = null)
     {

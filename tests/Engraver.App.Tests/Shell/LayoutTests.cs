@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
+using Engraver.App.CommandWindow;
 using Engraver.App.Shell;
 using Engraver.App.Tabs;
 using Engraver.Workbench.Settings;
@@ -28,6 +29,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         {
             here.Show(page);
             foreach (var name in s_always) AssertInside(here, here.Find<Control>(name), $"{name} with {page} open");
+            AssertInside(here, here.Find<TextBox>("LineBox"), $"the command line with {page} open");
             AssertInside(here, here.Find<Control>("StatusLine"), $"the status bar with {page} open");
             var canvas = here.Window.Canvas.Bounds;
             Assert.True(canvas is { Width: >= 200, Height: >= 100 }, $"the canvas with {page} open is {canvas}");
@@ -39,6 +41,34 @@ public sealed class LayoutTests(DesktopFixture fixture)
         AssertInside(here, here.Find<TextBox>("LineBox"), "the command line");
         here.Hands.Press(Key.Escape);
         here.Rest();
+    });
+
+    /// <summary>What is for looking at and drawing on is most of a small screen, until the operator opens a panel; the command line says its last word beside it.</summary>
+    [Fact]
+    public Task On_a_small_screen_the_canvas_has_the_room_and_panels_are_opened_at_will() => fixture.WithOperator(here =>
+    {
+        LookAt(here, 1280, 720, 1.5);
+        here.Open("nameplate.dxf");
+        var canvas = here.Window.Canvas.Bounds;
+        Assert.True(canvas is { Width: >= 720, Height: >= 210 }, $"the canvas is {canvas.Size}");
+        here.Enter("CNCCONNECT", "sim:");
+        Assert.StartsWith("Connected to", here.Find<TextBlock>("LastText").Text, StringComparison.Ordinal);
+        AssertInside(here, here.Find<TextBlock>("LastText"), "the last line of the history");
+        Assert.Equal(canvas, here.Window.Canvas.Bounds);
+        here.Enter("ZOOM");
+        Assert.Equal(canvas, here.Window.Canvas.Bounds); // what is pointed at stays where it is
+        here.Click(here.Find<PromptOptions>("LineOptions").GetVisualDescendants().OfType<Button>().First());
+        here.Rest();
+        Assert.Null(here.Desk.Prompt.Command);
+
+        here.Show("Table");
+        here.Show("Layers");
+        Assert.True(here.Window.Canvas.Bounds.Width < 600 && here.Window.Canvas.Bounds.Height < 150);
+        here.Hands.SetScale(1.0);
+        here.Hands.Resize(new Size(1280, 800));
+        here.Step();
+        Assert.Empty(here.Commands.Settings.Current.FoldedPanels);
+        Assert.True(here.Find<PageTabs>("Palettes").Bounds.Width > 200);
     });
 
     [Theory]
@@ -90,11 +120,11 @@ public sealed class LayoutTests(DesktopFixture fixture)
         }
     }
 
-    /// <summary>The last entry of a long menu can be reached, and the menu ends inside the window.</summary>
+    /// <summary>In a window that is lower still the last entry of a menu can be reached, and the menu ends inside the window.</summary>
     [Fact]
     public Task A_long_menu_scrolls_in_a_low_window() => fixture.WithOperator(here =>
     {
-        LookAt(here, 1280, 720, 1.5);
+        LookAt(here, 800, 260, 1.0);
         var machine = here.Find<MenuItem>("MachineMenu");
         here.Click(machine);
         var last = machine.Items.OfType<MenuItem>().Last();

@@ -35,6 +35,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
     [Theory]
     [InlineData("TextBrush", "ChromeBrush StripBrush StripFieldBrush PanelBrush PanelHeadBrush FieldBrush HoverBrush PressedBrush SelectedBrush GreyKeyBrush CanvasBrush")]
     [InlineData("QuietTextBrush", "ChromeBrush StripBrush StripFieldBrush PanelBrush PanelHeadBrush FieldBrush")]
+    [InlineData("DisabledTextBrush", "StripBrush")] // keys that do not work now
     [InlineData("ErrorTextBrush", "PanelBrush FieldBrush ChromeBrush")]
     [InlineData("WarningTextBrush", "PanelBrush FieldBrush ChromeBrush")]
     [InlineData("NoteTextBrush", "PanelBrush FieldBrush")]
@@ -59,6 +60,20 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
     [Fact]
     public Task The_word_simulation_stands_out_from_its_ground() => fixture.WithOperator(here =>
         Assert.All(s_themes, theme => Assert.True(Contrast(Colors.White, ColourOf("SimulationBrush", theme)) >= LeastContrast(theme), theme.ToString())));
+
+    /// <summary>A key that does not work is read and is told from one that works.</summary>
+    [Theory]
+    [InlineData("DisabledTextBrush")]
+    [InlineData("FaintTextBrush")]
+    [InlineData("ButtonForegroundDisabled")]
+    [InlineData("MenuFlyoutItemForegroundDisabled")]
+    public Task What_cannot_be_used_is_read_in_high_contrast_and_told_from_the_rest(string text) => fixture.WithOperator(here =>
+    {
+        var theme = DesktopThemes.HighContrast;
+        Assert.True(Contrast(ColourOf(text, theme), ColourOf("StripBrush", theme)) >= LeastContrast(theme));
+        Assert.True(Contrast(ColourOf(text, theme), ColourOf("TextBrush", theme)) >= 2.0);
+        Assert.True(Contrast(ColourOf("KeyBorderBrush", theme), ColourOf("LineBrush", theme)) >= 2.0);
+    });
 
     /// <summary>Order numbers, start points and machine are read like text.</summary>
     [Fact]

@@ -107,6 +107,42 @@ public class FileCommandTests
         Assert.StartsWith("0\nSECTION", await File.ReadAllTextAsync(talk.PathOf("out.dxf")), StringComparison.Ordinal);
     }
 
+    /// <summary>At the command line nothing that is there is lost by a name typed twice; a script, which is run again and again, writes its results as before.</summary>
+    [Theory]
+    [InlineData("POST Galil", "out.dmc")]
+    [InlineData("PLOT Path", "out.svg")]
+    [InlineData("TABLE Sequenced Csv", "out.csv")]
+    [InlineData("AGIEPOST Exact", "out.agie")]
+    [InlineData("EXPORT", "out.svg")]
+    [InlineData("REPORT", "out.html")]
+    public async Task A_result_replaces_a_file_only_when_that_is_said(string command, string name)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await File.WriteAllTextAsync(talk.PathOf(name), "precious");
+        string[] inputs = [.. command.Split(' '), name];
+
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync(inputs));
+        Assert.Equal(($"{name} is there already. Replace it? [Yes No] <No>: ", "No"), (talk.Session.Prompt.Text, talk.Session.Prompt.Default));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync(""));
+        Assert.Equal("precious", await File.ReadAllTextAsync(talk.PathOf(name)));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync([.. inputs, "Yes"]));
+        Assert.NotEqual("precious", await File.ReadAllTextAsync(talk.PathOf(name)));
+    }
+
+    [Theory]
+    [InlineData("POST Galil", "out.dmc")]
+    [InlineData("PLOT Path", "out.svg")]
+    [InlineData("TABLE Sequenced Csv", "out.csv")]
+    public async Task A_script_writes_its_results_anew_without_a_question(string command, string name)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await File.WriteAllTextAsync(talk.PathOf(name), "old");
+        await File.WriteAllTextAsync(talk.PathOf("again.scr"), $"{command} {name}\nZOOM E\n");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("SCRIPT", "again.scr"));
+        Assert.NotEqual("old", await File.ReadAllTextAsync(talk.PathOf(name)));
+    }
+
     [Fact]
     public async Task What_the_console_cuts_with_an_option_the_commands_open_with_a_setting()
     {

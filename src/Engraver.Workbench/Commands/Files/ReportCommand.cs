@@ -18,9 +18,10 @@ internal sealed class ReportCommand : ICommand
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
         var usual = Path.GetFileName(JobReportPage.PathOf(drawing.FileName));
         var name = await context.ValueAsync(new FilePrompt(Wording.Get("Report.EnterFileName"), new FileWanted("report", true, ".html") { Suggested = Path.GetFullPath(JobReportPage.PathOf(drawing.FileName)) }) { Default = usual }).ConfigureAwait(false);
-        if (name != usual && File.Exists(context.FileToWrite(name))) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false);
+        var path = name == usual ? JobReportPage.PathOf(drawing.FileName) : context.FileToWrite(name);
+        if (name != usual || !context.IsScripted) await ReplacePrompt.ConfirmAsync(context, path, name).ConfigureAwait(false);
         var request = new JobReportRequest(drawing, settings, context.Derivation.Mode, context.Time.GetUtcNow()) { Address = context.Machine.Line, Spell = SettingWording.AtCommandLine };
-        await JobPageFile.WriteAsync(context, request.WithRunOf(context.History.Look()), name == usual ? JobReportPage.PathOf(drawing.FileName) : context.FileToWrite(name), cancellation).ConfigureAwait(false);
+        await JobPageFile.WriteAsync(context, request.WithRunOf(context.History.Look()), path, cancellation).ConfigureAwait(false);
     }
 }
 

@@ -6,15 +6,18 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>Writes a result to a file, or to the command window when Enter alone is typed.</summary>
 internal static class ResultFile
 {
+    /// <remarks>A script writes its results anew each time it is run, and is not asked.</remarks>
     /// <param name="kind">What is written, by a word of the program.</param>
     /// <param name="ending">Of such files, with its dot.</param>
     /// <returns>The file's name as it was typed; null for the command window.</returns>
+    /// <exception cref="CommandException">A file that is there is not to be replaced.</exception>
     public static async Task<string?> WriteAsync(CommandContext context, string kind, string ending, Action<TextWriter> write)
     {
         var wanted = new FileWanted(kind, true, ending) { Suggested = context.BesideDrawing(ending), MayShow = true };
         var answer = await context.AskAsync(new FilePrompt(Wording.Get("ResultFile.EnterFileNameOr"), wanted) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is Answer<string>.Value { Of: var name })
         {
+            if (!context.IsScripted) await ReplacePrompt.ConfirmAsync(context, context.FileToWrite(name), name).ConfigureAwait(false);
             OutputFile.Write(context.FileToWrite(name), write);
             context.Say(Wording.Get("ResultFile.Written", name));
             return name;
@@ -34,7 +37,14 @@ internal static class ReplacePrompt
     {
         var typed = await context.ValueAsync(new FilePrompt(instruction, wanted)).ConfigureAwait(false);
         var name = adds ? wanted.WithEnding(typed) : typed;
-        if (File.Exists(context.FileToWrite(name))) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false);
+        await ConfirmAsync(context, context.FileToWrite(name), name).ConfigureAwait(false);
         return name;
+    }
+
+    /// <summary>Asks before an existing file is replaced; a device or a pipe is written and stays what it is.</summary>
+    /// <exception cref="CommandException">The operator does not want it replaced.</exception>
+    public static async Task ConfirmAsync(CommandContext context, string path, string name)
+    {
+        if (File.Exists(path) && !FileKind.IsStream(path)) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false);
     }
 }

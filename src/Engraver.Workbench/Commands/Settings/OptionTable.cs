@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines.Origins;
@@ -106,8 +107,14 @@ public sealed record OptionEntry(string Page, string Key, string Command)
 
     public string Default { get; init; } = "";
 
-    /// <summary>The words that may be chosen; empty for a number.</summary>
+    /// <summary>The words that may be chosen, as commands know them; empty for a number.</summary>
     public IReadOnlyList<string> Choices { get; init; } = [];
+
+    /// <summary>The same with what is shown for them in the language of now.</summary>
+    public IReadOnlyList<OptionChoice> ShownChoices => [.. Choices.Select(choice => new OptionChoice(choice, Shown(choice)))];
+
+    /// <summary>The first value, as it is shown.</summary>
+    public string ShownDefault => Choices.FirstOrDefault(choice => choice.Equals(Default, StringComparison.OrdinalIgnoreCase)) is { } choice ? Shown(choice) : Default;
 
     /// <summary>As it is now.</summary>
     public string Value { get; init; } = "";
@@ -130,6 +137,11 @@ public sealed record OptionEntry(string Page, string Key, string Command)
         return new NumberPrompt(Name) { Least = Least, Most = Most, Whole = Whole }.Read(typed, Point2D.Origin) is Reading<double>.Wrong wrong ? wrong.Sentence : null;
     }
 
+    private static string Shown(string choice) => new Keyword(choice).Shown is var shown && shown == choice ? choice : Capitalised(shown);
+
+    /// <summary>The capitals inside of an option mark what is typed for it; in a list they mean nothing.</summary>
+    private static string Capitalised(string option) => option[..1].ToUpper(CultureInfo.CurrentUICulture) + option[1..].ToLower(CultureInfo.CurrentUICulture);
+
     /// <summary>The words of a search stand in its name, its command or its meaning.</summary>
     public bool Holds(string words)
     {
@@ -138,3 +150,8 @@ public sealed record OptionEntry(string Page, string Key, string Command)
             || Command.Contains(word, StringComparison.OrdinalIgnoreCase) || Meaning.Contains(word, StringComparison.CurrentCultureIgnoreCase) || PageTitle.Contains(word, StringComparison.CurrentCultureIgnoreCase));
     }
 }
+
+/// <summary>A word that may be chosen.</summary>
+/// <param name="Value">As commands know it.</param>
+/// <param name="Word">As it is shown.</param>
+public sealed record OptionChoice(string Value, string Word);

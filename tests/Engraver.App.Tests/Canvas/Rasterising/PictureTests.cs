@@ -188,7 +188,6 @@ public sealed class PictureTests(DesktopFixture fixture)
         here.Hands.Resize(new Size(width / scale, height / scale));
         Open(here, "nameplate.dxf");
         here.Enter("CNCCONNECT", "sim:");
-        here.Show("Contours");
         here.Enter("HELP", "CNCARM");
         Take(here, FormattableString.Invariant($"screen-{width}-{scale * 100:0}"));
         here.Hands.SetScale(1.0);

@@ -1,0 +1,26 @@
+using Avalonia;
+using Avalonia.Controls;
+
+namespace Engraver.App.CommandWindow;
+
+/// <summary>Gives its child a height of whole rows, at the bottom, so that the first row in sight is not cut through.</summary>
+public sealed class WholeRows : Decorator
+{
+    /// <summary>Of one row, units of 1/96 inch.</summary>
+    private const double RowHeight = 18;
+
+    protected override Size MeasureOverride(Size availableSize)
+    {
+        Child?.Measure(availableSize.WithHeight(Whole(availableSize.Height)));
+        return Child?.DesiredSize ?? default;
+    }
+
+    protected override Size ArrangeOverride(Size finalSize)
+    {
+        var height = Whole(finalSize.Height);
+        Child?.Arrange(new Rect(0, finalSize.Height - height, finalSize.Width, height));
+        return finalSize;
+    }
+
+    private static double Whole(double room) => double.IsFinite(room) && room >= RowHeight ? Math.Floor(room / RowHeight) * RowHeight : room;
+}
