@@ -33,7 +33,7 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
 
     private MenuItem Menu(MenuSection section)
     {
-        var item = new MenuItem { Header = Text.Get(section.Name), Name = section.Key + "Menu", Tag = section.Name };
+        var item = new MenuItem { Header = Text.Get("Menu." + section.Key), Name = section.Key + "Menu", Tag = section.Name };
         item.Items.Add(new MenuItem());
         item.SubmenuOpened += Fill;
         return item;

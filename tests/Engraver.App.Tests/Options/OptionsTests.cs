@@ -181,7 +181,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
     private static void Press(Operator here, Key key)
     {
         if (key == Key.Space) here.Hands.Type(" ");
-        here.Hands.Press(key);
+        else here.Hands.Press(key);
         here.Step();
     }
 

@@ -124,6 +124,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
     [Fact]
     public Task A_long_menu_scrolls_in_a_low_window() => fixture.WithOperator(here =>
     {
+        here.Window.MinHeight = 200;
         LookAt(here, 800, 260, 1.0);
         var machine = here.Find<MenuItem>("MachineMenu");
         here.Click(machine);

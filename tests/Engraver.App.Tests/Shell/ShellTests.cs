@@ -134,13 +134,13 @@ public sealed class ShellTests(DesktopFixture fixture)
         static void Look(Operator here)
         {
             here.Step();
-            Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 180, 200);
+            Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 155, 175);
             here.Hands.Press(Key.F2);
             here.Step();
             Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 480, 520);
             here.Hands.Press(Key.F2);
             here.Step();
-            Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 180, 200);
+            Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 155, 175);
         }
     }
 
