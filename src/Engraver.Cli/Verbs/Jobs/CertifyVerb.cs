@@ -90,7 +90,7 @@ internal sealed class CertifyVerb
     /// <exception cref="UsageException">The program cannot be read.</exception>
     private static (string File, string Text) Given(string path)
     {
-        var read = ReadBackFile.Open(path);
-        return read.Text is { } text ? (path, text) : throw new UsageException(Wording.Get("Certify.ProgramUnreadable", path, read.Diagnostics[0].Message));
+        var (text, fault) = ReadBackFile.Open(path).Whole();
+        return text is not null ? (path, text) : throw new UsageException(Wording.Get("Certify.ProgramUnreadable", path, fault!.Message));
     }
 }
