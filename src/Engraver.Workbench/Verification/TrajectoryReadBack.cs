@@ -3,6 +3,7 @@ using System.Text.Json;
 using Engraver.Core.Posts;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Core.Trajectories.Reading;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Verification;
 

@@ -21,12 +21,9 @@ internal sealed class PvtRun : TrajectoryRun
     protected override Diagnostic? Run(string words)
     {
         if (Numbers(words) is not [var seconds, var dx, var vx, var dy, var vy] || !(seconds > 0.0)) return Unreadable(words);
-        var (from, way, before, after) = (_place, new Vector2D(dx, dy), _velocity, new Vector2D(vx, vy));
-        var leaving = (way * 6.0) - (((before * 4.0) + (after * 2.0)) * seconds);
-        var arriving = (((before * 2.0) + (after * 4.0)) * seconds) - (way * 6.0);
-        (_place, _velocity) = (from + way, after);
-        Teller.CurveTo((leaving.X, leaving.Y), (arriving.X, arriving.Y), _place, u =>
-            from + (way * (u * u * (3.0 - (2.0 * u)))) + (before * (seconds * u * (1.0 - u) * (1.0 - u))) + (after * (seconds * u * u * (u - 1.0))));
+        var (before, after, from) = (_velocity, new Vector2D(vx, vy), _place);
+        (_place, _velocity) = (from + new Vector2D(dx, dy), after);
+        Teller.CurveTo(from + (before * (seconds / 3.0)), _place - (after * (seconds / 3.0)), _place);
         return null;
     }
 }

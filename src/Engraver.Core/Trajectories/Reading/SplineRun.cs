@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories.Reading;
 
-/// <summary>A uniform Catmull-Rom spline: the first and the last row only turn the ends; between the others u runs from 0 to 1 through 1/2 (2 p1 + (p2 - p0) u + (2 p0 - 5 p1 + 4 p2 - p3) u^2 + (3 p1 - p0 - 3 p2 + p3) u^3).</summary>
+/// <summary>A uniform Catmull-Rom spline: the first and the last row only turn the ends; between the others u runs from 0 to 1 through 1/2 (2 p1 + (p2 - p0) u + (2 p0 - 5 p1 + 4 p2 - p3) u^2 + (3 p1 - p0 - 3 p2 + p3) u^3), which leaves p1 by (p2 - p0) / 2 and arrives by (p3 - p1) / 2.</summary>
 /// <param name="start">What the points count from.</param>
 /// <param name="isRelative">The machine stands there: the second row must be 0.</param>
 internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTeller teller) : TrajectoryRun(teller)
@@ -22,18 +22,8 @@ internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTeller
         _points++;
         if (_points == 2 && isRelative && point != start) return Wrong(Wording.Get("Xps.StartNotZero"));
         if (_points == 2) Teller.GoTo(point);
-        if (_points >= 4) Span(_before, _from, _to, point);
+        if (_points >= 4) Teller.CurveTo(_from + ((_to - _before) * (1.0 / 6.0)), _to - ((point - _from) * (1.0 / 6.0)), _to);
         (_before, _from, _to) = (_from, _to, point);
         return null;
     }
-
-    private void Span(Point2D a, Point2D b, Point2D c, Point2D d)
-    {
-        var leaving = ((2.0 * a.X) - (5.0 * b.X) + (4.0 * c.X) - d.X, (2.0 * a.Y) - (5.0 * b.Y) + (4.0 * c.Y) - d.Y);
-        var arriving = ((2.0 * d.X) - (5.0 * c.X) + (4.0 * b.X) - a.X, (2.0 * d.Y) - (5.0 * c.Y) + (4.0 * b.Y) - a.Y);
-        Teller.CurveTo(leaving, arriving, c, u => new Point2D(On(u, a.X, b.X, c.X, d.X), On(u, a.Y, b.Y, c.Y, d.Y)));
-    }
-
-    private static double On(double u, double p0, double p1, double p2, double p3) =>
-        ((2.0 * p1) + (u * ((p2 - p0) + (u * ((2.0 * p0) - (5.0 * p1) + (4.0 * p2) - p3 + (u * ((3.0 * p1) - p0 - (3.0 * p2) + p3))))))) / 2.0;
 }

@@ -7,9 +7,9 @@ namespace Engraver.Core.Trajectories.Reading;
 internal sealed class TrajectoryTeller(IReadOnlyList<ITraceJudge> judges)
 {
     /// <summary>A chord of a cubic leaves it by no more, millimetres.</summary>
-    private const double ChordError = 1e-6;
+    private const double ChordError = 1e-5;
 
-    private const int MostChords = 1024;
+    private const int MostHalvings = 10;
 
     private Point2D _place;
     private double _seconds;
@@ -28,18 +28,25 @@ internal sealed class TrajectoryTeller(IReadOnlyList<ITraceJudge> judges)
 
     public void ArcTo(ArcSegment arc) => Tell(Segment.FromArc(arc));
 
-    /// <summary>Along a cubic, in chords of equal steps of its parameter: at most the largest second derivative, which a cubic has at an end, over 8 and the square of their number lies between a chord and the curve.</summary>
-    /// <param name="leaving">Second derivative at its start.</param>
-    /// <param name="arriving">And at its end.</param>
-    /// <param name="end">Of the cubic.</param>
-    /// <param name="at">Its place by the parameter, 0 to 1.</param>
-    public void CurveTo((double X, double Y) leaving, (double X, double Y) arriving, Point2D end, Func<double, Point2D> at)
+    /// <summary>Along a cubic, by its control points as Bezier has them: it lies in the hull of its ends and of both. Where both lie on the chord it is the chord, however the speed changes along it.</summary>
+    public void CurveTo(Point2D leaving, Point2D arriving, Point2D end) => CurveTo(leaving, arriving, end, MostHalvings);
+
+    private void CurveTo(Point2D leaving, Point2D arriving, Point2D end, int halvings)
     {
-        var bend = Math.Max(double.Hypot(leaving.X, leaving.Y), double.Hypot(arriving.X, arriving.Y));
-        var chords = (int)Math.Clamp(Math.Ceiling(Math.Sqrt(bend / (8.0 * ChordError))), 1.0, MostChords);
-        for (var k = 1; k < chords; k++) LineTo(at((double)k / chords));
-        LineTo(end);
+        var chord = new LineSegment(_place, end);
+        if (halvings == 0 || (chord.DistanceTo(leaving) <= ChordError && chord.DistanceTo(arriving) <= ChordError))
+        {
+            LineTo(end);
+            return;
+        }
+
+        var (first, middle, last) = (Middle(_place, leaving), Middle(leaving, arriving), Middle(arriving, end));
+        var (before, behind) = (Middle(first, middle), Middle(middle, last));
+        CurveTo(first, before, Middle(before, behind), halvings - 1);
+        CurveTo(behind, last, end, halvings - 1);
     }
+
+    private static Point2D Middle(Point2D one, Point2D other) => new((one.X + other.X) / 2.0, (one.Y + other.Y) / 2.0);
 
     private void Tell(in Segment path)
     {
