@@ -18,8 +18,7 @@ internal sealed class VerifyVerb
     private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.DrawingMadeFromDxf") };
     private readonly Option<string> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram"), DefaultValueFactory = _ => PostTable.All[0].Post.Name };
     private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Verify.Dialect") };
-    private readonly Option<string?> _origin = new("--origin") { HelpName = "here|X,Y[,Z]", Description = Wording.Get("Verify.Origin") };
-    private readonly Option<string?> _blend = new("--blend") { HelpName = "MM", Description = Wording.Get("Verify.Blend") };
+    private readonly PostedOptions _posted = new();
     private readonly Option<bool> _json = JsonOption.New();
     private readonly DrawingOptions _drawing = new();
 
@@ -35,11 +34,10 @@ internal sealed class VerifyVerb
         var verb = new VerifyVerb(host);
         var command = new Command("verify", Wording.Get("Verify.ReplaysPostedProgramCompares"));
         command.Arguments.Add(verb._program);
-        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._origin, verb._blend, verb._json]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json]) command.Options.Add(option);
+        verb._posted.AddTo(command, verb.Target);
         verb._drawing.AddOptionsTo(command);
         command.Validators.Add(verb.CheckDialect);
-        command.Validators.Add(result => verb.CheckPosted(result, verb._origin));
-        command.Validators.Add(result => verb.CheckPosted(result, verb._blend));
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -49,7 +47,7 @@ internal sealed class VerifyVerb
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
         var (program, reader) = ReadBack(parsed.GetRequiredValue(_program), parsed.GetRequiredValue(_target), parsed.GetValue(_dialect));
-        var posted = PostedWith.Parse(parsed.GetValue(_origin), parsed.GetValue(_blend));
+        var posted = _posted.Of(parsed);
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
@@ -68,14 +66,6 @@ internal sealed class VerifyVerb
     {
         if (result.GetResult(_dialect) is not { Tokens: [var dialect] }) return;
         if (Entry(result)?.Dialects.ContainsKey(dialect.Value) != true) result.AddError(Wording.Get("Post.NoOptionTarget", _dialect.Name, Target(result)));
-    }
-
-    /// <summary>Refuses what the target's post does not have, and a value that it would refuse.</summary>
-    private void CheckPosted(CommandResult result, Option<string?> option)
-    {
-        if (result.GetResult(option) is not { Tokens: [var given] }) return;
-        if (Entry(result)?.Post.Options.FirstOrDefault(one => "--" + one.Name == option.Name) is not { } choice) result.AddError(Wording.Get("Post.NoOptionTarget", option.Name, Target(result)));
-        else if (!choice.Takes(given.Value)) result.AddError(Wording.Get("Post.Not", choice.Name, given.Value, choice.Form));
     }
 
     private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.All[0].Post.Name;

@@ -35,6 +35,23 @@ public class VerifyVerbTests
         Assert.InRange(JsonText.Of(told).GetProperty("maxDeviation").GetDouble(), 0.0, JsonText.Of(told).GetProperty("tolerance").GetDouble());
     }
 
+    [Fact]
+    public async Task A_program_that_goes_to_its_place_by_itself_is_certified_for_the_place_that_is_given()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.PathOf("part.dxf");
+        File.Copy(SampleDrawing.PathOf("paper-001"), drawing);
+        await CliRun.RunAsync("post", drawing, "--target", "galil", "--origin=40,-12.5", "-o", folder.PathOf("job.dmc"));
+        string[] certify = ["certify", drawing, "--target", "galil", "--program", folder.PathOf("job.dmc"), "-o", folder.PathOf("job.json")];
+
+        Assert.Equal(ExitCode.DrawingError, (await CliRun.RunAsync(certify)).ExitCode);
+        Assert.Equal(ExitCode.DrawingError, (await CliRun.RunAsync([.. certify, "--origin=40,-12"])).ExitCode);
+        Assert.False(File.Exists(folder.PathOf("job.json")));
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync([.. certify, "--origin=40,-12.5"])).ExitCode);
+        Assert.True(File.Exists(folder.PathOf("job.json")));
+        Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("certify", drawing, "--target", "galil", "--origin=40,-12.5")).ExitCode);
+    }
+
     [Theory]
     [InlineData("gcode", "1,2")]
     [InlineData("galil", "work")]
