@@ -3,6 +3,7 @@ using System.Globalization;
 using Avalonia.Controls;
 using Engraver.Benchmarks.Canvas;
 using Engraver.App.Sessions;
+using Engraver.App.Shell;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.Benchmarks.Desktop;
@@ -29,6 +30,27 @@ internal static class DesktopBenchmark
         finally
         {
             session.DisposeAsync().AsTask().GetAwaiter().GetResult();
+        }
+    }
+
+    /// <summary>Runs a benchmark that needs a window on a display, whose drawing is open and shown; other names do nothing.</summary>
+    public static async Task MeasureAsync(string? benchmark, DesktopSession session, ShellWindow window, string? drawing, TextWriter output)
+    {
+        switch (benchmark)
+        {
+            case BenchmarkName.StopOnDisplay:
+                await new DisplayStopBenchmark(session.Desk, window, output).RunAsync(drawing);
+                window.Close();
+                break;
+            case BenchmarkName.Frames:
+                await new FrameBenchmark(session.Desk, window, output).RunAsync();
+                window.Close();
+                break;
+            case BenchmarkName.Idle:
+                IdleBenchmark.Watch(window, output);
+                break;
+            default:
+                break;
         }
     }
 

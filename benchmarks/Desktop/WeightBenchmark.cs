@@ -2,9 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;
-using Engraver.Core.Geometry;
 using Engraver.SoftwarePlatform.Headless;
-using Engraver.Workbench.Views;
 
 namespace Engraver.Benchmarks.Desktop;
 
@@ -13,22 +11,21 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
 {
     private const int Frames = 300;
     private const int Openings = 10;
-    private const double ZoomedIn = 16.0;
     private const double MegaByte = 1e6;
     private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(10);
+    private readonly ViewMoves _moves = new(session.Desk);
 
     public void Run(string drawing)
     {
         TellMemory("empty");
         Open(drawing, tells: true);
         TellMemory("opened and planned");
-        var zoomed = session.Desk.Session.View.Current.Height / ZoomedIn;
-        TellFrames("pan at extents", step => session.Desk.Session.View.PanBy(new Vector2D(Step(step, session.Desk.Session.View.Current.Height), 0.0)));
-        TellFrames("zoom about extents", step => session.Desk.Session.View.ZoomAbout(session.Desk.Session.View.Current.Centre, step / 10 % 2 == 0 ? 1.05 : 1.0 / 1.05));
-        session.Desk.Session.View.SetCentre(session.Desk.Session.View.Current.Centre, zoomed);
+        TellFrames("pan at extents", _moves.Pan);
+        TellFrames("zoom about extents", _moves.Zoom);
+        _moves.GoNear();
         AwaitPicture();
-        TellFrames("pan zoomed in", step => session.Desk.Session.View.PanBy(new Vector2D(Step(step, zoomed), 0.0)));
-        TellFrames("zoom zoomed in", step => session.Desk.Session.View.ZoomAbout(session.Desk.Session.View.Current.Centre, step / 10 % 2 == 0 ? 1.05 : 1.0 / 1.05));
+        TellFrames("pan zoomed in", _moves.Pan);
+        TellFrames("zoom zoomed in", _moves.Zoom);
         TellMemory("moved");
         for (var opening = 1; opening <= Openings; opening++)
         {
@@ -43,9 +40,6 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
         TellMemory("closed");
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"in use then: {GC.GetTotalMemory(forceFullCollection: true) / MegaByte:0} MB"));
     }
-
-    /// <summary>A hundredth of the height, to and fro.</summary>
-    private static double Step(int step, double height) => (step / 30 % 2 == 0 ? 0.01 : -0.01) * height;
 
     private void Open(string drawing, bool tells)
     {
@@ -86,10 +80,12 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
         AwaitPicture();
     }
 
-    /// <summary>What the process holds of the computer's memory as it stands; nothing is collected for it.</summary>
-    private void TellMemory(string when) => output.WriteLine(string.Create(
-        CultureInfo.InvariantCulture,
-        $"{when}: resident {Environment.WorkingSet / MegaByte:0} MB, of it managed {GC.GetGCMemoryInfo().TotalCommittedBytes / MegaByte:0} MB"));
+    /// <summary>What the process holds of the computer's memory once the desktop has given back what it has no use for; nothing is collected for the figure.</summary>
+    private void TellMemory(string when)
+    {
+        desktop.StepUntil(() => session.Desk.IsMemoryReleased, s_patience);
+        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{when}: resident {Environment.WorkingSet / MegaByte:0} MB, of it managed {GC.GetGCMemoryInfo().TotalCommittedBytes / MegaByte:0} MB"));
+    }
 
     private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_patience);
 }

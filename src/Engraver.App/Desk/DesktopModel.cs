@@ -35,7 +35,7 @@ public sealed class DesktopModel : IAsyncDisposable
         (Session, Time) = (session, time);
         Prompt = session.Prompt;
         Derived = new DerivedModel(session);
-        _released = new ReleasedMemory(() => IsMoving, ReleasedMemory.CollectAll);
+        _released = ReleasedMemory.OfDesktop(() => IsMoving);
         Derived.Posting += work => _ = TellWhenDoneAsync(work);
         session.Said += OnSaid;
         session.Document.Changed += (_, _) => Post();
@@ -65,6 +65,9 @@ public sealed class DesktopModel : IAsyncDisposable
     public CommandSession Session { get; }
 
     public TimeProvider Time { get; }
+
+    /// <summary>Nothing of a large drawing that is gone waits to be given back to the computer.</summary>
+    internal bool IsMemoryReleased => _released.IsDone;
 
     /// <summary>What follows from the document.</summary>
     public DerivedModel Derived { get; }

@@ -16,6 +16,9 @@ internal static class BenchmarkName
     /// <summary>The same with keys sent to the window on a display, from outside; with a drawing a job is stopped too. Then the window closes.</summary>
     public const string StopOnDisplay = "stop-display";
 
+    /// <summary>Frames of a window on a display while the view of the drawing moves. Then the window closes.</summary>
+    public const string Frames = "frames";
+
     /// <summary>All of the window painted anew, at two sizes.</summary>
     public const string Repaint = "repaint";
 
@@ -25,5 +28,5 @@ internal static class BenchmarkName
     /// <summary>What a large drawing weighs: processor time and memory of opening, planning, moving, closing and opening again.</summary>
     public const string Weight = "weight";
 
-    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay];
+    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay, Frames];
 }

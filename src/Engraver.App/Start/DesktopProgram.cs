@@ -24,7 +24,7 @@ public static class DesktopProgram
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
-        if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
+        if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay or BenchmarkName.Frames)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.WithoutFiles() : DesktopSession.ForUser());
         using var language = SpokenLanguage.Speak(SpokenLanguage.Choose(options.Culture, session.Language, options.Headless ? [] : SpokenLanguage.OfSystem()));
         AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
@@ -83,13 +83,7 @@ public static class DesktopProgram
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Get("Start.Failed", failed));
             while (!window.CanvasSource.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasSource.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
-            if (options.Benchmark == BenchmarkName.StopOnDisplay)
-            {
-                await new DisplayStopBenchmark(session.Desk, window, Console.Out).RunAsync(options.File);
-                window.Close();
-            }
-
-            if (options.Benchmark == BenchmarkName.Idle) IdleBenchmark.Watch(window, Console.Out);
+            await DesktopBenchmark.MeasureAsync(options.Benchmark, session, window, options.File, Console.Out);
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
         using var signals = new EndSignals(() => session.StopKeys.PressStop(), () => Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped)));

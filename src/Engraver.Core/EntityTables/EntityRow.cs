@@ -5,10 +5,10 @@ namespace Engraver.Core.EntityTables;
 /// <summary>Read-only view of one row: a directed segment in millimetres. Valid as long as its table.</summary>
 public readonly ref struct EntityRow
 {
-    private readonly SlotColumns.SlotChunk _chunk;
+    private readonly SlotRows.SlotChunk _chunk;
     private readonly int _place;
 
-    internal EntityRow(SlotColumns.SlotChunk chunk, int place, int entityIndex, RationalCurve? curve)
+    internal EntityRow(SlotRows.SlotChunk chunk, int place, int entityIndex, RationalCurve? curve)
     {
         (_chunk, _place) = (chunk, place);
         EntityIndex = entityIndex;

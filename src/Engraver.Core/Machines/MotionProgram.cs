@@ -49,7 +49,7 @@ public sealed record VectorSequence(CountsPoint Start, int Speed, IReadOnlyList<
 
     public CountsPoint End => Segments[^1].End;
 
-    public double Length => Segments.Sum(segment => segment.Length);
+    public double Length => Segments is SequenceSegments columns ? columns.Length : Segments.Sum(segment => segment.Length);
 }
 
 /// <summary>One VP or CR of a vector sequence, in counts of the job's frame.</summary>

@@ -44,6 +44,8 @@ public sealed class VectorColumns(int segments)
     internal VectorSequence Sequence(int sequence, CountsPoint start, int end) =>
         new(start, _sequences[sequence].Speed, new SequenceSegments(this, _sequences[sequence].First, end)) { ChangesHeight = _sequences[sequence].ChangesHeight };
 
+    internal double LengthOf(int segment) => _segments[segment].Length;
+
     internal CountsPoint EndOf(int segment) => _segments[segment].End;
 
     private void Append(in VectorSegment segment)
@@ -106,6 +108,17 @@ internal sealed class StrokeSequences(VectorColumns columns, CountsPoint start, 
 internal sealed class SequenceSegments(VectorColumns columns, int first, int end) : IReadOnlyList<VectorSegment>
 {
     public int Count => end - first;
+
+    /// <summary>Along the path, counts.</summary>
+    public double Length
+    {
+        get
+        {
+            var length = 0.0;
+            for (var i = first; i < end; i++) length += columns.LengthOf(i);
+            return length;
+        }
+    }
 
     public VectorSegment this[int index] => (uint)index < (uint)Count ? columns.Segment(first + index) : throw new ArgumentOutOfRangeException(nameof(index));
 

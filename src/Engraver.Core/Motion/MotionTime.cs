@@ -18,7 +18,7 @@ public static class MotionTime
         foreach (var stroke in program.Strokes)
         {
             times += RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, program, commands);
-            foreach (var sequence in stroke.Sequences) times += Cut(sequence, program, commands);
+            for (var i = 0; i < stroke.Sequences.Count; i++) times += Cut(stroke.Sequences[i], program, commands);
             at = stroke.Sequences[^1].End;
             times += ToolAt(at, on: false, program, commands);
         }

@@ -4,20 +4,36 @@ namespace Engraver.Core.Sequencing;
 
 /// <summary>Counts what is cut in the operator's units: a line or arc part is one, and so is an ellipse or spline, however many arcs approximate it.</summary>
 /// <remarks>A spline that is divided into several strokes counts in the first, so that the strokes add up to the whole.</remarks>
-internal sealed class CurveCount(Drawing? drawing)
+internal sealed class CurveCount
 {
+    private readonly Drawing? _drawing;
     private readonly HashSet<int> _counted = [];
 
-    /// <param name="entities">Of the moves of a stroke.</param>
-    public int Add(IEnumerable<int> entities)
+    public CurveCount(Drawing? drawing) => _drawing = drawing is not null && HasCurves(drawing) ? drawing : null; // without any the entities need not be looked up
+
+    /// <param name="moves">Of a stroke.</param>
+    public int Add(TableMoves moves)
     {
-        if (drawing is null) return entities.Count();
+        if (_drawing is null) return moves.Count;
         var count = 0;
-        foreach (var entity in entities)
+        for (var i = 0; i < moves.Count; i++)
         {
-            if (drawing.Entities[entity].Type is not (CurveType.Ellipse or CurveType.Spline) || _counted.Add(entity)) count++;
+            var entity = moves.EntityOf(i);
+            if (!IsCurve(_drawing, entity) || _counted.Add(entity)) count++;
         }
 
         return count;
+    }
+
+    private static bool IsCurve(Drawing drawing, int entity) => drawing.Entities[entity].Type is CurveType.Ellipse or CurveType.Spline;
+
+    private static bool HasCurves(Drawing drawing)
+    {
+        for (var entity = 0; entity < drawing.Entities.Count; entity++)
+        {
+            if (IsCurve(drawing, entity)) return true;
+        }
+
+        return false;
     }
 }

@@ -106,7 +106,7 @@ public static class Sequencer
             var contour = chained.Chain.Contours[entries[i].Contour];
             var outer = chained.Inside[entries[i].Contour];
             var moves = new TableMoves(table, row, contour.Pieces.Length);
-            strokes[i] = new SequencedStroke(i, contour.Closed, moves, curves.Add(moves.Entities), moves.Length, outer < 0 ? -1 : place[outer]);
+            strokes[i] = new SequencedStroke(i, contour.Closed, moves, curves.Add(moves), moves.Length, outer < 0 ? -1 : place[outer]);
             row += moves.Count;
         }
 

@@ -30,8 +30,8 @@ internal sealed class TableMoves(EntityTable table, int firstRow, int count) : I
         }
     }
 
-    /// <summary>The drawing entities of the moves.</summary>
-    public IEnumerable<int> Entities => Enumerable.Range(firstRow, count).Select(table.EntityIndexOf);
+    /// <summary>The drawing entity of a move.</summary>
+    public int EntityOf(int index) => table.EntityIndexOf(firstRow + index);
 
     public IEnumerator<StrokeMove> GetEnumerator()
     {

@@ -75,23 +75,29 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
     /// <summary>Both ends in an order that does not depend on the direction; of a circle its centre and radius.</summary>
     private readonly record struct PairKey(int Entity, SegmentKind Kind, double X1, double Y1, double X2, double Y2)
     {
+        public static PairKey From(in EntityRow row) => row.Kind == SegmentKind.Line ? From(row.StartPoint, row.EndPoint, SegmentKind.Line, row.EntityIndex) : From(row.ToSegment(), row.EntityIndex);
+
         public static PairKey From(in Segment segment, int entity)
         {
             if (segment.Kind == SegmentKind.Circle) return new PairKey(entity, segment.Kind, segment.Arc.Centre.X, segment.Arc.Centre.Y, segment.Arc.Radius, 0.0);
-            var (a, b) = (segment.Start, segment.End);
-            return a.X < b.X || (a.X == b.X && a.Y <= b.Y) ? new PairKey(entity, segment.Kind, a.X, a.Y, b.X, b.Y) : new PairKey(entity, segment.Kind, b.X, b.Y, a.X, a.Y);
+            return From(segment.Start, segment.End, segment.Kind, entity);
         }
+
+        private static PairKey From(Point2D a, Point2D b, SegmentKind kind, int entity) =>
+            a.X < b.X || (a.X == b.X && a.Y <= b.Y) ? new PairKey(entity, kind, a.X, a.Y, b.X, b.Y) : new PairKey(entity, kind, b.X, b.Y, a.X, a.Y);
     }
 
     /// <summary>The rows of a table by their pair, the last first: chains of rows with the same hash, whose keys are read from the rows. An entity with few rows is a chain of its own, so that nothing need be hashed for it.</summary>
     private sealed class RowsByPair
     {
         private const int None = -1;
+
+        /// <summary>The rows of an entity are found by their hash.</summary>
+        private const int Hashed = -2;
         private const int FewRows = 8;
         private readonly EntityTable _drawn;
 
-        /// <summary>By entity: its number of rows, and the last of them where they are few.</summary>
-        private readonly int[] _rowsOf;
+        /// <summary>By entity its last row; <see cref="Hashed"/> where it has many.</summary>
         private readonly int[] _lastOf;
         private readonly int[] _heads;
         private readonly int[] _next;
@@ -99,21 +105,25 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         public RowsByPair(EntityTable drawn)
         {
             _drawn = drawn;
-            _rowsOf = RowsOfEntities(drawn);
-            _lastOf = new int[_rowsOf.Length];
-            _heads = new int[BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, _rowsOf.Where(count => count > FewRows).Sum()))];
+            var rowsOf = RowsOfEntities(drawn);
+            _lastOf = [.. rowsOf.Select(count => count > FewRows ? Hashed : None)];
+            _heads = new int[BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, rowsOf.Where(count => count > FewRows).Sum()))];
             _next = new int[drawn.Count];
-            Array.Fill(_lastOf, None);
             Array.Fill(_heads, None);
             for (var row = 0; row < drawn.Count; row++)
             {
-                var entity = drawn.EntityIndexOf(row);
-                ref var head = ref _rowsOf[entity] <= FewRows ? ref _lastOf[entity] : ref _heads[BucketOf(KeyOf(row))];
+                ref var last = ref _lastOf[drawn.EntityIndexOf(row)];
+                ref var head = ref last != Hashed ? ref last : ref _heads[BucketOf(KeyOf(row))];
                 (_next[row], head) = (head, row);
             }
         }
 
-        public int Last(in PairKey key) => (uint)key.Entity >= (uint)_rowsOf.Length ? None : FirstOf(_rowsOf[key.Entity] <= FewRows ? _lastOf[key.Entity] : _heads[BucketOf(key)], key);
+        public int Last(in PairKey key)
+        {
+            if ((uint)key.Entity >= (uint)_lastOf.Length) return None;
+            var last = _lastOf[key.Entity];
+            return FirstOf(last != Hashed ? last : _heads[BucketOf(key)], key);
+        }
 
         public int Before(int row, in PairKey key) => FirstOf(_next[row], key);
 
@@ -132,7 +142,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
             return row;
         }
 
-        private PairKey KeyOf(int row) => PairKey.From(_drawn[row].ToSegment(), _drawn.EntityIndexOf(row));
+        private PairKey KeyOf(int row) => PairKey.From(_drawn[row]);
 
         private int BucketOf(in PairKey key) => (int)(((uint)key.GetHashCode() * 0x9E3779B97F4A7C15UL) >> 32) & (_heads.Length - 1);
     }

@@ -26,9 +26,9 @@ public sealed class PlannedMotion
     private readonly int[] _rows;
     private readonly Lazy<int[]> _lines;
 
-    /// <summary>By drawing entity and by row of the table: its first segment plus one; 0 for none.</summary>
-    private readonly int[] _segmentOfEntity;
-    private readonly int[] _segmentOfRow;
+    /// <summary>By drawing entity and by row of the table: its first segment plus one; 0 for none. Made when somebody asks by them.</summary>
+    private readonly Lazy<int[]> _segmentOfEntity;
+    private readonly Lazy<int[]> _segmentOfRow;
 
     private PlannedMotion(MotionTimeline timeline, int[] rows, Func<IReadOnlyList<int>>? lines)
     {
@@ -39,7 +39,8 @@ public sealed class PlannedMotion
         _firstSequences = new int[_program.Strokes.Count + 1];
         for (var stroke = 0; stroke < _program.Strokes.Count; stroke++) _firstSequences[stroke + 1] = _firstSequences[stroke] + _program.Strokes[stroke].Sequences.Count;
         _firstSegments = new int[_firstSequences[^1]];
-        (_segmentOfEntity, _segmentOfRow) = NumberSegments();
+        NumberSegments();
+        (_segmentOfEntity, _segmentOfRow) = (new Lazy<int[]>(SegmentsOfEntities), new Lazy<int[]>(SegmentsOfRows));
     }
 
     public double DurationSeconds => _timeline.Seconds;
@@ -76,10 +77,10 @@ public sealed class PlannedMotion
     }
 
     /// <summary>When the first segment of a drawing entity begins; null when it is not cut.</summary>
-    public double? TimeOfEntity(int entity) => First(_segmentOfEntity, entity) is { } segment ? TimeOfSegment(segment) : null;
+    public double? TimeOfEntity(int entity) => First(_segmentOfEntity.Value, entity) is { } segment ? TimeOfSegment(segment) : null;
 
     /// <summary>When the first segment of a row of the sequenced table begins; null when the row is shorter than a count.</summary>
-    public double? TimeOfRow(int row) => First(_segmentOfRow, row) is { } segment ? TimeOfSegment(segment) : null;
+    public double? TimeOfRow(int row) => First(_segmentOfRow.Value, row) is { } segment ? TimeOfSegment(segment) : null;
 
     /// <summary>The line of the posted program that commands a segment, 1 is first; 0 when no program was posted. The first question posts it.</summary>
     public int LineOf(int segment) => (uint)segment < (uint)_lines.Value.Length ? _lines.Value[segment] : 0;
@@ -127,25 +128,42 @@ public sealed class PlannedMotion
         return new SpeedTrapezoid(_reached[FirstSegment(stroke, sequence) + cut.Segments.Count - 1], cut.Speed, _program.Profile.AccelerationCounts);
     }
 
-    private (int[] OfEntity, int[] OfRow) NumberSegments()
+    private void NumberSegments()
     {
         var (next, number) = (0, 0);
-        var (ofEntity, ofRow) = (Array.Empty<int>(), new int[_rows.Length == 0 ? 0 : _rows.Max() + 1]);
-        foreach (var sequence in _program.Strokes.SelectMany(stroke => stroke.Sequences))
+        foreach (var sequences in _program.Strokes.Select(stroke => stroke.Sequences))
         {
-            _firstSegments[number++] = next;
-            var length = 0.0;
-            foreach (var segment in sequence.Segments)
+            for (var sequence = 0; sequence < sequences.Count; sequence++)
             {
-                _reached[next] = length += segment.Length;
-                if (segment.EntityIndex >= ofEntity.Length) Array.Resize(ref ofEntity, Math.Max(segment.EntityIndex + 1, Math.Min(2 * ofEntity.Length, _rows.Length)));
-                if (segment.EntityIndex >= 0 && ofEntity[segment.EntityIndex] == 0) ofEntity[segment.EntityIndex] = next + 1;
-                if (ofRow[_rows[next]] == 0) ofRow[_rows[next]] = next + 1;
-                next++;
+                _firstSegments[number++] = next;
+                var (segments, length) = (sequences[sequence].Segments, 0.0);
+                for (var i = 0; i < segments.Count; i++) _reached[next++] = length += segments[i].Length;
             }
         }
+    }
 
-        return (ofEntity, ofRow);
+    private int[] SegmentsOfEntities()
+    {
+        var (next, first) = (0, Array.Empty<int>());
+        foreach (var entity in _program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments).Select(segment => segment.EntityIndex))
+        {
+            next++;
+            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, _rows.Length)));
+            if (entity >= 0 && first[entity] == 0) first[entity] = next;
+        }
+
+        return first;
+    }
+
+    private int[] SegmentsOfRows()
+    {
+        var first = new int[_rows.Length == 0 ? 0 : _rows.Max() + 1];
+        for (var segment = 0; segment < _rows.Length; segment++)
+        {
+            if (first[_rows[segment]] == 0) first[_rows[segment]] = segment + 1;
+        }
+
+        return first;
     }
 
     private static int? First(int[] segments, int of) => (uint)of < (uint)segments.Length && segments[of] is > 0 and var place ? place - 1 : null;

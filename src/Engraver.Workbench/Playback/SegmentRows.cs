@@ -19,7 +19,11 @@ internal static class SegmentRows
         foreach (var stroke in program.Strokes)
         {
             var walk = new Walk(sequence.Table, program.Profile.Scale, firstRows[stroke.Index], firstRows[stroke.Index + 1]);
-            foreach (var segment in stroke.Sequences.SelectMany(part => part.Segments)) rows[at++] = walk.Take(segment);
+            for (var part = 0; part < stroke.Sequences.Count; part++)
+            {
+                var segments = stroke.Sequences[part].Segments;
+                for (var i = 0; i < segments.Count; i++) rows[at++] = walk.Take(segments[i]);
+            }
         }
 
         return rows;
@@ -41,7 +45,7 @@ internal static class SegmentRows
         {
             if (_rowIsDone && row + 1 < end) row++;
             while (table.EntityIndexOf(row) != segment.EntityIndex && row + 1 < end) row++;
-            var exact = scale.Exact(table[row].ToSegment().End);
+            var exact = scale.Exact(table[row].EndPoint);
             _rowIsDone = Math.Abs(exact.X - segment.End.X) <= Near && Math.Abs(exact.Y - segment.End.Y) <= Near;
             return row;
         }

@@ -18,7 +18,12 @@ internal sealed class ContourWalker
     private readonly EndGrid _ends;
     private readonly bool[] _used;
     private readonly CrowdedJunctions _crowded;
+
+    /// <summary>For each end what <see cref="EndGrid.OnlyNeighbours"/> says: at most junctions the one segment that goes on, so that nothing need be searched.</summary>
+    private readonly int[] _onlyNeighbours;
     private readonly List<int> _near = [];
+    private readonly List<ContourPiece> _ahead = [];
+    private readonly List<ContourPiece> _behind = [];
     private readonly Predicate<int> _counts;
     private int _closingRow;
     private int _level;
@@ -32,6 +37,7 @@ internal sealed class ContourWalker
         var places = new Point2D[2 * segments.Length];
         for (var row = 0; row < segments.Length; row++) (places[2 * row], places[(2 * row) + 1]) = (segments[row].Start, segments[row].End);
         _ends = new EndGrid(places, joinTolerance);
+        _onlyNeighbours = _ends.OnlyNeighbours();
         _crowded = new CrowdedJunctions(_ends, places, joinTolerance);
         _counts = end => (!_used[end / 2] || end / 2 == _closingRow) && (_heights.AreFlat || _heights.LevelOf(end) == _level);
         for (var row = 0; row < segments.Length; row++)
@@ -69,21 +75,23 @@ internal sealed class ContourWalker
         var first = new ContourPiece(row, Reversed: false);
         _used[row] = true;
         _ends.Take((2 * row) + 1); // the start stays in the grid: reaching it again closes the contour
-        var ahead = new List<ContourPiece> { first };
-        if (Grow(ahead, row)) return new Contour(ahead.ToArray(), Closed: true);
+        if (Grow(_ahead, first, row)) return new Contour(_ahead.ToArray(), Closed: true);
 
         _ends.Take(2 * row);
-        var behind = new List<ContourPiece> { first.Turned() };
-        Grow(behind, closingRow: -1);
-        var pieces = behind.Skip(1).Reverse().Select(piece => piece.Turned()).Concat(ahead).ToArray();
+        Grow(_behind, first.Turned(), closingRow: -1);
+        var pieces = new ContourPiece[_behind.Count - 1 + _ahead.Count];
+        for (var i = 1; i < _behind.Count; i++) pieces[_behind.Count - 1 - i] = _behind[i].Turned();
+        _ahead.CopyTo(pieces, _behind.Count - 1);
         return new Contour(pieces, Closed: false);
     }
 
-    /// <summary>Appends continuations until there is none. True when the contour reached the start of <paramref name="closingRow"/> again.</summary>
-    private bool Grow(List<ContourPiece> pieces, int closingRow)
+    /// <summary>Appends continuations of a first piece until there is none. True when the contour reached the start of <paramref name="closingRow"/> again.</summary>
+    private bool Grow(List<ContourPiece> pieces, ContourPiece first, int closingRow)
     {
-        var length = _segments[pieces[0].Row].Length;
-        while (Next(pieces[^1], length > 2.0 * _tolerance || EndsMeet(pieces, length) ? closingRow : -1) is { } next)
+        pieces.Clear();
+        pieces.Add(first);
+        var length = _segments[first.Row].Length;
+        while (Next(pieces[^1], IsLong(length) || EndsMeet(pieces, length) ? closingRow : -1) is { } next)
         {
             if (next.Row == closingRow)
             {
@@ -92,13 +100,15 @@ internal sealed class ContourWalker
             }
 
             pieces.Add(next);
-            length += _segments[next.Row].Length;
+            if (!IsLong(length)) length += _segments[next.Row].Length; // of a long contour the length does not matter, and the segment need not be read
             _used[next.Row] = true;
             TakeEnds(next.Row);
         }
 
         return false;
     }
+
+    private bool IsLong(double length) => length > 2.0 * _tolerance;
 
     private bool EndsMeet(List<ContourPiece> pieces, double length) => length > 0.0 && pieces[0].StartIn(_segments).DistanceTo(pieces[^1].EndIn(_segments)) <= SmallContourGap * length;
 
@@ -111,8 +121,10 @@ internal sealed class ContourWalker
     /// <summary>The next piece, or null. In a contour no longer than twice the tolerance the start is always near the end: it closes only where the two really meet.</summary>
     private ContourPiece? Next(ContourPiece last, int closingRow)
     {
-        var here = last.EndIn(_segments);
         (_closingRow, _level) = (closingRow, _heights.LevelOf(last.EndNumber));
+        var only = _onlyNeighbours[last.EndNumber];
+        if (only != EndGrid.Several) return only != EndGrid.None && !_ends.IsTaken(only) && _counts(only) ? PieceFrom(only) : null;
+        var here = last.EndIn(_segments);
         if (!_ends.TryNear(here, _counts, CrowdedJunctions.Crowd, _near)) return NextInCrowd(here, TravelAtEnd(last));
         if (_near.Count == 0) return null;
         var isBranch = _near.Exists(end => end / 2 != _near[0] / 2);

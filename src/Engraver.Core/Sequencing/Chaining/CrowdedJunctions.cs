@@ -27,7 +27,7 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
     public Junction[] Near(Point2D here, int level, Predicate<int> isAtLevel, Predicate<int> isShort, Func<int, Vector2D> travelInto)
     {
         var found = new List<Junction>();
-        foreach (var cell in ends.CellsNear(here).OrderByDescending(cell => cell == ends.CellAt(here))) // the nearest end is usually in the own square, and then no farther one need be searched elsewhere
+        foreach (var cell in ends.CellsNear(here).ToArray().OrderByDescending(cell => cell == ends.CellAt(here))) // the nearest end is usually in the own square, and then no farther one need be searched elsewhere
         {
             if (!_junctions.TryGetValue((cell, level), out var junction))
             {

@@ -24,6 +24,7 @@ public static class DuplicateRemoval
         var middles = new Point2D[segments.Length];
         for (var row = 0; row < middles.Length; row++) middles[row] = MiddleOf(segments[row]);
         var grid = new EndGrid(middles, tolerance);
+        var neighbours = grid.OnlyNeighbours();
         var kept = new List<int>(segments.Length);
         var near = new List<int>();
         var isDuplicate = new bool[segments.Length];
@@ -32,6 +33,7 @@ public static class DuplicateRemoval
             if (isDuplicate[row]) continue;
             kept.Add(row);
             grid.Take(row);
+            if (neighbours[row] == EndGrid.None) continue;
             grid.Near(middles[row], near);
             foreach (var other in near)
             {

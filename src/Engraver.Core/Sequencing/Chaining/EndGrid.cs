@@ -4,15 +4,24 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Sequencing.Chaining;
 
 /// <summary>A hash grid of points (segment ends, midpoints) that finds the points within the tolerance of another in constant time.</summary>
-/// <remarks>Cells are a little wider than twice the tolerance, so at most four are searched. Points that were taken are removed as they are met.</remarks>
+/// <remarks>Cells are a little wider than twice the tolerance, so at most four are searched. The points of a cell lie side by side in memory, because a drawing's segments come in no order of place; points that were taken are removed as they are met.</remarks>
 internal sealed class EndGrid
 {
-    private const int None = -1;
+    /// <summary>No point is near (<see cref="OnlyNeighbours"/>).</summary>
+    public const int None = -1;
+
+    /// <summary>More than one point is near, or too many had to be tested to know.</summary>
+    public const int Several = -2;
+
+    /// <summary>Points that are tested for one neighbour.</summary>
+    private const int MostForNeighbour = 64;
     private const int BitsForEach = 8;
     private const double OutermostCell = 1L << 60;
-    private readonly Point2D[] _places;
-    private readonly int[] _heads;
-    private readonly int[] _next;
+
+    /// <summary>By bucket where its points begin and how many are left of them.</summary>
+    private readonly int[] _starts;
+    private readonly int[] _counts;
+    private readonly Entry[] _entries;
 
     /// <summary>One bit for some cells each: 0 where all of them are empty, so that most looks at an empty cell end without a walk through the memory.</summary>
     private readonly ulong[] _occupied;
@@ -22,17 +31,16 @@ internal sealed class EndGrid
 
     /// <param name="places">Numbered by their index.</param>
     /// <param name="tolerance">Millimetres, zero or more: zero finds exactly equal places only.</param>
-    public EndGrid(Point2D[] places, double tolerance)
+    public EndGrid(ReadOnlySpan<Point2D> places, double tolerance)
     {
-        _places = places;
         _tolerance = tolerance;
         _cell = Math.Max(2.5 * tolerance, 1e-6);
-        _heads = new int[(int)BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, places.Length))];
-        _next = new int[places.Length];
-        _occupied = new ulong[_heads.Length / (64 / BitsForEach)];
+        _starts = new int[(int)BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, places.Length))];
+        _counts = new int[_starts.Length];
+        _occupied = new ulong[_starts.Length / (64 / BitsForEach)];
         _taken = new bool[places.Length];
-        Array.Fill(_heads, None);
-        for (var i = places.Length - 1; i >= 0; i--) Link(i);
+        _entries = GC.AllocateUninitializedArray<Entry>(places.Length);
+        Distribute(places);
     }
 
     /// <summary>Number of points that were tested.</summary>
@@ -42,6 +50,14 @@ internal sealed class EndGrid
 
     public bool IsTaken(int place) => _taken[place];
 
+    /// <summary>For each place the only other one within the tolerance, <see cref="None"/>, or <see cref="Several"/>; taken ones count too. Reads the memory in its order, while a question about one place after another would wait for it each time.</summary>
+    public int[] OnlyNeighbours()
+    {
+        var neighbours = GC.AllocateUninitializedArray<int>(_entries.Length);
+        foreach (ref readonly var entry in _entries.AsSpan()) neighbours[entry.Place] = OnlyNeighbour(entry);
+        return neighbours;
+    }
+
     /// <summary>Replaces the content of <paramref name="found"/> by every place within the tolerance that is not taken.</summary>
     public void Near(Point2D here, List<int> found) => TryNear(here, _ => true, int.MaxValue, found);
 
@@ -49,29 +65,16 @@ internal sealed class EndGrid
     public bool TryNear(Point2D here, Predicate<int> counts, int most, List<int> found)
     {
         found.Clear();
-        var (left, right) = (CellOf(here.X - _tolerance), CellOf(here.X + _tolerance));
-        var (lower, upper) = (CellOf(here.Y - _tolerance), CellOf(here.Y + _tolerance));
-        for (var x = left; x <= right; x++)
+        foreach (var cell in CellsNear(here))
         {
-            for (var y = lower; y <= upper; y++)
-            {
-                if (!TryNearInCell(x, y, here, counts, ref most, found)) return false;
-            }
+            if (!TryNearInCell(cell, here, counts, ref most, found)) return false;
         }
 
         return true;
     }
 
     /// <summary>The one, two or four cells in which places within the tolerance may lie.</summary>
-    public IEnumerable<(long X, long Y)> CellsNear(Point2D here)
-    {
-        var (left, right) = (CellOf(here.X - _tolerance), CellOf(here.X + _tolerance));
-        var (lower, upper) = (CellOf(here.Y - _tolerance), CellOf(here.Y + _tolerance));
-        for (var x = left; x <= right; x++)
-        {
-            for (var y = lower; y <= upper; y++) yield return (x, y);
-        }
-    }
+    public CellRange CellsNear(Point2D here) => new(CellOf(here.X - _tolerance), CellOf(here.X + _tolerance), CellOf(here.Y - _tolerance), CellOf(here.Y + _tolerance));
 
     public (long X, long Y) CellAt(Point2D here) => (CellOf(here.X), CellOf(here.Y));
 
@@ -79,54 +82,97 @@ internal sealed class EndGrid
     public int[] PlacesIn((long X, long Y) cell)
     {
         var found = new List<int>();
-        for (var i = _heads[Bucket(cell.X, cell.Y)]; i != None; i = _next[i])
+        foreach (ref readonly var entry in BucketOf(HashOf(cell)))
         {
             Looks++;
-            if (!_taken[i] && IsIn(i, cell.X, cell.Y)) found.Add(i);
+            if (!_taken[entry.Place] && CellAt(entry.At) == cell) found.Add(entry.Place);
         }
 
         return [.. found];
     }
 
-    private bool IsIn(int place, long x, long y) => CellOf(_places[place].X) == x && CellOf(_places[place].Y) == y;
-
-    private bool TryNearInCell(long x, long y, Point2D here, Predicate<int> counts, ref int most, List<int> found)
+    private int OnlyNeighbour(in Entry of)
     {
-        var hash = HashOf(x, y);
-        if (!IsOccupied(hash)) return true;
-        var previous = None;
-        var head = (int)(hash >> 33) & (_heads.Length - 1);
-        for (var i = _heads[head]; i != None; i = _next[i])
+        var (only, most) = (None, MostForNeighbour);
+        foreach (var cell in CellsNear(of.At))
         {
-            Looks++;
-            if (_taken[i])
+            var hash = HashOf(cell);
+            if (!IsOccupied(hash)) continue;
+            foreach (ref readonly var entry in BucketOf(hash))
             {
-                if (previous == None) _heads[head] = _next[i];
-                else _next[previous] = _next[i];
-                continue;
+                Looks++;
+                if (most-- == 0) return Several;
+                if (entry.Place == of.Place || !entry.At.IsNear(of.At, _tolerance) || CellAt(entry.At) != cell) continue;
+                if (only != None) return Several;
+                only = entry.Place;
             }
-
-            previous = i;
-            if (most-- == 0) return false;
-            if (_places[i].IsNear(here, _tolerance) && IsIn(i, x, y) && counts(i)) found.Add(i);
         }
 
+        return only;
+    }
+
+    private bool TryNearInCell((long X, long Y) cell, Point2D here, Predicate<int> counts, ref int most, List<int> found)
+    {
+        var hash = HashOf(cell);
+        if (!IsOccupied(hash)) return true;
+        var entries = BucketOf(hash);
+        var kept = 0;
+        for (var i = 0; i < entries.Length; i++)
+        {
+            Looks++;
+            if (_taken[entries[i].Place]) continue;
+            if (most-- == 0)
+            {
+                LeaveOut(hash, entries, kept, i);
+                return false;
+            }
+
+            if (kept < i) entries[kept] = entries[i];
+            ref readonly var entry = ref entries[kept++];
+            if (entry.At.IsNear(here, _tolerance) && CellAt(entry.At) == cell && counts(entry.Place)) found.Add(entry.Place);
+        }
+
+        _counts[IndexOf(hash)] = kept;
         return true;
     }
 
-    private void Link(int i)
+    /// <summary>Removes the taken points among the first of a bucket; those that stay are moved up to the untested ones, so that a crowd is not moved as a whole.</summary>
+    private void LeaveOut(ulong hash, Span<Entry> entries, int kept, int tested)
     {
-        var hash = HashOf(CellOf(_places[i].X), CellOf(_places[i].Y));
-        var (bucket, bit) = ((int)(hash >> 33) & (_heads.Length - 1), BitOf(hash));
-        _occupied[bit >> 6] |= 1UL << (bit & 63);
-        _next[i] = _heads[bucket];
-        _heads[bucket] = i;
+        entries[..kept].CopyTo(entries[(tested - kept)..]);
+        var bucket = IndexOf(hash);
+        _starts[bucket] += tested - kept;
+        _counts[bucket] -= tested - kept;
+    }
+
+    /// <summary>Sorts the points by bucket; those of one stay in ascending order.</summary>
+    private void Distribute(ReadOnlySpan<Point2D> places)
+    {
+        var buckets = GC.AllocateUninitializedArray<int>(places.Length);
+        for (var i = 0; i < places.Length; i++)
+        {
+            var hash = HashOf(CellAt(places[i]));
+            var bit = BitOf(hash);
+            _occupied[bit >> 6] |= 1UL << (bit & 63);
+            _counts[buckets[i] = IndexOf(hash)]++;
+        }
+
+        var sum = 0;
+        for (var bucket = 0; bucket < _starts.Length; bucket++) (_starts[bucket], sum) = (sum, sum + _counts[bucket]);
+        for (var i = 0; i < places.Length; i++) _entries[_starts[buckets[i]]++] = new Entry(places[i], i);
+        for (var bucket = 0; bucket < _starts.Length; bucket++) _starts[bucket] -= _counts[bucket];
+    }
+
+    private Span<Entry> BucketOf(ulong hash)
+    {
+        var bucket = IndexOf(hash);
+        return _entries.AsSpan(_starts[bucket], _counts[bucket]);
     }
 
     /// <summary>The cell of a coordinate. Extreme coordinates share the outermost cell, because a number that overflowed would never be found again.</summary>
     private long CellOf(double coordinate) => (long)Math.Floor(Math.Clamp(coordinate / _cell, -OutermostCell, OutermostCell));
 
-    private int Bucket(long x, long y) => (int)(HashOf(x, y) >> 33) & (_heads.Length - 1);
+    private int IndexOf(ulong hash) => (int)(hash >> 33) & (_starts.Length - 1);
 
     private bool IsOccupied(ulong hash)
     {
@@ -136,9 +182,39 @@ internal sealed class EndGrid
 
     private int BitOf(ulong hash) => (int)((hash >> 24) & (((ulong)_occupied.Length * 64) - 1));
 
-    private static ulong HashOf(long x, long y)
+    private static ulong HashOf((long X, long Y) cell)
     {
-        var hash = ((ulong)x * 0x9E3779B97F4A7C15UL) ^ ((ulong)y * 0xC2B2AE3D27D4EB4FUL);
+        var hash = ((ulong)cell.X * 0x9E3779B97F4A7C15UL) ^ ((ulong)cell.Y * 0xC2B2AE3D27D4EB4FUL);
         return (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9UL;
+    }
+
+    private readonly record struct Entry(Point2D At, int Place);
+
+    /// <summary>The cells of a small rectangle, column by column.</summary>
+    public readonly record struct CellRange(long Left, long Right, long Lower, long Upper)
+    {
+        public Enumerator GetEnumerator() => new(this);
+
+        public (long X, long Y)[] ToArray()
+        {
+            var cells = new List<(long X, long Y)>();
+            foreach (var cell in this) cells.Add(cell);
+            return [.. cells];
+        }
+
+        public struct Enumerator(CellRange cells)
+        {
+            private long _x = cells.Left;
+            private long _y = cells.Lower - 1;
+
+            public readonly (long X, long Y) Current => (_x, _y);
+
+            public bool MoveNext()
+            {
+                if (++_y <= cells.Upper) return true;
+                _y = cells.Lower;
+                return ++_x <= cells.Right;
+            }
+        }
     }
 }

@@ -13,11 +13,11 @@ public static class ContourNesting
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="tolerance">Millimetres by which a contour may extend over the box of the one around it (touching from inside).</param>
     /// <remarks>A contour is inside when most of five points spread over it are (arcs are exact). Contours that cross each other are decided by the same majority.</remarks>
-    public static int[] Find(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, double tolerance)
+    public static int[] Find(IReadOnlyList<Contour> contours, ReadOnlyMemory<Segment> segments, double tolerance)
     {
         var outlines = new ContourOutline[contours.Count];
-        for (var i = 0; i < outlines.Length; i++) outlines[i] = ContourOutline.From(contours[i], segments);
-        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].Region is not null)]; // long lines of a drawing lie in each other's boxes by the thousand
+        for (var i = 0; i < outlines.Length; i++) outlines[i] = new ContourOutline(contours[i], segments);
+        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].IsClosed)]; // long lines of a drawing lie in each other's boxes by the thousand
         var tree = BoxTree.Build([.. closed.Select(i => outlines[i].Bounds.Grown(tolerance))]);
         var inside = new int[outlines.Length];
         var candidates = new List<int>();
@@ -34,12 +34,12 @@ public static class ContourNesting
 
     private static int DirectlyAround(int inner, ContourOutline[] outlines, List<int> candidates, double tolerance)
     {
-        candidates.RemoveAll(outer => !outlines[outer].CanEnclose(outlines[inner], tolerance));
+        candidates.RemoveAll(outer => outer == inner || !outlines[outer].CanEnclose(outlines[inner], tolerance)); // each lies in its own box: its size need not be compared with itself
         while (candidates.Count > 0)
         {
             var smallest = SmallestOf(candidates, outlines); // nearly always the answer, so that sorting would be wasted on concentric rings
             var outer = candidates[smallest];
-            if (HoldsMost(outlines[outer].Region!, outlines[inner])) return outer;
+            if (HoldsMost(outlines[outer].Region, outlines[inner])) return outer;
             candidates[smallest] = candidates[^1];
             candidates.RemoveAt(candidates.Count - 1);
         }

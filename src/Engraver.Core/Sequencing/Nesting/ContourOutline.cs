@@ -4,7 +4,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>A contour with what nesting needs: segments in travel order, box, and region when it is closed.</summary>
+/// <summary>A contour with what nesting needs: its box; segments in travel order and, when it is closed, the region, where they are asked for.</summary>
 internal sealed class ContourOutline
 {
     /// <summary>Fraction of a segment at which its test point lies: away from ends, middles and quadrant points, where contours often touch.</summary>
@@ -13,34 +13,65 @@ internal sealed class ContourOutline
     /// <summary>Largest distance of the arcs that approximate a curve, as a part of the curve's size.</summary>
     private const double CurveNearness = 1e-4;
 
-    private readonly Segment[] _segments;
+    private readonly Contour _contour;
+    private readonly ReadOnlyMemory<Segment> _rows;
     private readonly float _boxSize;
-    private readonly double _area;
 
-    private ContourOutline(Segment[] segments, bool closed)
+    /// <summary>In travel order; made when a question is asked that the box does not answer, which few contours are.</summary>
+    private Segment[]? _segments;
+    private ContourRegion? _region;
+
+    public ContourOutline(Contour contour, ReadOnlyMemory<Segment> rows)
     {
-        _segments = segments;
-        Region = closed ? new ContourRegion(segments) : null;
-        Bounds = Region?.Bounds ?? segments.Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
+        (_contour, _rows) = (contour, rows);
+        Bounds = contour.Closed && HasFreeCurves() ? Region.Bounds : BoundsOfPieces();
         _boxSize = (float)(Bounds.Width * Bounds.Height);
-        _area = Region is null ? 0.0 : Math.Abs(Region.SignedArea);
     }
 
     public Bounds2D Bounds { get; }
 
-    /// <summary>The enclosed region; null for an open contour.</summary>
-    public ContourRegion? Region { get; }
+    /// <summary>True for a closed contour: it has a <see cref="Region"/>.</summary>
+    public bool IsClosed => _contour.Closed;
 
-    public static ContourOutline From(Contour contour, ReadOnlySpan<Segment> rows)
+    /// <summary>The enclosed region of a closed contour.</summary>
+    public ContourRegion Region => _region ??= new ContourRegion(Segments);
+
+    private Segment[] Segments => _segments ??= InTravelOrder();
+
+    private double Area => IsClosed ? Math.Abs(Region.SignedArea) : 0.0;
+
+    private Segment[] InTravelOrder()
     {
-        var segments = new Segment[contour.Pieces.Length];
-        for (var i = 0; i < segments.Length; i++)
+        var segments = new Segment[_contour.Pieces.Length];
+        for (var i = 0; i < segments.Length; i++) segments[i] = SegmentOf(_contour.Pieces.Span[i]);
+        return IsClosed ? ArcsFor(segments) : segments;
+    }
+
+    private Segment SegmentOf(ContourPiece piece) => piece.Reversed ? _rows.Span[piece.Row].Reversed() : _rows.Span[piece.Row];
+
+    private bool HasFreeCurves()
+    {
+        var rows = _rows.Span;
+        foreach (var piece in _contour.Pieces.Span)
         {
-            var piece = contour.Pieces.Span[i];
-            segments[i] = piece.Reversed ? rows[piece.Row].Reversed() : rows[piece.Row];
+            if (rows[piece.Row].IsFreeCurve) return true;
         }
 
-        return new ContourOutline(contour.Closed ? ArcsFor(segments) : segments, contour.Closed);
+        return false;
+    }
+
+    private Bounds2D BoundsOfPieces()
+    {
+        var box = Bounds2D.Empty;
+        var rows = _rows.Span;
+        foreach (var piece in _contour.Pieces.Span)
+        {
+            ref readonly var row = ref rows[piece.Row];
+            if (row.Kind == SegmentKind.Line) box = box.Including(row.Start).Including(row.End);
+            else box = box.Union(SegmentOf(piece).Bounds);
+        }
+
+        return box;
     }
 
     /// <summary>Ellipses and splines as arcs, near enough to decide what lies inside what.</summary>
@@ -55,15 +86,16 @@ internal sealed class ContourOutline
     /// <summary>One of <paramref name="count"/> test points spread over the contour.</summary>
     public Point2D Witness(int index, int count)
     {
-        var place = (index + WitnessFraction) / count * _segments.Length;
-        var segment = Math.Min((int)place, _segments.Length - 1);
-        return _segments[segment].PointAt(_segments.Length >= count ? WitnessFraction : place - segment);
+        var segments = Segments;
+        var place = (index + WitnessFraction) / count * segments.Length;
+        var segment = Math.Min((int)place, segments.Length - 1);
+        return segments[segment].PointAt(segments.Length >= count ? WitnessFraction : place - segment);
     }
 
     /// <summary>Orders by size of the box, equal boxes (within rounding) by area. An enclosing contour is always larger in this order, so that there are no cycles.</summary>
-    public int CompareSize(ContourOutline other) => _boxSize != other._boxSize ? _boxSize.CompareTo(other._boxSize) : _area.CompareTo(other._area);
+    public int CompareSize(ContourOutline other) => _boxSize != other._boxSize ? _boxSize.CompareTo(other._boxSize) : Area.CompareTo(other.Area);
 
     /// <summary>True when this contour is closed, larger, and its box contains the other's.</summary>
     public bool CanEnclose(ContourOutline inner, double tolerance) =>
-        Region is not null && CompareSize(inner) > 0 && Bounds.Grown(tolerance).Contains(inner.Bounds);
+        IsClosed && CompareSize(inner) > 0 && Bounds.Grown(tolerance).Contains(inner.Bounds);
 }

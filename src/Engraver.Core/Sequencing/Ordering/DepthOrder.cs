@@ -45,10 +45,12 @@ internal sealed class DepthOrder
     }
 
     /// <summary>False for the lower end of an open contour.</summary>
-    public bool MayBegin(StrokeEntry entry)
+    /// <param name="contour">Index of the contour.</param>
+    /// <param name="isTurned">It is begun at its far end.</param>
+    public bool MayBegin(int contour, bool isTurned)
     {
         if (_rises.Length == 0) return true;
-        var ahead = entry.Kind == StrokeEntryKind.Turned ? -_rises[entry.Contour] : _rises[entry.Contour];
+        var ahead = isTurned ? -_rises[contour] : _rises[contour];
         return ahead <= _tolerance;
     }
 

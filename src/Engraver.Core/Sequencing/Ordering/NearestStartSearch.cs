@@ -13,8 +13,7 @@ internal sealed class NearestStartSearch
     private readonly List<int>?[] _below;
     private readonly DepthOrder _depth;
     private readonly bool[] _done;
-    private readonly StrokeEntry[] _entries;
-    private readonly int[] _firstEntry;
+    private readonly StartRuns _starts;
     private readonly BoxTree _tree;
     private readonly BoxTree.Measure _measure;
     private bool[]? _within;
@@ -39,24 +38,25 @@ internal sealed class NearestStartSearch
             (_below[upper] ??= []).Add(lower);
         }
 
-        _firstEntry = new int[contours.Count + 1];
-        _entries = AllEntries();
-        _tree = BoxTree.Build(PlacesOf(_entries));
-        _measure = (entry, place) => _entries[entry].Place.DistanceTo(place);
+        _starts = new StartRuns(contours, segments.Span);
+        _tree = BoxTree.Build(_starts.Boxes());
+        _measure = _starts.Distance;
         ForEach(_ => true, contour => Set(contour, _waitsFor[contour] == 0));
     }
 
     /// <summary>The nearest start, or null when nothing is left to choose.</summary>
     public StrokeEntry? Next(Point2D tool)
     {
-        var entry = Nearest(tool);
-        if (entry < 0 && _left > 0 && _within is null)
+        var run = Nearest(tool, out var distance);
+        if (run < 0 && _left > 0 && _within is null)
         {
             ForEach(contour => !_done[contour], contour => Set(contour, true)); // they wait for each other, as where an outline lies over parts of what it encloses: nothing is left out for that
-            entry = Nearest(tool);
+            run = Nearest(tool, out distance);
         }
 
-        return entry < 0 ? null : _entries[entry];
+        if (run < 0) return null;
+        var (contour, number) = _starts.StartAt(run, tool, distance);
+        return StrokeEntry.At(number, contour, _contours[contour], _segments.Span);
     }
 
     /// <summary>Removes a contour that was cut, and admits those that waited for it alone.</summary>
@@ -86,30 +86,11 @@ internal sealed class NearestStartSearch
 
     public Point2D EndOf(StrokeEntry entry) => TravelOrder.EndOf(entry, _contours[entry.Contour], _segments.Span);
 
-    private int Nearest(Point2D tool) => _tree.Nearest(tool, _measure, double.PositiveInfinity, out _);
+    private int Nearest(Point2D tool, out double distance) => _tree.Nearest(tool, _measure, double.PositiveInfinity, out distance);
 
     private void Release(int contour)
     {
         if (--_waitsFor[contour] == 0 && !_done[contour] && _within?[contour] != false) Set(contour, true);
-    }
-
-    private StrokeEntry[] AllEntries()
-    {
-        var entries = new List<StrokeEntry>(_segments.Length + _contours.Count);
-        for (var contour = 0; contour < _contours.Count; contour++)
-        {
-            StrokeEntry.AddAll(contour, _contours[contour], _segments.Span, entries);
-            _firstEntry[contour + 1] = entries.Count;
-        }
-
-        return [.. entries];
-    }
-
-    private static Point2D[] PlacesOf(StrokeEntry[] entries)
-    {
-        var places = new Point2D[entries.Length];
-        for (var entry = 0; entry < places.Length; entry++) places[entry] = entries[entry].Place;
-        return places;
     }
 
     private bool[] WithinFlags(int contour)
@@ -144,10 +125,10 @@ internal sealed class NearestStartSearch
 
     private void Set(int contour, bool shown)
     {
-        for (var entry = _firstEntry[contour]; entry < _firstEntry[contour + 1]; entry++)
+        for (var run = _starts.FirstOf(contour); run < _starts.FirstOf(contour + 1); run++)
         {
-            if (shown && _depth.MayBegin(_entries[entry])) _tree.Show(entry);
-            else _tree.Hide(entry);
+            if (shown && _depth.MayBegin(contour, _starts.IsFarEnd(run, contour))) _tree.Show(run);
+            else _tree.Hide(run);
         }
     }
 }

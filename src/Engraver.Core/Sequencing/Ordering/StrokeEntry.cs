@@ -10,25 +10,24 @@ namespace Engraver.Core.Sequencing.Ordering;
 /// <param name="Place">Where cutting begins, millimetres.</param>
 public readonly record struct StrokeEntry(int Contour, int Piece, StrokeEntryKind Kind, Point2D Place)
 {
-    /// <summary>Adds every possible begin of a contour, the drawn one first: an open one at both ends, a closed one at each joint, a circle at its right and left quadrant points.</summary>
+    /// <summary>Number of possible begins of a contour: an open one has both ends, a closed one each joint, a circle its right and left quadrant points.</summary>
+    public static int CountOf(Contour contour, ReadOnlySpan<Segment> segments) => !contour.Closed || contour.IsCircleIn(segments) ? 2 : contour.Pieces.Length;
+
+    /// <summary>One of the possible begins of a contour; 0 is the drawn one.</summary>
+    public static StrokeEntry At(int number, int index, Contour contour, ReadOnlySpan<Segment> segments)
+    {
+        if (number == 0) return AsDrawn(index, contour, segments);
+        if (!contour.Closed) return new StrokeEntry(index, contour.Pieces.Length - 1, StrokeEntryKind.Turned, contour.EndIn(segments));
+        return contour.IsCircleIn(segments)
+            ? LeftOf(index, segments[contour.Pieces.Span[0].Row].Arc)
+            : new StrokeEntry(index, number, StrokeEntryKind.Forward, contour.Pieces.Span[number].StartIn(segments));
+    }
+
+    /// <summary>Adds every possible begin of a contour, the drawn one first.</summary>
     public static void AddAll(int index, Contour contour, ReadOnlySpan<Segment> segments, List<StrokeEntry> entries)
     {
-        entries.Add(AsDrawn(index, contour, segments));
-        if (!contour.Closed)
-        {
-            entries.Add(new StrokeEntry(index, contour.Pieces.Length - 1, StrokeEntryKind.Turned, contour.EndIn(segments)));
-        }
-        else if (contour.IsCircleIn(segments))
-        {
-            entries.Add(LeftOf(index, segments[contour.Pieces.Span[0].Row].Arc));
-        }
-        else
-        {
-            for (var piece = 1; piece < contour.Pieces.Length; piece++)
-            {
-                entries.Add(new StrokeEntry(index, piece, StrokeEntryKind.Forward, contour.Pieces.Span[piece].StartIn(segments)));
-            }
-        }
+        var count = CountOf(contour, segments);
+        for (var number = 0; number < count; number++) entries.Add(At(number, index, contour, segments));
     }
 
     public static StrokeEntry AsDrawn(int index, Contour contour, ReadOnlySpan<Segment> segments) =>

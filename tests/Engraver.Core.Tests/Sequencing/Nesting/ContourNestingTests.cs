@@ -85,6 +85,6 @@ public class ContourNestingTests
     private static int[] InsideOf(DrawingBuilder drawing)
     {
         var segments = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing.Build(), LayerSelection.Default)).ToSegments();
-        return ContourNesting.Find(ContourChainer.Chain(segments, Tolerance).Contours, segments, Tolerance);
+        return ContourNesting.Find(ContourChainer.Chain(segments, Tolerance).Contours, segments.ToArray(), Tolerance);
     }
 }

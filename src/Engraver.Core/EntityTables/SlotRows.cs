@@ -1,0 +1,108 @@
+using System.Runtime.CompilerServices;
+
+namespace Engraver.Core.EntityTables;
+
+/// <summary>The slots of a table's rows, in chunks. A slot that is the same in all rows of a chunk (what lines have in the slots of arcs, heights of a flat drawing) is one number; the others of a row lie side by side, because rows are read in the order of cutting, which is no order of the file.</summary>
+internal sealed class SlotRows
+{
+    private const int ChunkShift = 10;
+    private const int ChunkSize = 1 << ChunkShift;
+    private readonly List<SlotChunk> _chunks = [];
+
+    public int Count { get; private set; }
+
+    public void Add(in EntitySlots slots)
+    {
+        var place = Count & (ChunkSize - 1);
+        if (place == 0) _chunks.Add(new SlotChunk(slots));
+        _chunks[^1].Write(place, slots);
+        Count++;
+    }
+
+    public EntitySlots Copy(int row) => ChunkOf(row, out var place).Copy(place);
+
+    /// <summary>The chunk of a row, for a row that is read slot by slot.</summary>
+    public SlotChunk ChunkOf(int row, out int place)
+    {
+        if ((uint)row >= (uint)Count) throw new ArgumentOutOfRangeException(nameof(row));
+        place = row & (ChunkSize - 1);
+        return _chunks[row >> ChunkShift];
+    }
+
+    /// <param name="first">The chunk's first row.</param>
+    internal sealed class SlotChunk(in EntitySlots first)
+    {
+        private const sbyte Same = -1;
+
+        /// <summary>The value of all rows where they do not differ.</summary>
+        private readonly EntitySlots _first = first;
+
+        /// <summary>For each slot its place among those that differ; <see cref="Same"/> for the others.</summary>
+        private PlacesOfSlots _placeOf = PlacesOfSlots.AllSame;
+
+        /// <summary>The slots that differ, in the order in which they began to.</summary>
+        private PlacesOfSlots _differing;
+        private int _width;
+
+        /// <summary>Row by row the slots that differ.</summary>
+        private double[] _cells = [];
+
+        public double this[int place, int slot] => _placeOf[slot] is >= 0 and var at ? _cells[(place * _width) + at] : _first[slot];
+
+        public EntitySlots Copy(int place)
+        {
+            var slots = _first;
+            var row = _cells.AsSpan(place * _width, _width);
+            for (var at = 0; at < row.Length; at++) slots[_differing[at]] = row[at];
+            return slots;
+        }
+
+        public void Write(int place, in EntitySlots slots)
+        {
+            var width = _width;
+            for (var slot = 0; slot < EntitySlot.Count; slot++)
+            {
+                if (_placeOf[slot] == Same && BitConverter.DoubleToInt64Bits(slots[slot]) != BitConverter.DoubleToInt64Bits(_first[slot])) Begin(slot);
+            }
+
+            if (_width > width) Widen(width, place);
+            var row = _cells.AsSpan(place * _width, _width);
+            for (var at = 0; at < row.Length; at++) row[at] = slots[_differing[at]];
+        }
+
+        private void Begin(int slot)
+        {
+            _differing[_width] = (sbyte)slot;
+            _placeOf[slot] = (sbyte)_width++;
+        }
+
+        /// <summary>Makes room for slots that differ from now on; they were the same in all rows so far.</summary>
+        private void Widen(int before, int rows)
+        {
+            var cells = GC.AllocateUninitializedArray<double>(ChunkSize * _width);
+            for (var place = 0; place < rows; place++)
+            {
+                _cells.AsSpan(place * before, before).CopyTo(cells.AsSpan(place * _width));
+                for (var at = before; at < _width; at++) cells[(place * _width) + at] = _first[_differing[at]];
+            }
+
+            _cells = cells;
+        }
+    }
+
+    [InlineArray(EntitySlot.Count)]
+    private struct PlacesOfSlots
+    {
+        private sbyte _first;
+
+        public static PlacesOfSlots AllSame
+        {
+            get
+            {
+                var places = default(PlacesOfSlots);
+                ((Span<sbyte>)places).Fill(-1);
+                return places;
+            }
+        }
+    }
+}
