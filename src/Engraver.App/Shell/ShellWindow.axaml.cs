@@ -48,7 +48,7 @@ public partial class ShellWindow : Window
         Model.Files.Refused += _panels.BringCommandLine;
         MainMenu.Closed += GiveKeyboardBack;
         MainMenu.AddHandler(MenuItem.SubmenuOpenedEvent, (_, e) => MenuBuilder.Fit(e.Source as MenuItem, this));
-        Pages.PageShown += (_, _) => ShownTerminal?.TakeKeyboard();
+        Pages.PageShown += (_, _) => GiveKeyboardToTerminal();
         stopKeys.Escaped += OnHeld;
         Closed += (_, _) => stopKeys.Escaped -= OnHeld;
         Model.Status.PropertyChanged += (_, _) => Hint();
@@ -136,6 +136,14 @@ public partial class ShellWindow : Window
     private void GiveKeyboardBack(object? sender, RoutedEventArgs e)
     {
         if (FocusManager?.GetFocusedElement() is MenuItem) FocusManager.Focus(null);
+    }
+
+    /// <summary>What is typed is for the terminal that has come to the front, also while its field is not laid out yet: the command line, which stays in sight, lets go of the keyboard.</summary>
+    private void GiveKeyboardToTerminal()
+    {
+        if (ShownTerminal is not { } terminal) return;
+        FocusManager?.Focus(null);
+        terminal.TakeKeyboard();
     }
 
     /// <summary>True where a control that takes text itself has the focus: a text box, an open menu.</summary>
