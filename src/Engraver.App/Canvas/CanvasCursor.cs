@@ -102,7 +102,7 @@ internal sealed class CanvasCursor : Control
         if (!AsksForPoint) context.DrawRectangle(null, pen, new Rect(x - PickBox, y - PickBox, 2.0 * PickBox, 2.0 * PickBox));
     }
 
-    /// <summary>Square, triangle, circle, diamond, right angle, hourglass, circle under a line, cross: as AutoCAD marks them.</summary>
+    /// <summary>Square, triangle, circle, diamond, right angle, hourglass, circle under a line, circle about a cross, cross: as AutoCAD marks them.</summary>
     private static void DrawSnap(DrawingContext context, Point at, SnapKinds kind)
     {
         var pen = CanvasBrushes.Pen(SnapColour, 2.0);
@@ -113,6 +113,7 @@ internal sealed class CanvasCursor : Control
         else if (kind == SnapKinds.Quadrant) Outline(context, pen, at, (0.0, -Size), (Size, 0.0), (0.0, Size), (-Size, 0.0));
         else if (kind == SnapKinds.Perpendicular) RightAngle(context, pen, at);
         else if (kind == SnapKinds.Nearest) Outline(context, pen, at, (-Size, -Size), (Size, -Size), (-Size, Size), (Size, Size));
+        else if (kind == SnapKinds.Node) Node(context, pen, at);
         else if (kind == SnapKinds.Tangent) Touch(context, pen, at);
         else Cross(context, pen, at);
     }
@@ -131,6 +132,13 @@ internal sealed class CanvasCursor : Control
     {
         context.DrawEllipse(null, pen, at, MarkerSize, MarkerSize);
         context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(MarkerSize, -MarkerSize));
+    }
+
+    /// <summary>A circle about a cross.</summary>
+    private static void Node(DrawingContext context, IPen pen, Point at)
+    {
+        context.DrawEllipse(null, pen, at, MarkerSize, MarkerSize);
+        Cross(context, pen, at);
     }
 
     private static void Outline(DrawingContext context, IPen pen, Point at, params (double X, double Y)[] corners)

@@ -28,6 +28,9 @@ public sealed partial class DrawingCanvas
     /// <summary>Half the side of the box in which object snaps are found, units of the control (APERTURE).</summary>
     public double Aperture { get; set; } = 10.0;
 
+    /// <summary>How coordinates, distances and angles are shown beside the crosshair (LUPREC, AUPREC).</summary>
+    public Figures Figures { get; set; } = Figures.Usual;
+
     /// <summary>The text beside the crosshair; empty for none.</summary>
     internal string Tip => _cursor.Tip;
 
@@ -122,7 +125,7 @@ public sealed partial class DrawingCanvas
         _cursor.Box = _pointer.Box ?? (_aim is { Use: PointUse.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
         _cursor.Line = _aim is { Use: PointUse.Place } && from is { } start && at is { } end ? (start, ToControl(Aimed(end))) : null;
         _cursor.Track = _aim is { Use: PointUse.Place } && at is { } tracked ? TrackOf(tracked) : null;
-        _cursor.Tip = _aim is { } aim && at is { } place && View?.Current is { DynamicInput: true } ? CursorTip.Format(Commands?.Asked ?? "", aim, Aimed(place), TipBefore(place)) : "";
+        _cursor.Tip = _aim is { } aim && at is { } place && View?.Current is { DynamicInput: true } ? CursorTip.Format(Commands?.Asked ?? "", aim, Aimed(place), Figures, TipBefore(place)) : "";
         if (_preview is { } preview) _ghosts.Want(preview, default(Point2D));
         else _ghosts.Want(_aim?.Ghost, at is { } pointed ? Aimed(pointed) : null);
         _cursor.Ghost = [.. _ghosts.Shown.Take(MostGhostSegments).Select(Chords)];

@@ -141,7 +141,7 @@ public sealed partial class DrawingCanvas : Panel
     protected override Size ArrangeOverride(Size finalSize)
     {
         var arranged = base.ArrangeOverride(finalSize);
-        if (finalSize.Width > 0.0 && finalSize.Height > 0.0) View?.SetAspect(finalSize.Width / finalSize.Height);
+        View?.SetCanvas(finalSize.Width, finalSize.Height);
         UpdateView(finalSize);
         UpdateContent();
         return arranged;
@@ -176,7 +176,7 @@ public sealed partial class DrawingCanvas : Panel
     {
         if (before is not null) before.Changed -= OnViewChanged;
         if (now is not null) now.Changed += OnViewChanged;
-        if (Bounds.Width > 0.0 && Bounds.Height > 0.0) now?.SetAspect(Bounds.Width / Bounds.Height);
+        now?.SetCanvas(Bounds.Width, Bounds.Height);
         UpdateView();
         UpdateContent();
     }

@@ -56,6 +56,7 @@ public sealed class CanvasSource
     {
         (_canvas.CursorSize, _canvas.PickBox, _canvas.Aperture) = (settings.Variable("CURSORSIZE"), settings.Variable("PICKBOX"), settings.Variable("APERTURE"));
         (_canvas.ZoomFactor, _canvas.ReversesWheel) = (settings.Variable("ZOOMFACTOR"), settings.Variable("ZOOMWHEEL") != 0.0);
+        _canvas.Figures = settings.Figures();
     }
 
     private async Task ShowDrawingAsync(Drawing? drawing)

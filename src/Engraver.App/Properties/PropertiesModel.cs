@@ -52,21 +52,20 @@ public sealed class PropertiesModel : Observable
     {
         var lines = new List<PropertyLine>();
         var values = ObjectProperties.Of(drawing, selection, figures);
-        string[] layers = [.. drawing.Layers.Select(layer => layer.Name)];
         foreach (var section in values.GroupBy(value => value.Property.IsGeneral))
         {
             lines.Add(PropertyLine.Head(Text.Get(section.Key ? "Properties.General" : "Properties.Geometry")));
-            lines.AddRange(section.Select(value => LineOf(value, layers)));
+            lines.AddRange(section.Select(value => LineOf(value, drawing)));
         }
 
         if (table is not null && selection.Count <= MostObjects) lines.AddRange(TableLines(table, selection));
         return lines;
     }
 
-    private PropertyLine LineOf(PropertyValue value, IReadOnlyList<string> layers)
+    private PropertyLine LineOf(PropertyValue value, Drawing drawing)
     {
         var of = _desk.Session.Document.Current;
-        return new PropertyLine(value.Property.Title, value.Value, value.Property.IsEditable ? typed => ChangeAsync(value, typed, of) : null) { Choices = value.Property.Name == "LAyer" ? layers : [] };
+        return new PropertyLine(value.Property.Title, value.Value, value.IsEditable ? typed => ChangeAsync(value, typed, of) : null) { Choices = value.IsEditable ? value.Property.Choices(drawing) : [] };
     }
 
     /// <summary>CHPROP on what is selected, as if it were typed. Not of a line that is no longer shown, and not while a command asks: it would be ended and the selection with it.</summary>

@@ -1,8 +1,8 @@
-using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Commands.Settings;
 
 namespace Engraver.App.StatusBar;
 
@@ -12,6 +12,7 @@ public sealed class StatusBarModel : Observable
     private readonly DesktopModel _desk;
     private readonly LongWork _work;
     private string _coordinates = "";
+    private Point2D _place;
 
     public StatusBarModel(DesktopModel desk)
     {
@@ -52,10 +53,15 @@ public sealed class StatusBarModel : Observable
     public string Link => _desk.Session.Machine.Description ?? Text.Get("Status.NoLink");
 
     /// <summary>The cursor stands at a place of the drawing.</summary>
-    public void Point(Point2D place) => Coordinates = string.Create(CultureInfo.InvariantCulture, $"{place.X:0.0000}, {place.Y:0.0000}");
+    public void Point(Point2D place)
+    {
+        var figures = _desk.Session.Settings.Current.Figures();
+        (_place, Coordinates) = (place, $"{figures.MovingLength(place.X)}, {figures.MovingLength(place.Y)}");
+    }
 
     private void Look()
     {
+        Point(_place);
         _work.Look();
         Tell(nameof(IsWorking));
         Tell(nameof(IsEndless));

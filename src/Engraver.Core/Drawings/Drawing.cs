@@ -26,6 +26,12 @@ public sealed record Drawing(
     /// <summary>Every TEXT, MTEXT and ATTRIB with its content and position, blocks expanded (the first million).</summary>
     public IReadOnlyList<PlacedText> Texts { get; init; } = [];
 
+    /// <summary>Every POINT, blocks expanded (the first million).</summary>
+    public IReadOnlyList<PlacedPoint> Points { get; init; } = [];
+
+    /// <summary>How many of the file's points were kept, whatever has become of them since.</summary>
+    public int PointsRead { get; init; }
+
     /// <summary>What is drawn besides curves and texts and is visible when its layer is, blocks expanded.</summary>
     public IReadOnlyList<ConstructionCount> Construction { get; init; } = [];
 

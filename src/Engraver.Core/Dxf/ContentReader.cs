@@ -98,7 +98,11 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
                     target.AddConstruction(_record);
                     if (texts.Map(_record) is { } text) target.AddText(text);
                     return;
-                case RecordKind.Point or RecordKind.Construction:
+                case RecordKind.Point:
+                    target.AddConstruction(_record);
+                    if (PlacedPoints.Map(_record) is { } point) target.AddPoint(point);
+                    return;
+                case RecordKind.Construction:
                 case var kind when RecordKinds.IsOutline(kind):
                     target.AddConstruction(_record);
                     return;

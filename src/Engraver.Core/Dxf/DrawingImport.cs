@@ -22,6 +22,7 @@ internal sealed class DrawingImport
     private readonly LayerTable _layers;
     private readonly DefinitionReader _definitions;
     private readonly TextExpander _texts;
+    private readonly PointExpander _points;
     private readonly ConstructionTally _construction;
     private readonly CurveColumns _curves = new();
     private readonly BalanceSheet _balance;
@@ -49,8 +50,9 @@ internal sealed class DrawingImport
         _definitions = new DefinitionReader(_records, _content, styles, _layers, blocks, blockCurves, _balance, _log);
         var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
         _texts = new TextExpander(blocks, _layers, cancellation);
+        _points = new PointExpander(blocks, _layers, cancellation);
         _construction = new ConstructionTally(blocks, _layers, cancellation);
-        _modelSpace = new ModelSpaceContent(_curves, expander, _texts, _construction, _balance, _log);
+        _modelSpace = new ModelSpaceContent(_curves, expander, _texts, _points, _construction, _balance, _log);
     }
 
     /// <summary>Reads all sections; false when there is none, so that the file is not a DXF.</summary>
@@ -83,13 +85,15 @@ internal sealed class DrawingImport
     public Drawing ToDrawing(string fileName, long bytes)
     {
         var unit = Unit();
-        if (_texts.LeftOut) _log.Add(DxfRules.TextsLeftOut, 0, _texts.Texts.Count.ToString(CultureInfo.InvariantCulture));
+        if (_texts.LeftOut) _log.Add(DxfRules.TextsLeftOut, 0, _texts.Placed.Count.ToString(CultureInfo.InvariantCulture));
         if (_text.MetForeignBytes) _log.Add(DxfRules.ForeignText, 0, _header.CodePage ?? "UTF-8");
         var layers = _layers.ToLayers();
         return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToBalance(layers.Count), _log.ToList())
         {
             Curves = _curves.Curves,
-            Texts = _texts.Texts,
+            Texts = _texts.Placed,
+            Points = _points.Placed,
+            PointsRead = _points.Placed.Count,
             Construction = _construction.ToCounts(),
         };
     }

@@ -3,10 +3,10 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>What a file held besides the curves and texts of its drawing.</summary>
+/// <summary>What a file held besides the curves, texts and points of its drawing.</summary>
 public static class DrawingRest
 {
-    /// <summary>Model-space records that became neither curve nor text, by type: construction, what was refused; points also those in blocks. Empty when nothing would be lost.</summary>
+    /// <summary>Model-space records that became neither curve, text nor point, by type: construction, what was refused; points beyond those that are kept, also in blocks. Empty when nothing would be lost.</summary>
     public static IReadOnlyList<(string Type, int Count)> Find(Drawing drawing)
     {
         var rest = new SortedDictionary<string, int>(StringComparer.Ordinal);
@@ -17,7 +17,7 @@ public static class DrawingRest
             if (kind is RecordKind.Construction || (RecordKinds.IsOutline(kind) && !cut.Contains(type))) rest[type] = count;
         }
 
-        if (drawing.Balance.Points > 0) rest["POINT"] = drawing.Balance.Points;
+        if (drawing.Balance.Points - drawing.PointsRead is > 0 and var lost) rest["POINT"] = lost;
         foreach (var refused in drawing.Balance.Refused) rest[refused.Type] = rest.GetValueOrDefault(refused.Type) + 1;
         return [.. rest.Select(pair => (pair.Key, pair.Value))];
     }

@@ -24,6 +24,9 @@ internal interface IContentTarget
     /// <summary>The content of a text that has already been counted.</summary>
     void AddText(PlacedText text);
 
+    /// <summary>The place of a point that has already been counted.</summary>
+    void AddPoint(PlacedPoint point);
+
     /// <summary>A finding about a record that was taken.</summary>
     void Note(in RecordIssue oddity);
 

@@ -7,7 +7,7 @@ using Engraver.Core.Dxf.Text;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded in their order.</summary>
-internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
+internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, PointExpander points, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
 {
     public bool Takes(EntityRecord record) => !record.InPaperSpace;
 
@@ -30,6 +30,8 @@ internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expa
 
     public void AddText(PlacedText text) => texts.Add(text);
 
+    public void AddPoint(PlacedPoint point) => points.Add(point);
+
     public void Note(in RecordIssue oddity) => log.Add(oddity);
 
     public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
@@ -38,6 +40,7 @@ internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expa
         var before = columns.Count;
         var issue = expander.Expand(insert);
         texts.Expand(insert);
+        points.Expand(insert);
         construction.Expand(insert);
         if (columns.Count > before) balance.AddCut(record);
         else if (issue is { } reason) balance.AddRefused(record, reason);

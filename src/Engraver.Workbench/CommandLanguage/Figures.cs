@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>How measured lengths and angles are printed: rounded to so many decimals, without zeros at the end. The one place that decides it for prompts, DIST, ID, AREA, LIST and the properties.</summary>
+/// <summary>How measured lengths and angles are printed: rounded to so many decimals, without zeros at the end. The one place that decides it for prompts, DIST, ID, AREA, LIST, the properties and the coordinates at the cursor.</summary>
 /// <param name="LengthPlaces">Decimals of lengths, coordinates and areas (LUPREC).</param>
 /// <param name="AnglePlaces">Decimals of angles in degrees (AUPREC).</param>
 public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
@@ -27,6 +27,12 @@ public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
     /// <summary>A place as <c>x,y</c>.</summary>
     public string Place(Point2D place) => $"{Length(place.X)},{Length(place.Y)}";
 
+    /// <summary>A length or coordinate at the cursor: with the zeros at its end, so that the text does not change its width while the cursor moves.</summary>
+    public string MovingLength(double value) => Fixed(value, LengthPlaces);
+
+    /// <summary>An angle at the cursor.</summary>
+    public string MovingDegrees(Angle angle) => Fixed(angle.Degrees, AnglePlaces);
+
     /// <summary>A default as a prompt shows it: a number, or a place, with no more decimals than are of use; any other text as it is.</summary>
     /// <remarks>Enter still takes the whole number.</remarks>
     public string Default(string standard)
@@ -49,9 +55,11 @@ public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
         return shown.Length < text.Length ? shown : text;
     }
 
-    private static string Rounded(double value, int places)
-    {
-        var rounded = Math.Abs(value) < 1e15 ? Math.Round(value, places, MidpointRounding.AwayFromZero) + 0.0 : value; // + 0.0: no minus before a zero
-        return rounded.ToString("0." + new string('#', places), CultureInfo.InvariantCulture);
-    }
+    private static string Rounded(double value, int places) =>
+        At(value, places).ToString("0." + new string('#', places), CultureInfo.InvariantCulture);
+
+    private static string Fixed(double value, int places) => At(value, places).ToString("0." + new string('0', places), CultureInfo.InvariantCulture);
+
+    /// <summary>Rounded; a zero has no minus before it.</summary>
+    private static double At(double value, int places) => Math.Abs(value) < 1e15 ? Math.Round(value, places, MidpointRounding.AwayFromZero) + 0.0 : value;
 }

@@ -1,14 +1,15 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Settings;
 
 namespace Engraver.Workbench.Commands;
 
 /// <summary>"Select objects:" as AutoCAD asks it, verb first or noun first. Coordinates are drawing units.</summary>
 internal static class ObjectSelection
 {
-    /// <summary>A pick takes the nearest object within this part of the size of the drawing or of the view, whichever is smaller.</summary>
-    private const double PickboxShare = 0.01;
+    /// <summary>Without a canvas a pick reaches as far as on one of so many pixels that shows the drawing, or the view where that is smaller: one percent of it at the first value of PICKBOX.</summary>
+    private const double PixelsWithoutCanvas = 500.0;
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
 
@@ -60,12 +61,13 @@ internal static class ObjectSelection
     /// <summary>The visible object under a point; null when there is none.</summary>
     public static int? At(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, Reach(context));
 
-    /// <summary>How far a pick reaches, drawing units.</summary>
+    /// <summary>How far a pick reaches, drawing units: half the side of the pickbox (PICKBOX), as the canvas draws it and lights up what lies under it.</summary>
     public static double Reach(CommandContext context)
     {
-        var (drawing, view) = (context.Drawing, context.View.Current.Window);
-        var box = DrawingPick.BoundsOf(drawing, DrawingPick.Visible(drawing));
-        return PickboxShare * Math.Min(Math.Max(box.Width, box.Height), Math.Max(view.Width, view.Height));
+        var (pickbox, view) = (context.Settings.Current.Variable("PICKBOX"), context.View.Current);
+        if (view.CanvasHeight is { } pixels) return pickbox * view.Height / pixels;
+        var box = DrawingPick.BoundsOf(context.Drawing, DrawingPick.Visible(context.Drawing));
+        return pickbox / PixelsWithoutCanvas * Math.Min(Math.Max(box.Width, box.Height), Math.Max(view.Window.Width, view.Window.Height));
     }
 
     private static async Task<IReadOnlyList<int>> ByOptionAsync(CommandContext context, Drawing drawing, string option) => option switch

@@ -47,6 +47,9 @@ internal sealed class DrawingRebuild
         return DrawingPart.FreeCurve(0, curve.Kind, _drawing.Curves.Count + _curves.Count - 1);
     }
 
+    /// <summary>The curve of a part that the old drawing has, or that was made here.</summary>
+    public Core.Geometry.RationalCurve CurveOf(in DrawingPart part) => part.CurveIndex < _drawing.Curves.Count ? _drawing.Curves[part.CurveIndex] : _curves[part.CurveIndex - _drawing.Curves.Count];
+
     /// <summary>Where entities of the old drawing stand now; those that were replaced are left out.</summary>
     public IReadOnlyList<int> Places(IEnumerable<int> indices) => [.. indices.Where(_places.ContainsKey).Select(index => _places[index])];
 

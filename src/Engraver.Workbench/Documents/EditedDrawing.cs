@@ -12,7 +12,7 @@ public static class EditedDrawing
     /// <summary>$INSUNITS of a drawing that was read as millimetres because it did not say.</summary>
     private const int Millimetres = 4;
 
-    /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours as they are; behind them the texts, where the file had them.</summary>
+    /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours as they are; behind them the texts and points, where the file had them.</summary>
     /// <param name="hiddenObjects">What the operator hid for the moment: written as visible. All else that is invisible is written so.</param>
     public static DxfSheet SheetOf(Drawing drawing, IReadOnlyList<int> hiddenObjects)
     {
@@ -23,6 +23,7 @@ public static class EditedDrawing
         {
             InsUnits = drawing.Unit.Code is > 0 and var code ? code : Millimetres,
             Texts = [.. drawing.Texts.Select(text => new DxfSheetText(text, drawing.Layers[text.Layer].Name))],
+            Points = [.. drawing.Points.Select(point => new DxfSheetPoint(point, drawing.Layers[point.Layer].Name))],
         };
     }
 

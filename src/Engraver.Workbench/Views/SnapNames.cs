@@ -6,7 +6,7 @@ public static class SnapNames
     private const int Shortest = 3;
 
     private static readonly IReadOnlyList<(string Word, int Bit)> s_all =
-        [("ENDPOINT", 1), ("MIDPOINT", 2), ("CENTER", 4), ("QUADRANT", 16), ("INTERSECTION", 32), ("PERPENDICULAR", 128), ("TANGENT", 256), ("NEAREST", 512)];
+        [("ENDPOINT", 1), ("MIDPOINT", 2), ("CENTER", 4), ("NODE", 8), ("QUADRANT", 16), ("INTERSECTION", 32), ("PERPENDICULAR", 128), ("TANGENT", 256), ("NEAREST", 512)];
 
     /// <summary>The bit of a snap; a beginning of its name of three letters or more, any case. NONE is 0; null when there is no such snap.</summary>
     public static int? Find(string typed)

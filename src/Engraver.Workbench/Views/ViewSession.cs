@@ -31,6 +31,12 @@ public sealed class ViewSession
         if (aspect > 0.0 && double.IsFinite(aspect)) Change(state => state with { Aspect = aspect });
     }
 
+    /// <summary>The canvas tells its size in the units of its control. Ignored unless both are above 0 and finite.</summary>
+    public void SetCanvas(double width, double height)
+    {
+        if (width > 0.0 && height > 0.0 && double.IsFinite(width) && double.IsFinite(height)) Change(state => state with { Aspect = width / height, CanvasHeight = height });
+    }
+
     /// <summary>Changes switches, overlays or theme; the part of the drawing that is seen stays.</summary>
     public void Change(Func<ViewState, ViewState> change)
     {

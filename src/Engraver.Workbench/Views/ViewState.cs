@@ -18,6 +18,9 @@ public sealed record ViewState
     /// <summary>Width over height of the canvas, above 0.</summary>
     public double Aspect { get; init; } = 297.0 / 210.0;
 
+    /// <summary>Height of the canvas in the units of its control, which are pixels where the screen is not scaled; null: there is no canvas.</summary>
+    public double? CanvasHeight { get; init; }
+
     public bool Grid { get; init; } = true;
 
     public bool Snap { get; init; }
@@ -26,7 +29,7 @@ public sealed record ViewState
 
     public bool ObjectSnap { get; init; } = true;
 
-    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 16 quadrant, 32 intersection, 128 perpendicular, 256 tangent, 512 nearest.</summary>
+    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 8 node, 16 quadrant, 32 intersection, 128 perpendicular, 256 tangent, 512 nearest.</summary>
     public int ObjectSnapModes { get; init; } = 1 + 2 + 4 + 16 + 32;
 
     /// <summary>The object snap for the next place alone, as <see cref="ObjectSnapModes"/> counts them (0: none at all); null: those that are on.</summary>

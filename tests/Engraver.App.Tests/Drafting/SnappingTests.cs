@@ -57,6 +57,25 @@ public sealed class SnappingTests(DesktopFixture fixture)
         Assert.Equal([new Point2D(60.0, 50.0), new Point2D(100.0, 50.0)], heard.Points);
     });
 
+    /// <summary>A point at 60,20, in green, and one on a frozen layer at 60,-20.</summary>
+    [Fact]
+    public Task Points_are_shown_and_a_typed_snap_finds_them() => CanvasAlone.WithAsync(fixture, WithPoints(), (canvas, view, hands, heard) =>
+    {
+        canvas.RefineNow();
+        fixture.Desktop.Step();
+        Assert.Equal(Avalonia.Media.Colors.Lime, hands.PixelAt(262, 132)); // an arm of the cross about 260,130
+        Assert.Equal(hands.PixelAt(300, 250), hands.PixelAt(262, 172));
+        heard.Aim = PointAim.Place;
+        view.Change(state => state with { ObjectSnap = false, OneTimeSnap = 8 });
+        hands.Click(new Point(264, 125));
+        Assert.Equal([new Point2D(60.0, 20.0)], heard.Points);
+        hands.Click(new Point(262, 172));
+        Assert.Single(heard.Points); // what cannot be seen is not snapped to
+        view.Change(state => state with { ObjectSnap = true, ObjectSnapModes = 1 + 8, OneTimeSnap = null });
+        hands.Click(new Point(264, 125));
+        Assert.Equal(new Point2D(60.0, 20.0), heard.Points[1]);
+    });
+
     [Fact]
     public Task Polar_tracking_draws_the_cursor_onto_its_directions_and_says_so() => With((canvas, view, hands, heard) =>
     {
@@ -113,6 +132,12 @@ public sealed class SnappingTests(DesktopFixture fixture)
     {
         var pixel = here.Window.Canvas.PixelView.ToPixels(new Point2D(x, y));
         return here.Window.Canvas.TranslatePoint(new Point(pixel.X, pixel.Y), here.Window)!.Value;
+    }
+
+    private static Core.Drawings.Drawing WithPoints()
+    {
+        var drawing = new DrawingBuilder().OnLayer(new Core.Drawings.Layer("COLD", On: true, Frozen: true, Plot: true)).Line(0, 0, 1, 1).Build();
+        return drawing with { Points = [new(new Core.Geometry.Vector3D(60.0, 20.0, 5.0), 0, Core.Drawings.DrawingColour.FromCode62(3), Hidden: false), new(new Core.Geometry.Vector3D(60.0, -20.0, 0.0), 1, default, Hidden: false)] };
     }
 
     private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => CanvasAlone.WithAsync(fixture, s_drawing, test);

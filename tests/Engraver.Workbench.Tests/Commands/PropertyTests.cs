@@ -5,6 +5,7 @@ using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Commands.Properties;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Tests.Commands.Reshaping;
 
 namespace Engraver.Workbench.Tests.Commands;
 
@@ -12,10 +13,10 @@ namespace Engraver.Workbench.Tests.Commands;
 public class PropertyTests
 {
     [Theory]
-    [InlineData(0, "LINE A1 0 ByLayer StartX=0 StartY=0 EndX=10 EndY=0 DeltaX=10 DeltaY=0 Angle=0 Length=10 Closed=No")]
-    [InlineData(1, "ARC A2 0 ByLayer StartX=8.9392 StartY=4.3054 EndX=4.3054 EndY=8.9392 CenterX=5 CenterY=5 Radius=4 StartAngle=350 EndAngle=100 TotalAngle=110 Length=7.6794 Area=7.8414 Closed=No")]
-    [InlineData(2, "CIRCLE A3 0 ByLayer CenterX=20 CenterY=5 Radius=3 Diameter=6 CircumFerence=18.8496 Area=28.2743 Closed=Yes")]
-    [InlineData(3, "LWPOLYLINE A4 0 ByLayer Vertices=4 Length=32 Area=64 Closed=Yes")]
+    [InlineData(0, "LINE A1 0 ByLayer StartX=0 StartY=0 EndX=10 EndY=0 DeltaX=10 DeltaY=0 Angle=0 Length=10 CLosed=No")]
+    [InlineData(1, "ARC A2 0 ByLayer StartX=8.9392 StartY=4.3054 EndX=4.3054 EndY=8.9392 CenterX=5 CenterY=5 Radius=4 StartAngle=350 EndAngle=100 TotalAngle=110 Length=7.6794 Area=7.8414 CLosed=No")]
+    [InlineData(2, "CIRCLE A3 0 ByLayer CenterX=20 CenterY=5 Radius=3 Diameter=6 CircumFerence=18.8496 Area=28.2743 CLosed=Yes")]
+    [InlineData(3, "LWPOLYLINE A4 0 ByLayer Vertices=4 Length=32 Area=64 CLosed=Yes")]
     public async Task An_object_tells_what_a_person_asks(int entity, string expected)
     {
         await using var talk = CommandTalk.WithDrawing();
@@ -71,6 +72,36 @@ public class PropertyTests
         Assert.Equal(before, Ends(talk, entity));
     }
 
+    /// <summary>Closing adds the line from the last vertex to the first, opening takes away what lies there.</summary>
+    [Theory]
+    [InlineData("PLINE|50,0|60,0|60,8|", "Closed", "Yes", "LwPolyline closed: 50,0>60,0 | 60,0>60,8 | 60,8>50,0")]
+    [InlineData("PLINE|50,0|60,0|60,8|", "Closed", "y", "LwPolyline closed: 50,0>60,0 | 60,0>60,8 | 60,8>50,0")]
+    [InlineData("PLINE|50,0|60,0|60,8|50,0|", "Closed", "Yes", "LwPolyline closed: 50,0>60,0 | 60,0>60,8 | 60,8>50,0")]
+    [InlineData("PLINE|50,0|60,0|60,8|C", "Closed", "No", "LwPolyline: 50,0>60,0 | 60,0>60,8")]
+    [InlineData("PLINE|50,0|60,0|60,8|C", "Closed", "Yes", "LwPolyline closed: 50,0>60,0 | 60,0>60,8 | 60,8>50,0")]
+    public async Task A_polyline_is_closed_and_opened(string drawn, string property, string value, string expected)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync(drawn.Split('|'));
+        var before = Shape.Of(talk.State.Drawing!, 4);
+        await talk.TypeAsync("CHPROP", "L", "", property, value);
+
+        Assert.Equal(expected, Shape.Of(talk.State.Drawing!, 4));
+        Assert.Equal(expected.Contains("closed", StringComparison.Ordinal) ? "Yes" : "No", ObjectProperties.Of(talk.State.Drawing!, [4], Figures.Usual).Single(one => one.Property.Name == "CLosed").Value);
+        if (before == expected) return;
+        await talk.TypeAsync("U");
+        Assert.Equal(before, Shape.Of(talk.State.Drawing!, 4));
+    }
+
+    [Fact]
+    public async Task Only_polylines_can_be_closed()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        var drawing = talk.State.Drawing!;
+        Assert.Equal([false, false, false, true], new[] { 0, 1, 2, 3 }.Select(index => ObjectProperties.Of(drawing, [index], Figures.Usual).Single(one => one.Property.Name == "CLosed").IsEditable));
+        Assert.False(ObjectProperties.Of(drawing, [3, 2], Figures.Usual).Single(one => one.Property.Name == "CLosed").IsEditable);
+    }
+
     [Fact]
     public async Task Layer_and_colour_of_several_objects_are_changed_and_the_selection_stays()
     {
@@ -96,6 +127,7 @@ public class PropertyTests
     [InlineData("A2", "EndAngle", "350", "End angle cannot be 350")]
     [InlineData("A1", "LAyer", "nowhere", "There is no layer nowhere")]
     [InlineData("A1", "Color", "mauve", "mauve is no color")]
+    [InlineData("A4", "Closed", "maybe", "maybe is neither Yes nor No")]
     public async Task A_wrong_value_is_told_and_nothing_changes(string handle, string property, string value, string told)
     {
         await using var talk = CommandTalk.WithDrawing();

@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Texts cannot be selected; they go along with an edit of everything that can be seen, and otherwise stay and say so.</summary>
+/// <summary>Texts and points cannot be selected; they go along with an edit of everything that can be seen, and otherwise stay and say so.</summary>
 public class TextEditTests
 {
     /// <summary>Two lines (the second on a layer of its own), a fitted text on layer 0, a wrapped one on layer NOTES.</summary>
@@ -12,6 +12,7 @@ public class TextEditTests
         (0, "LINE"), (5, "A2"), (8, "NOTES"), (10, 0.0), (20, 5.0), (11, 10.0), (21, 5.0),
         (0, "TEXT"), (8, "0"), (10, 2.0), (20, 1.0), (30, 3.0), (40, 2.0), (1, "fit"), (50, 30.0), (72, 5), (11, 6.0), (21, 1.0),
         (0, "MTEXT"), (8, "NOTES"), (10, 1.0), (20, 4.0), (40, 1.0), (41, 20.0), (71, 1), (1, "note"),
+        (0, "POINT"), (8, "0"), (10, 3.0), (20, 2.0), (30, 9.0), (0, "POINT"), (8, "NOTES"), (10, -1.0), (20, 0.0),
     ];
 
     [Fact]
@@ -103,6 +104,24 @@ public class TextEditTests
         Assert.Equal((1.0, 0.0, 3.0), Place(talk, 0));
         Assert.Equal((0.0, 3.0, 0.0), Place(talk, 1));
     }
+
+    [Fact]
+    public async Task Points_go_along_as_texts_do()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("MOVE", "ALL", "", "0,0", "5,7");
+        Assert.Equal([(8.0, 9.0, 9.0), (4.0, 7.0, 0.0)], Points(talk));
+        await talk.TypeAsync("U", "COPY", "ALL", "", "0,0", "100,0", "");
+        Assert.Equal([(3.0, 2.0, 9.0), (-1.0, 0.0, 0.0), (103.0, 2.0, 9.0), (99.0, 0.0, 0.0)], Points(talk));
+        await talk.TypeAsync("U", "MOVE", "H", "A1", "", "0,0", "5,7", "U");
+        Assert.Contains("2 points left as before", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("LAYER", "Freeze", "NOTES", "", "ERASE", "ALL", "");
+        Assert.Equal([(-1.0, 0.0, 0.0)], Points(talk));
+        await talk.TypeAsync("U");
+        Assert.Equal([(3.0, 2.0, 9.0), (-1.0, 0.0, 0.0)], Points(talk));
+    }
+
+    private static IEnumerable<(double X, double Y, double Z)> Points(CommandTalk talk) => talk.State.Drawing!.Points.Select(point => (Math.Round(point.Position.X, 9), Math.Round(point.Position.Y, 9), point.Position.Z));
 
     private static (double X, double Y, double Z) Place(CommandTalk talk, int text)
     {

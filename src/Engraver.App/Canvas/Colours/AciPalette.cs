@@ -1,3 +1,5 @@
+using Engraver.Core.Drawings;
+
 namespace Engraver.App.Canvas.Colours;
 
 /// <summary>The 255 colours of the AutoCAD colour index as 0xAARRGGBB. Index 0 (by block) and 7 (white or black, by background) are the foreground.</summary>
@@ -26,6 +28,10 @@ public static class AciPalette
         var rgb = index < FirstHue ? s_named[index] : index < FirstGrey ? Hued(index) : s_greys[index - FirstGrey];
         return 0xFF000000 | rgb;
     }
+
+    /// <summary>A colour that is resolved: an index or a true colour.</summary>
+    /// <param name="foreground">As above.</param>
+    public static uint ColourOf(DrawingColour colour, uint foreground) => colour.Rgb is { } rgb ? 0xFF000000 | rgb : ColourOf(colour.Index ?? Foreground, foreground);
 
     private static uint Hued(int index)
     {

@@ -10,6 +10,7 @@ internal static class MarkShape
     private const double ArrowLength = 11.0;
     private const double ArrowHead = 4.0;
     private const double DigitScale = 1.25;
+    private const double PointArm = 4.0;
 
     /// <summary>Room that a mark takes up, pixels from its place in every direction.</summary>
     public static double ReachOf(in SceneMark mark, double scale) => scale * mark.Kind switch
@@ -28,6 +29,7 @@ internal static class MarkShape
         if (mark.Kind == MarkKind.Order) Order(mark, place, scale, ref sink);
         else if (mark.Kind == MarkKind.Start) Ring(place, 3.0 * scale, ref sink);
         else if (mark.Kind == MarkKind.Finding) Finding(place, scale, ref sink);
+        else if (mark.Kind == MarkKind.Point) Cross(place, PointArm * scale, ref sink);
         else Origin(place, scale, ref sink);
     }
 
@@ -60,7 +62,12 @@ internal static class MarkShape
         where TSink : struct, IChordSink
     {
         Ring(place, 7.0 * scale, ref sink);
-        var arm = 3.5 * scale;
+        Cross(place, 3.5 * scale, ref sink);
+    }
+
+    private static void Cross<TSink>(Point2D place, double arm, ref TSink sink)
+        where TSink : struct, IChordSink
+    {
         Line(place + new Vector2D(-arm, -arm), place + new Vector2D(arm, arm), ref sink);
         Line(place + new Vector2D(-arm, arm), place + new Vector2D(arm, -arm), ref sink);
     }
@@ -96,4 +103,7 @@ internal enum MarkKind : byte
 
     /// <summary>A ring with a long upright cross: the work origin.</summary>
     Origin,
+
+    /// <summary>A cross on its side: a POINT of the drawing, as AutoCAD shows it with PDMODE 3.</summary>
+    Point,
 }

@@ -1,10 +1,11 @@
 using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Reshaping;
 
 namespace Engraver.App.Canvas.Picking;
 
-/// <summary>Finds the end, middle, centre, quadrant or intersection near the cursor, and of what lies under it the foot, the tangent and the nearest place. Drawing units.</summary>
+/// <summary>Finds the end, middle, centre, point, quadrant or intersection near the cursor, and of what lies under it the foot, the tangent and the nearest place. Drawing units.</summary>
 public static class ObjectSnap
 {
     /// <summary>In a crowd only so many curves are crossed with each other.</summary>
@@ -25,6 +26,7 @@ public static class ObjectSnap
             foreach (ref readonly var primitive in store.Block(block)) Offer(store, primitive, kinds, under, ref search);
         }
 
+        if (kinds.HasFlag(SnapKinds.Node)) OfferPoints(scene.Points, ref search);
         if (kinds.HasFlag(SnapKinds.Intersection)) OfferCrossings(under, ref search);
         return search.Best ?? SnapsUnder(under, kinds, from).OrderBy(snap => snap.Place.DistanceTo(place)).Select(snap => (SnapPoint?)snap).FirstOrDefault() ?? NearestUnder(under, place, kinds);
     }
@@ -39,6 +41,11 @@ public static class ObjectSnap
         }
 
         if (segment.DistanceTo(search.Place) <= search.Aperture) under.Add(segment);
+    }
+
+    private static void OfferPoints(IReadOnlyList<PlacedPoint> points, ref Search search)
+    {
+        for (var i = 0; i < points.Count; i++) search.Offer(new SnapPoint(points[i].Plan, SnapKinds.Node));
     }
 
     private static void OfferCrossings(List<Segment> under, ref Search search)

@@ -56,6 +56,9 @@ public enum SnapKinds
     End = 1,
     Middle = 2,
     Centre = 4,
+
+    /// <summary>A POINT.</summary>
+    Node = 8,
     Quadrant = 16,
     Intersection = 32,
 

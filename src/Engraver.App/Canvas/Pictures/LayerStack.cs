@@ -7,23 +7,24 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>The layers of a picture from the lowest up: drawing, selection, machine, contours, path, engraved, recorded, rapids, signs.</summary>
+/// <summary>The layers of a picture from the lowest up: drawing, its points, selection, machine, contours, path, engraved, recorded, rapids, signs.</summary>
 internal static class LayerStack
 {
     public static IReadOnlyList<IPictureLayer> Create(CanvasContent content, CanvasView view)
     {
         var layers = new List<IPictureLayer>();
-        AddDrawing(content, layers);
+        AddDrawing(content, view, layers);
         AddPaths(content, layers);
         AddMarks(content, view, layers);
         return layers;
     }
 
-    private static void AddDrawing(CanvasContent content, List<IPictureLayer> layers)
+    private static void AddDrawing(CanvasContent content, CanvasView view, List<IPictureLayer> layers)
     {
         if (content.Scene is not { } scene) return;
         var width = Math.Max(1.0, Math.Round(content.Scaling));
         if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.Add(new PrimitiveLayer(scene.Store, scene.Colours.PaletteFor(content.Theme.Foreground), new LinePen(width)));
+        if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.AddRange(scene.PointColours.Select(points => new MarkLayer([.. points.Select(place => new SceneMark(place, MarkKind.Point))], view, AciPalette.ColourOf(points.Key, content.Theme.Foreground), content.Scaling)));
         if (content.Selected is { } selected) layers.Add(new PrimitiveLayer(scene.Store, [content.Theme.Selected], new LinePen(2.0 * width)) { Only = selected });
     }
 

@@ -13,6 +13,8 @@ public sealed class CanvasScene
         Drawing = drawing;
         Colours = colours;
         Store = store;
+        Points = drawing.Points.Count == 0 ? [] : [.. drawing.Points.Where(point => point.IsVisibleIn(drawing))];
+        PointColours = Points.ToLookup(point => point.Colour.Resolved(drawing.Layers[point.Layer].Colour, DrawingColour.Foreground), point => point.Plan);
     }
 
     public Drawing Drawing { get; }
@@ -26,6 +28,12 @@ public sealed class CanvasScene
     public int PrimitiveCount => Store.Count;
 
     internal PrimitiveStore Store { get; }
+
+    /// <summary>The points that can be seen.</summary>
+    internal IReadOnlyList<PlacedPoint> Points { get; }
+
+    /// <summary>Their places by their colours: an index or a true colour.</summary>
+    internal ILookup<DrawingColour, Point2D> PointColours { get; }
 
     /// <param name="colours">Colours of the entities; null: those that the drawing states.</param>
     public static CanvasScene From(Drawing drawing, EntityColours? colours = null)

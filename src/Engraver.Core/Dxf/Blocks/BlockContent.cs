@@ -24,6 +24,8 @@ internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, 
 
     public void AddText(PlacedText text) => block.Texts.Add(text);
 
+    public void AddPoint(PlacedPoint point) => block.Points.Add(point);
+
     public void Note(in RecordIssue oddity) => block.Issues.Add(oddity);
 
     public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)

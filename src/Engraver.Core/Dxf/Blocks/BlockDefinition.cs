@@ -37,6 +37,9 @@ internal sealed class BlockDefinition(string name, Vector3D basePoint, int first
     /// <summary>Its texts with content and position; those of attributes too.</summary>
     public List<PlacedText> Texts { get; } = [];
 
+    /// <summary>Its points with their places.</summary>
+    public List<PlacedPoint> Points { get; } = [];
+
     /// <summary>Its weight, nested blocks included; null until it has been computed.</summary>
     public BlockWeight? Weight { get; set; }
 }

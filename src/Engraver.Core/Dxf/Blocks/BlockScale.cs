@@ -50,6 +50,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
         long curves = block.EndCurve - block.FirstCurve;
         var steps = BlockWeight.Sum(curves + block.Inserts.Count, block.ExtraSteps);
         long textSteps = block.Texts.Count;
+        long pointSteps = block.Points.Count;
         long constructionSteps = block.Construction.Count;
         var loses = block.Issues.Exists(issue => issue.Refused);
         var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);
@@ -62,11 +63,12 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
             curves = BlockWeight.Sum(curves, BlockWeight.Times(copies, child.Curves));
             if (child.Curves > 0) steps = BlockWeight.Sum(steps, BlockWeight.Times(copies, child.Steps + 1));
             if (child.TextSteps > 0) textSteps = BlockWeight.Sum(textSteps, BlockWeight.Times(copies, child.TextSteps + 1));
+            if (child.PointSteps > 0) pointSteps = BlockWeight.Sum(pointSteps, BlockWeight.Times(copies, child.PointSteps + 1));
             if (child.ConstructionSteps > 0) constructionSteps = BlockWeight.Sum(constructionSteps, BlockWeight.Times(copies, child.ConstructionSteps + 1));
             AddAnnotations(annotations, child.Annotations, copies);
         }
 
-        return new BlockWeight(curves, steps, loses, annotations, textSteps, constructionSteps);
+        return new BlockWeight(curves, steps, loses, annotations, textSteps, constructionSteps) { PointSteps = pointSteps };
     }
 
     /// <summary>Adds counts of texts and points, multiplied by the number of copies.</summary>
@@ -86,6 +88,9 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
 internal sealed record BlockWeight(long Curves, long Steps, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps, long ConstructionSteps)
 {
     public const long Most = long.MaxValue / 4;
+
+    /// <summary>Points, and the inserts that lead to them; 0 when there is no point in it.</summary>
+    public long PointSteps { get; init; }
 
     public static long Sum(long left, long right) => Math.Min(left + right, Most);
 

@@ -216,6 +216,12 @@ internal sealed class RecordReader
 
     private void AcceptNumber(EntityRecord record, int code)
     {
+        if (record.Kind == RecordKind.Point && EntityRecord.Keeps(code) && code is not (60 or 67))
+        {
+            if (!record.Has(code) && _tags.TryNumber(out var shown)) record.Set(code, shown); // only shown: a damaged number does no harm
+            return;
+        }
+
         if (!EntityRecord.Keeps(code) || !(RecordKinds.HasNumbers(record.Kind) || code is 60 or 67)) return;
         var repeats = (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42) || (record.Kind == RecordKind.Spline && code is 10 or 20 or 30 or 11 or 21 or 31 or 40 or 41);
         if (!_tags.TryNumber(out var value) && !TryOddNumber(record, code, out value))

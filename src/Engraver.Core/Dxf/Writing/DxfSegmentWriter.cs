@@ -1,4 +1,3 @@
-using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
@@ -43,12 +42,5 @@ internal static class DxfSegmentWriter
         return arc.IsFullTurn || end <= 360.0 ? end : end - 360.0;
     }
 
-    private static DxfTagWriter Begin(DxfTagWriter tags, string type, in DxfSheetEntity entity)
-    {
-        tags.Begin(type, DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, entity.Layer);
-        if (!entity.Colour.IsByLayer && entity.Colour.Code62 is { } index) tags.Integer(62, index);
-        if (entity.Colour.Rgb is { } rgb) tags.Integer(EntityRecord.TrueColour, (int)rgb);
-        if (entity.Hidden) tags.Integer(60, 1);
-        return tags;
-    }
+    private static DxfTagWriter Begin(DxfTagWriter tags, string type, in DxfSheetEntity entity) => tags.BeginEntity(type, entity.Layer, entity.Colour, entity.Hidden);
 }

@@ -15,6 +15,9 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
     /// <summary>Written after the curves.</summary>
     public IReadOnlyList<DxfSheetText> Texts { get; init; } = [];
 
+    /// <summary>Written after the texts.</summary>
+    public IReadOnlyList<DxfSheetPoint> Points { get; init; } = [];
+
     /// <summary>The text styles and their fonts, Standard first.</summary>
     internal IReadOnlyList<(string Name, string Font)> Styles =>
         [.. Texts.Select(text => (text.Text.Style, text.Text.Font)).Append(("Standard", "")).DistinctBy(style => style.Item1, StringComparer.OrdinalIgnoreCase).OrderBy(style => !style.Item1.Equals("Standard", StringComparison.OrdinalIgnoreCase))];
@@ -30,9 +33,9 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
         }
     }
 
-    internal int Handles => Entities.Sum(entity => entity.Handles) + Texts.Count;
+    internal int Handles => Entities.Sum(entity => entity.Handles) + Texts.Count + Points.Count;
 
-    internal bool HasTrueColours => Layers.Any(layer => layer.Rgb is not null) || Entities.Any(entity => entity.Colour.Rgb is not null);
+    internal bool HasTrueColours => Layers.Any(layer => layer.Rgb is not null) || Entities.Any(entity => entity.Colour.Rgb is not null) || Points.Any(point => point.Point.Colour.Rgb is not null);
 
     /// <summary>Smallest box of the curves; empty when there are none.</summary>
     public Bounds2D Bounds => Entities.Aggregate(Bounds2D.Empty, (box, entity) => entity.Segments.Aggregate(box, (all, segment) => all.Union(segment.Bounds)));
@@ -56,3 +59,7 @@ public sealed record DxfSheetLayer(string Name, int Colour, bool Plots = true)
 /// <param name="Text">As it was read; an MTEXT is written as MTEXT, every other as TEXT.</param>
 /// <param name="Layer">Name of one of the sheet's layers.</param>
 public readonly record struct DxfSheetText(PlacedText Text, string Layer);
+
+/// <summary>A point of a written drawing.</summary>
+/// <param name="Layer">Name of one of the sheet's layers.</param>
+public readonly record struct DxfSheetPoint(PlacedPoint Point, string Layer);

@@ -1,5 +1,7 @@
 using System.Globalization;
 using System.Text;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
@@ -47,6 +49,16 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
     public DxfTagWriter Begin(string type, int owner) => Begin(type, owner, NextHandle());
 
     public DxfTagWriter Begin(string type, int owner, int handle) => Text(0, type).Handle(type == "DIMSTYLE" ? 105 : 5, handle).Handle(330, owner);
+
+    /// <summary>Begins an entity of model space: what every one has in common.</summary>
+    public DxfTagWriter BeginEntity(string type, string layer, DrawingColour colour, bool hidden)
+    {
+        Begin(type, DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, layer);
+        if (!colour.IsByLayer && colour.Code62 is { } index) Integer(62, index);
+        if (colour.Rgb is { } rgb) Integer(EntityRecord.TrueColour, (int)rgb);
+        if (hidden) Integer(60, 1);
+        return this;
+    }
 
     public int NextHandle() => _nextHandle++;
 

@@ -15,8 +15,7 @@ internal static class DxfTextWriter
     {
         var text = entity.Text;
         var isParagraph = text.Type == "MTEXT";
-        tags.Begin(isParagraph ? "MTEXT" : "TEXT", DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, entity.Layer);
-        if (text.Hidden) tags.Integer(60, 1);
+        tags.BeginEntity(isParagraph ? "MTEXT" : "TEXT", entity.Layer, DrawingColour.ByLayer, text.Hidden);
         if (isParagraph) Paragraph(tags, text);
         else Line(tags, text);
     }

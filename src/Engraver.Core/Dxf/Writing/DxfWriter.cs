@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines and texts as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader requires.</summary>
+/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines, texts and points as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader requires.</summary>
 /// <remarks>Order and direction are kept: a clockwise arc is written with the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
 /// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
 public static class DxfWriter
@@ -57,5 +57,6 @@ public static class DxfWriter
         }
 
         foreach (var text in sheet.Texts) DxfTextWriter.Write(tags, text);
+        foreach (var (point, layer) in sheet.Points) tags.BeginEntity("POINT", layer, point.Colour, point.Hidden).Class("AcDbPoint").Point(10, point.Position);
     }
 }

@@ -21,15 +21,14 @@ internal sealed class ArrayCommand : ICommand
         var type = await context.ChoiceAsync(Wording.Get("Array.EnterArrayType"), Keyword.List("Rectangular", "POlar"), context.Remembered("ARRAY", "Rectangular")).ConfigureAwait(false);
         context.Remember("ARRAY", type);
         var maps = type == "Rectangular" ? await RectangularAsync(context, ghost).ConfigureAwait(false) : await PolarAsync(context, ghost).ConfigureAwait(false);
-        var (drawing, edited) = (context.Drawing, context.Drawing);
+        var edited = context.Drawing;
         foreach (var map in maps)
         {
             cancellation.ThrowIfCancellationRequested();
             if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CannotCopiedSoOut"));
         }
 
-        var along = DrawingChange.TextsAlong(context, selected);
-        DrawingChange.Take(context, edited with { Texts = EditedTexts.Copied(drawing, along, maps) }, selected);
+        DrawingChange.Take(context, DrawingChange.Along(context, selected).Copied(edited, maps), selected);
     }
 
     private static async Task<IReadOnlyList<Transform2D>> RectangularAsync(CommandContext context, SelectionGhost ghost)

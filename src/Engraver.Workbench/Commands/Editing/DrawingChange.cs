@@ -18,21 +18,21 @@ internal static class DrawingChange
     {
         var drawing = context.Drawing;
         if (!DrawingEdit.TryTransform(drawing, selected, map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
-        return edited with { Texts = EditedTexts.Moved(drawing, TextsAlong(context, selected), map) };
+        return Along(context, selected).Moved(edited, map);
     }
 
-    /// <summary>The drawing with a copy of some objects under each map, and of the texts that go along.</summary>
-    /// <param name="tells">False when the operator was told before of texts that do not go along.</param>
+    /// <summary>The drawing with a copy of some objects under each map, and of the texts and points that go along.</summary>
+    /// <param name="tells">False when the operator was told before of what does not go along.</param>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static Drawing Copied(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Transform2D> maps, bool tells = true)
     {
-        var (drawing, edited) = (context.Drawing, context.Drawing);
+        var edited = context.Drawing;
         foreach (var map in maps)
         {
             if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
         }
 
-        return edited with { Texts = EditedTexts.Copied(drawing, TextsAlong(context, selected, tells), maps) };
+        return Along(context, selected, tells).Copied(edited, maps);
     }
 
     /// <summary>Erases objects. Hidden objects stay hidden, though their indices change.</summary>
@@ -41,7 +41,8 @@ internal static class DrawingChange
     {
         var gone = erased.Distinct().Order().ToList();
         var hidden = context.Document.Current.HiddenObjects.Except(gone).Select(index => index - BelowIn(gone, index));
-        var left = DrawingEdit.Erase(context.Drawing, gone) with { Texts = asDoubles ? context.Drawing.Texts : EditedTexts.Without(context.Drawing, TextsAlong(context, gone)) };
+        var erasedFrom = DrawingEdit.Erase(context.Drawing, gone);
+        var left = asDoubles ? erasedFrom : Along(context, gone).Without(erasedFrom);
         Take(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
     }
 
@@ -54,12 +55,13 @@ internal static class DrawingChange
     /// <param name="previous">What the command worked on, by its index in the edited drawing.</param>
     public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
 
-    /// <summary>The texts that move with these curves; tells the operator how many do not.</summary>
+    /// <summary>The texts and points that move with these curves; tells the operator how many do not.</summary>
     /// <param name="tells">False when it was told before.</param>
-    public static IReadOnlyList<PlacedText> TextsAlong(CommandContext context, IReadOnlyList<int> selected, bool tells = true)
+    public static EditedAnnotations Along(CommandContext context, IReadOnlyList<int> selected, bool tells = true)
     {
-        var along = EditedTexts.Along(context.Drawing, selected);
-        if (tells && context.Drawing.Texts.Count - along.Count is > 0 and var left) context.Say(Wording.Get("DrawingChange.LeftBeforeTextsGo", CountText.Format(left, "Text")));
+        var along = EditedAnnotations.Along(context.Drawing, selected);
+        if (tells && along.TextsLeft > 0) context.Say(Wording.Get("DrawingChange.LeftBeforeTextsGo", CountText.Format(along.TextsLeft, "Text")));
+        if (tells && along.PointsLeft > 0) context.Say(Wording.Get("DrawingChange.LeftBeforePointsGo", CountText.Format(along.PointsLeft, "PointObject")));
         return along;
     }
 

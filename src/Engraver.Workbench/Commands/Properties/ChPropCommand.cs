@@ -11,9 +11,9 @@ internal sealed class ChPropCommand : ICommand
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
         var (drawing, figures) = (context.Drawing, context.Figures);
-        var values = ObjectProperties.Of(drawing, selected, figures).Where(value => value.Property.IsEditable).ToList();
+        var values = ObjectProperties.Of(drawing, selected, figures).Where(value => value.IsEditable).ToList();
         var name = await context.ChoiceAsync(Wording.Get("ChProp.EnterProperty"), Keyword.List([.. values.Select(value => value.Property.Name)]), null).ConfigureAwait(false);
-        var (property, shown, _) = values.First(value => value.Property.Name == name);
+        var (property, shown, _, _) = values.First(value => value.Property.Name == name);
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("ChProp.EnterValue", property.Title, shown))).ConfigureAwait(false);
         var edited = PropertyEdit.Apply(drawing, selected, property, typed, figures);
         context.Take(context.Document.Current with { Drawing = edited, Previous = selected });

@@ -21,7 +21,7 @@ public static class ObjectProperties
     [
         new("Type", true) { Read = (facts, _) => facts.Entity.Type.ToDxfName() },
         new("Handle", true) { Read = (facts, _) => facts.Drawing.SourceOf(facts.Index).Handle ?? "" },
-        new("LAyer", true) { Read = (facts, _) => facts.Drawing.Layers[facts.Entity.Layer].Name, Entity = PropertyEdit.OnLayer },
+        new("LAyer", true) { Read = (facts, _) => facts.Drawing.Layers[facts.Entity.Layer].Name, Entity = PropertyEdit.OnLayer, Choices = drawing => [.. drawing.Layers.Select(layer => layer.Name)] },
         new("Color", true) { Read = (facts, _) => ColourName.OfObject(facts.Entity.Colour), Entity = PropertyEdit.InColour },
         new("SourceLine", true) { Read = (facts, _) => facts.Entity.SourceLine.ToString(CultureInfo.InvariantCulture) },
         ObjectProperty.Length("StartX", facts => facts.Start?.X) with { Change = (facts, x) => PropertyEdit.WithEnd(facts, facts.Start!.Value with { X = x }, atStart: true) },
@@ -38,11 +38,17 @@ public static class ObjectProperties
         ObjectProperty.Length("DeltaX", facts => facts.Line is { } line ? line.End.X - line.Start.X : null),
         ObjectProperty.Length("DeltaY", facts => facts.Line is { } line ? line.End.Y - line.Start.Y : null),
         ObjectProperty.Angle("Angle", facts => facts.Line is { } line ? (line.End - line.Start).Direction.Positive() : null),
-        new("Vertices", false) { Read = (facts, _) => facts.IsPolyline ? (facts.Segments.Count + (facts.IsClosed ? 0 : 1)).ToString(CultureInfo.InvariantCulture) : null },
+        new("Vertices", false) { Read = (facts, _) => facts.IsPolyline ? (facts.Segments.Count + (facts.Entity.Closed ? 0 : 1)).ToString(CultureInfo.InvariantCulture) : null },
         ObjectProperty.Length("Length", facts => facts.Circle is null ? facts.Length : null),
         ObjectProperty.Length("CircumFerence", facts => facts.Circle is null ? null : facts.Length) with { Change = (facts, length) => PropertyEdit.WithRadius(facts, length / (2.0 * Math.PI)) },
         new("Area", false) { Read = (facts, figures) => facts.Line is null && facts.Segments.Count > 0 ? figures.Area(ClosedArea.Measure(facts.Segments)) : null },
-        new("Closed", false) { Read = (facts, _) => Wording.Get(facts.IsClosed ? "Property.Yes" : "Property.No") },
+        new("CLosed", false)
+        {
+            Read = (facts, _) => PolylineClosing.Word(facts.IsPolyline ? facts.Entity.Closed : facts.IsClosed),
+            Closed = PolylineClosing.IsWanted,
+            Allows = facts => facts.IsPolyline,
+            Choices = _ => [PolylineClosing.Word(true), PolylineClosing.Word(false)],
+        },
     ];
 
     /// <summary>What some objects have, with the values that they have in common. A property that one of them has not is left out.</summary>
@@ -51,14 +57,18 @@ public static class ObjectProperties
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(objects);
         var measured = All.Where(property => property.IsGeneral || objects.Count <= MostMeasured).ToArray();
-        var values = new string?[measured.Length];
+        var (values, editable) = (new string?[measured.Length], new bool[measured.Length]);
         for (var at = 0; at < objects.Count; at++)
         {
             var facts = new ObjectFacts(drawing, objects[at]);
-            for (var i = 0; i < measured.Length; i++) values[i] = Together(values[i], measured[i], facts, figures, isFirst: at == 0);
+            for (var i = 0; i < measured.Length; i++)
+            {
+                values[i] = Together(values[i], measured[i], facts, figures, isFirst: at == 0);
+                editable[i] = (at == 0 ? measured[i].IsEditable : editable[i]) && measured[i].Allows(facts);
+            }
         }
 
-        return [.. measured.Zip(values, (property, value) => new PropertyValue(property, value ?? "", value is not null)).Where(value => value.Exists)];
+        return [.. measured.Select((property, i) => new PropertyValue(property, values[i] ?? "", editable[i], values[i] is not null)).Where(value => value.Exists)];
     }
 
     /// <summary>Null as soon as one object has no such property.</summary>
@@ -75,5 +85,6 @@ public static class ObjectProperties
 }
 
 /// <summary>A property and the value that the selected objects have, or <see cref="ObjectProperties.Varies"/>.</summary>
+/// <param name="IsEditable">It can be changed of each of them.</param>
 /// <param name="Exists">All of them have it.</param>
-public sealed record PropertyValue(ObjectProperty Property, string Value, bool Exists = true);
+public sealed record PropertyValue(ObjectProperty Property, string Value, bool IsEditable, bool Exists = true);

@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Objects;
@@ -12,7 +13,10 @@ public sealed record ObjectProperty(string Name, bool IsGeneral)
     /// <summary>As people read it.</summary>
     public string Title => Wording.Get("Property." + Name);
 
-    public bool IsEditable => Change is not null || Entity is not null;
+    public bool IsEditable => Change is not null || Entity is not null || Closed is not null;
+
+    /// <summary>The values that it can have in a drawing, where these are known; empty for any.</summary>
+    public Func<Drawing, IReadOnlyList<string>> Choices { get; init; } = _ => [];
 
     /// <summary>The value as it is shown; null when the object has no such property.</summary>
     internal Func<ObjectFacts, Figures, string?> Read { get; init; } = (_, _) => null;
@@ -21,7 +25,13 @@ public sealed record ObjectProperty(string Name, bool IsGeneral)
     internal Func<ObjectFacts, double, IReadOnlyList<ChangedPart>?>? Change { get; init; }
 
     /// <summary>The entity with a new value; throws what is wrong with the text.</summary>
-    internal Func<ObjectFacts, string, Core.Drawings.DrawingEntity>? Entity { get; init; }
+    internal Func<ObjectFacts, string, DrawingEntity>? Entity { get; init; }
+
+    /// <summary>Whether the object closes with a new value; throws what is wrong with the text.</summary>
+    internal Func<string, bool>? Closed { get; init; }
+
+    /// <summary>False for an object that shows it but cannot be changed.</summary>
+    internal Func<ObjectFacts, bool> Allows { get; init; } = _ => true;
 
     /// <summary>A length that is shown and not changed.</summary>
     internal static ObjectProperty Length(string name, Func<ObjectFacts, double?> read) => new(name, false) { Read = (facts, figures) => read(facts) is { } value ? figures.Length(value) : null };

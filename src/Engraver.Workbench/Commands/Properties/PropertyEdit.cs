@@ -13,9 +13,10 @@ internal static class PropertyEdit
     /// <exception cref="CommandException">The value is not understood, or an object cannot have it; the sentence says which and why.</exception>
     public static Drawing Apply(Drawing drawing, IReadOnlyList<int> objects, ObjectProperty property, string typed, Figures figures)
     {
-        var having = objects.Select(index => new ObjectFacts(drawing, index)).Where(facts => property.Read(facts, figures) is not null).ToList();
+        var having = objects.Select(index => new ObjectFacts(drawing, index)).Where(facts => property.Read(facts, figures) is not null && property.Allows(facts)).ToList();
         if (having.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoneHasIt", property.Title));
         if (property.Entity is { } entity) return drawing with { Entities = drawing.Entities.With(having.Select(facts => (facts.Index, entity(facts, typed))), []) };
+        if (property.Closed is { } closed) return PolylineClosing.Apply(drawing, having, closed(typed));
         if (!NumberPrompt.TryNumber(typed.Trim(), out var value)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoNumber", typed, property.Title));
         var changes = new List<ChangedPart>();
         foreach (var facts in having)

@@ -24,7 +24,7 @@ internal sealed class Corner
     {
         if (first == second || !AreJoinable(drawing, first, second)) return null;
         var fillet = shape.Of(first.SegmentIn(drawing), first.At, second.SegmentIn(drawing), second.At);
-        if (fillet is null || (first.Entity == second.Entity && !RoundedPolyline.Fits(fillet, first.Part, second.Part, drawing.Entities[first.Entity]))) return null;
+        if (fillet is null || (first.Entity == second.Entity && PolylineCorner.From(drawing, first.Entity, first.Part, second.Part, fillet) is null)) return null;
         return new Corner(first, second, fillet, shape.Trims);
     }
 
@@ -38,12 +38,14 @@ internal sealed class Corner
     /// <summary>One document step.</summary>
     public void Take(CommandContext context)
     {
-        if (_trims && _first.Entity == _second.Entity)
-        {
-            RoundedPolyline.WithCorner(context.Drawing, _first.Entity, _first.Part, _second.Part, _fillet).Take(context);
-            return;
-        }
+        if (_trims && _first.Entity == _second.Entity) RoundedPolyline.With(context.Drawing, _first.Entity, PolylineCorner.From(context.Drawing, _first.Entity, _first.Part, _second.Part, _fillet)!.Value).Take(context);
+        else if (_trims && JoinedPolyline.Of(context.Drawing, _first, _second, _fillet) is { } joined) joined.Take(context);
+        else TakeApart(context);
+    }
 
+    /// <summary>Both stay objects of their own, and what comes between them is a third.</summary>
+    private void TakeApart(CommandContext context)
+    {
         var (drawing, layer) = LayerOf(context);
         var reshaped = new ReshapedDrawing(drawing);
         if (_trims) Set(reshaped, _first.Entity, _fillet.First);
@@ -62,17 +64,18 @@ internal sealed class Corner
 
     private static void Set(ReshapedDrawing reshaped, int entity, FilletSide? side)
     {
-        if (side is { Kept: var kept }) reshaped.Set(entity, [[kept]]);
+        if (side is { Kept: var kept } && !JoinedPolyline.StaysWhole(reshaped.Drawing, entity)) reshaped.Set(entity, [[kept]]);
     }
 
-    /// <summary>Lines, arcs and circles by themselves; of a polyline only two lines of the same one.</summary>
+    /// <summary>Lines, arcs and circles by themselves, and the lines and arcs of polylines; of one polyline those between which a corner can be.</summary>
     private static bool AreJoinable(Drawing drawing, CornerSide first, CornerSide second)
     {
-        if (first.Entity == second.Entity) return RoundedPolyline.AreNeighbours(drawing.Entities[first.Entity], first.Part, second.Part);
-        return IsSingle(drawing, first.Entity) && IsSingle(drawing, second.Entity);
+        if (first.Entity == second.Entity) return PolylineCorner.AreJoinable(drawing, first.Entity, first.Part, second.Part);
+        return IsRoundOrStraight(drawing, first) && IsRoundOrStraight(drawing, second);
     }
 
-    private static bool IsSingle(Drawing drawing, int entity) => drawing.Entities[entity].Type is CurveType.Line or CurveType.Arc or CurveType.Circle && drawing.Entities[entity].PartCount == 1 && !drawing.Parts[drawing.Entities[entity].FirstPart].IsFreeCurve;
+    private static bool IsRoundOrStraight(Drawing drawing, CornerSide side) =>
+        drawing.Entities[side.Entity].Type is CurveType.Line or CurveType.Arc or CurveType.Circle or CurveType.LwPolyline or CurveType.Polyline && !side.SegmentIn(drawing).IsFreeCurve;
 }
 
 /// <summary>A part of an object that was picked.</summary>

@@ -15,6 +15,9 @@ internal sealed class ReshapedDrawing
 
     public ReshapedDrawing(Drawing drawing) => _drawing = drawing;
 
+    /// <summary>The drawing as it is.</summary>
+    public Drawing Drawing => _drawing;
+
     /// <summary>Number of objects that get another shape.</summary>
     public int Count => _shapes.Count;
 

@@ -7,45 +7,37 @@ using Engraver.Workbench.Documents;
 namespace Engraver.Workbench.Commands.Reshaping;
 
 /// <summary>A polyline with arcs or bevels at its corners.</summary>
+/// <param name="Closed">It ends where it begins; an open one whose last and first part were joined does so now.</param>
 /// <param name="Made">Number of corners that were joined.</param>
 /// <param name="Left">Number of corners between lines that stay, because a line is too short.</param>
-internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Parts, int Made, int Left)
+internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Parts, bool Closed, int Made, int Left)
 {
-    /// <summary>Every corner between two lines. A line that is rounded at both ends must be long enough for both.</summary>
+    /// <summary>Every corner between two lines; an arc between two lines that run towards each other gives way to the new one, as in AutoCAD. A line that is rounded at both ends must be long enough for both.</summary>
     public static RoundedPolyline Of(Drawing drawing, int entity, CornerShape shape)
     {
         var row = drawing.Entities[entity];
         var segments = DrawingPick.Segments(drawing, entity).ToList();
-        var (corners, left) = (new Dictionary<int, Fillet>(), 0);
-        for (var index = 0; index < (row.Closed ? segments.Count : segments.Count - 1); index++)
+        var (corners, left) = (new PolylineCorners(segments.Count), 0);
+        for (var before = 0; before < segments.Count; before++)
         {
-            var (before, after) = (segments[index], segments[(index + 1) % segments.Count]);
-            if (before.Kind != SegmentKind.Line || after.Kind != SegmentKind.Line || IsStraight(before, after)) continue;
-            var fillet = shape.Of(before, before.PointAt(0.5), after, after.PointAt(0.5));
-            if (fillet is { First.EndsThere: true, Second.EndsThere: false } && Room(corners, index, segments.Count, fillet)) corners[index] = fillet;
+            if (After(row, segments, before, overArcs: !shape.Bevels) is not { } after) continue;
+            var fillet = shape.Of(segments[before], segments[before].PointAt(0.5), segments[after], segments[after].PointAt(0.5));
+            if (fillet is { First.EndsThere: true, Second.EndsThere: false } && corners.HasRoom(before, after, fillet)) corners.Add(new PolylineCorner(before, after, fillet));
             else left++;
         }
 
-        return new RoundedPolyline(entity, PartsWith(drawing, row, segments, corners), corners.Count, left);
+        return new RoundedPolyline(entity, corners.Applied(drawing, row, segments), row.Closed, corners.Count, left);
     }
 
-    /// <summary>One corner between two neighbouring parts.</summary>
-    /// <param name="first">The part that was picked first; the order of the two does not matter.</param>
-    public static RoundedPolyline WithCorner(Drawing drawing, int entity, int first, int second, Fillet fillet)
+    /// <summary>With one corner.</summary>
+    public static RoundedPolyline With(Drawing drawing, int entity, PolylineCorner corner)
     {
         var row = drawing.Entities[entity];
-        var index = Next(row, first) == second && fillet.First is { EndsThere: true } ? first : second;
-        var directed = index == first ? fillet : new Fillet(fillet.Second, fillet.First, fillet.Between?.Reversed());
         var segments = DrawingPick.Segments(drawing, entity).ToList();
-        return new RoundedPolyline(entity, PartsWith(drawing, row, segments, new Dictionary<int, Fillet> { [index] = directed }), 1, 0);
+        var corners = new PolylineCorners(segments.Count);
+        corners.Add(corner);
+        return new RoundedPolyline(entity, corners.Applied(drawing, row, segments), row.Closed || corner.After < corner.Before, 1, 0);
     }
-
-    /// <summary>True when one part begins where the other ends.</summary>
-    public static bool AreNeighbours(in DrawingEntity row, int first, int second) => Next(row, first) == second || Next(row, second) == first;
-
-    /// <summary>The fillet lies at the vertex between the two.</summary>
-    public static bool Fits(Fillet fillet, int first, int second, in DrawingEntity row) =>
-        (Next(row, first) == second && fillet is { First.EndsThere: true, Second.EndsThere: false }) || (Next(row, second) == first && fillet is { First.EndsThere: false, Second.EndsThere: true });
 
     /// <summary>One document step.</summary>
     public void Take(CommandContext context)
@@ -53,38 +45,29 @@ internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Pa
         var rebuilt = new DrawingRebuild(context.Drawing);
         for (var index = 0; index < context.Drawing.Entities.Count; index++)
         {
-            var row = context.Drawing.Entities[index];
-            if (index == Entity) rebuilt.Change(index, row.Type, row.Closed, Parts);
+            if (index == Entity) rebuilt.Change(index, context.Drawing.Entities[index].Type, Closed, Parts);
             else rebuilt.Keep(index);
         }
 
         DrawingChange.Take(context, rebuilt, [Entity]);
     }
 
-    private static int? Next(in DrawingEntity row, int part) => part + 1 < row.PartCount ? part + 1 : row.Closed && row.PartCount > 1 ? 0 : null;
+    /// <summary>The line behind the corner at the end of a line; null where there is no corner.</summary>
+    private static int? After(in DrawingEntity row, List<Segment> segments, int before, bool overArcs)
+    {
+        if (segments[before].Kind != SegmentKind.Line || PolylineCorner.Next(row, before) is not { } next || next == before) return null;
+        if (segments[next].Kind == SegmentKind.Line) return IsStraight(segments[before], segments[next]) ? null : next;
+        if (!overArcs || segments[next].Kind != SegmentKind.Arc || PolylineCorner.Next(row, next) is not { } beyond || beyond == before) return null;
+        return segments[beyond].Kind == SegmentKind.Line && Converge(segments[before], segments[beyond]) ? beyond : null;
+    }
 
     private static bool IsStraight(Segment before, Segment after) => Math.Abs(before.EndTangent.Cross(after.StartTangent)) < 1e-9;
 
-    private static bool Room(Dictionary<int, Fillet> corners, int index, int count, Fillet fillet)
+    /// <summary>Lengthened, both lines meet: the first ahead of its end, the second behind its start.</summary>
+    private static bool Converge(Segment before, Segment after)
     {
-        var begin = corners.GetValueOrDefault((index + count - 1) % count)?.Second?.Kept.From ?? 0.0;
-        var end = corners.GetValueOrDefault((index + 1) % count)?.First?.Kept.To ?? 1.0;
-        return fillet.First!.Value.Kept.To > begin && fillet.Second!.Value.Kept.From < end;
-    }
-
-    private static List<DrawingPart> PartsWith(Drawing drawing, in DrawingEntity row, List<Segment> segments, Dictionary<int, Fillet> corners)
-    {
-        var parts = new List<DrawingPart>();
-        for (var index = 0; index < segments.Count; index++)
-        {
-            var whole = drawing.Parts[row.FirstPart + index];
-            var after = corners.GetValueOrDefault((index + segments.Count - 1) % segments.Count)?.Second;
-            var before = corners.GetValueOrDefault(index)?.First;
-            var piece = new PathPiece(index, after?.Kept.From ?? 0.0, before?.Kept.To ?? 1.0, after?.Joint ?? segments[index].Start, before?.Joint ?? segments[index].End);
-            parts.Add(after is null && before is null ? whole : ReshapedDrawing.PartOf(whole, piece, piece.Of(segments[index])));
-            if (corners.GetValueOrDefault(index)?.Between is { } between) parts.Add(ReshapedDrawing.PartOf(between, whole.Kind == SegmentKind.Line ? whole.F : whole.C));
-        }
-
-        return parts;
+        var (way, ahead, beyond) = (after.Start - before.End, before.EndTangent, after.StartTangent);
+        var turn = ahead.Cross(beyond);
+        return Math.Abs(turn) > 1e-9 && way.Cross(beyond) / turn >= 0.0 && way.Cross(ahead) / turn <= 0.0;
     }
 }

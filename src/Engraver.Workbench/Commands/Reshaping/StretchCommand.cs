@@ -23,8 +23,7 @@ internal sealed class StretchCommand : ICommand
         var done = stretch.Of(drawing, by);
         if (done.Edited is not { } edited) throw new CommandException(CommandFailure.Usage, Wording.Get("Stretch.NoSuchShape"));
         if (done.Unchanged > 0) context.Say(Wording.Get("Stretch.Unchanged", CountText.Format(done.Unchanged, "Object")));
-        var along = DrawingChange.TextsAlong(context, stretch.Whole(drawing));
-        DrawingChange.Take(context, edited with { Texts = EditedTexts.Moved(drawing, along, Transform2D.Move(by)) }, [.. stretch.Entities]);
+        DrawingChange.Take(context, DrawingChange.Along(context, stretch.Whole(drawing)).Moved(edited, Transform2D.Move(by)), [.. stretch.Entities]);
     }
 
     /// <summary>Boxes and single objects until Enter. To the left a box crosses, to the right what lies in it moves whole, as does what is picked singly.</summary>

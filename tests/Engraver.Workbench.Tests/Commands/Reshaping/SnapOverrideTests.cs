@@ -10,6 +10,7 @@ public class SnapOverrideTests
     [InlineData("_tan", 256)]
     [InlineData("nearest", 512)]
     [InlineData("MID", 2)]
+    [InlineData("nod", 8)]
     [InlineData("non", 0)]
     public async Task A_typed_snap_holds_for_one_place(string typed, int bits)
     {

@@ -1,0 +1,64 @@
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
+
+namespace Engraver.Core.Dxf.Blocks;
+
+/// <summary>Puts what is only shown (texts, points) into the drawing, of blocks once for every copy, up to a limit: beyond it they are only counted.</summary>
+internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
+{
+    /// <summary>Most of them, with the inserts that lead to them, that are placed.</summary>
+    private const int MostSteps = 1_000_000;
+
+    private readonly List<T> _placed = [];
+    private BlockWalk? _walk;
+    private long _steps;
+
+    public IReadOnlyList<T> Placed => _placed;
+
+    /// <summary>True once some were left out.</summary>
+    public bool LeftOut { get; private set; }
+
+    public void Add(T one)
+    {
+        if (++_steps <= MostSteps) _placed.Add(one);
+        else LeftOut = true;
+    }
+
+    /// <summary>Places those of an insert of model space. The weight of its block is known.</summary>
+    public void Expand(in BlockInsert insert)
+    {
+        if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { } weight || StepsOf(weight) == 0) return;
+        var steps = BlockWeight.Times(insert.Copies, StepsOf(weight));
+        if (_steps + steps > MostSteps)
+        {
+            LeftOut = true;
+            return;
+        }
+
+        _steps += steps;
+        (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
+    }
+
+    public bool Wants(BlockWeight weight) => StepsOf(weight) > 0;
+
+    public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
+    {
+        foreach (var one in ContentOf(block))
+        {
+            if (TryPlace(one, at, style, out var placed)) _placed.Add(placed);
+        }
+    }
+
+    public void Curves(int first, int end, in Placement at, in InsertStyle style)
+    {
+    }
+
+    /// <summary>What one copy of a block costs.</summary>
+    protected abstract long StepsOf(BlockWeight weight);
+
+    /// <summary>Those directly in a block.</summary>
+    protected abstract IReadOnlyList<T> ContentOf(BlockDefinition block);
+
+    /// <summary>One of them in the world; false out of range.</summary>
+    protected abstract bool TryPlace(T one, in Placement at, in InsertStyle style, out T placed);
+}

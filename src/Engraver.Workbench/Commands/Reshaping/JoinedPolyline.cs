@@ -1,0 +1,67 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Core.Reshaping;
+using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Reshaping;
+
+/// <summary>An open polyline and another object that a fillet has made one polyline, as in AutoCAD: what lay beyond the fillet goes.</summary>
+internal sealed class JoinedPolyline
+{
+    private readonly Drawing _drawing;
+    private readonly (CornerSide Side, FilletSide? Kept) _keeper;
+    private readonly (CornerSide Side, FilletSide? Kept) _other;
+    private readonly Segment? _between;
+
+    private JoinedPolyline(Drawing drawing, (CornerSide Side, FilletSide? Kept) keeper, (CornerSide Side, FilletSide? Kept) other, Segment? between) =>
+        (_drawing, _keeper, _other, _between) = (drawing, keeper, other, between);
+
+    /// <summary>The first of the two that is an open polyline takes the other in; null when neither is one.</summary>
+    public static JoinedPolyline? Of(Drawing drawing, CornerSide first, CornerSide second, Fillet fillet)
+    {
+        if (IsOpenPolyline(drawing, first.Entity)) return new JoinedPolyline(drawing, (first, fillet.First), (second, fillet.Second), fillet.Between);
+        return IsOpenPolyline(drawing, second.Entity) ? new JoinedPolyline(drawing, (second, fillet.Second), (first, fillet.First), fillet.Between?.Reversed()) : null;
+    }
+
+    /// <summary>A closed polyline stays whole, as a circle does.</summary>
+    public static bool StaysWhole(Drawing drawing, int entity) => drawing.Entities[entity] is { Type: CurveType.LwPolyline or CurveType.Polyline, Closed: true };
+
+    /// <summary>One document step. The polyline keeps its direction, handle and layer.</summary>
+    public void Take(CommandContext context)
+    {
+        var rebuilt = new DrawingRebuild(_drawing);
+        var takesIn = _other.Kept is not null && !StaysWhole(_drawing, _other.Side.Entity);
+        var parts = Joined(rebuilt, takesIn);
+        for (var index = 0; index < _drawing.Entities.Count; index++)
+        {
+            if (index == _keeper.Side.Entity) rebuilt.Change(index, _drawing.Entities[index].Type, closed: false, parts);
+            else if (index != _other.Side.Entity || !takesIn) rebuilt.Keep(index);
+        }
+
+        DrawingChange.Take(context, rebuilt, rebuilt.Places([_keeper.Side.Entity]));
+    }
+
+    private static bool IsOpenPolyline(Drawing drawing, int entity) => drawing.Entities[entity] is { Type: CurveType.LwPolyline or CurveType.Polyline, Closed: false };
+
+    private List<DrawingPart> Joined(DrawingRebuild rebuilt, bool takesIn)
+    {
+        var path = Into(rebuilt, _keeper);
+        if (_between is { } between) path.Add(ReshapedDrawing.PartOf(between, HeightAtEnd(path[^1])));
+        if (takesIn) path.AddRange(Turned(rebuilt, Into(rebuilt, _other)));
+        return _keeper.Kept!.Value.EndsThere ? path : Turned(rebuilt, path);
+    }
+
+    /// <summary>What stays of an object, turned so that it runs into the fillet.</summary>
+    private List<DrawingPart> Into(DrawingRebuild rebuilt, (CornerSide Side, FilletSide? Kept) one)
+    {
+        var parts = DrawingRebuild.PartsOf(_drawing, one.Side.Entity);
+        var (kept, part) = (one.Kept!.Value, one.Side.Part);
+        parts[part] = ReshapedDrawing.PartOf(parts[part], kept.Kept, kept.Kept.Of(_drawing.SegmentOf(parts[part])));
+        return kept.EndsThere ? parts[..(part + 1)] : Turned(rebuilt, parts[part..]);
+    }
+
+    private static List<DrawingPart> Turned(DrawingRebuild rebuilt, List<DrawingPart> parts) => [.. parts.AsEnumerable().Reverse().Select(part => part.IsFreeCurve ? rebuilt.PartOf(rebuilt.CurveOf(part).Reversed()) : part.Reversed())];
+
+    private static double HeightAtEnd(in DrawingPart part) => part.Kind == SegmentKind.Line ? part.F : part.IsFreeCurve ? 0.0 : part.C;
+}

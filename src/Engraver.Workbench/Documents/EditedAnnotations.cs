@@ -1,0 +1,79 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>Decides what happens to the texts and points of a drawing when its curves are edited. They cannot be selected: they move with an edit of every visible curve, and otherwise stay where they are.</summary>
+internal sealed class EditedAnnotations
+{
+    private readonly Drawing _drawing;
+    private readonly HashSet<PlacedText> _texts;
+    private readonly Func<PlacedPoint, bool> _takes;
+    private readonly int _points;
+
+    private EditedAnnotations(Drawing drawing, IEnumerable<PlacedText> texts, Func<PlacedPoint, bool> takes)
+    {
+        (_drawing, _takes) = (drawing, takes);
+        _texts = new HashSet<PlacedText>(texts, ReferenceEqualityComparer.Instance);
+        _points = drawing.Points.Count(takes);
+    }
+
+    /// <summary>Texts that stay where they are.</summary>
+    public int TextsLeft => _drawing.Texts.Count - _texts.Count;
+
+    /// <summary>Points that stay where they are.</summary>
+    public int PointsLeft => _drawing.Points.Count - _points;
+
+    /// <summary>What an edit of these curves takes along: everything when it takes all curves, what can be seen when it takes all that can be seen.</summary>
+    /// <param name="drawing">Before the edit.</param>
+    /// <param name="selected">Indices of curves.</param>
+    public static EditedAnnotations Along(Drawing drawing, IReadOnlyList<int> selected)
+    {
+        if (drawing.Texts.Count + drawing.Points.Count == 0) return new EditedAnnotations(drawing, [], _ => false);
+        var taken = selected.ToHashSet();
+        if (taken.Count == drawing.Entities.Count) return new EditedAnnotations(drawing, drawing.Texts, _ => true);
+        return DrawingPick.Visible(drawing).All(taken.Contains) ? new EditedAnnotations(drawing, drawing.Texts.Where(text => IsVisible(drawing, text)), point => point.IsVisibleIn(drawing)) : new EditedAnnotations(drawing, [], _ => false);
+    }
+
+    /// <summary>The edited drawing with what goes along moved.</summary>
+    public Drawing Moved(Drawing edited, Transform2D map) => edited with
+    {
+        Texts = _texts.Count == 0 ? _drawing.Texts : [.. _drawing.Texts.Select(text => _texts.Contains(text) ? Placed(text, map) : text)],
+        Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Select(point => _takes(point) ? Placed(point, map) : point)],
+    };
+
+    /// <summary>The edited drawing with a copy of what goes along for each map; copies of texts have no handle.</summary>
+    public Drawing Copied(Drawing edited, IReadOnlyList<Transform2D> maps) => edited with
+    {
+        Texts = [.. _drawing.Texts, .. maps.SelectMany(map => _drawing.Texts.Where(_texts.Contains).Select(text => Placed(text, map) with { Handle = 0 }))],
+        Points = _points == 0 ? _drawing.Points : [.. _drawing.Points, .. maps.SelectMany(map => _drawing.Points.Where(_takes).Select(point => Placed(point, map)))],
+    };
+
+    /// <summary>The edited drawing without what goes along.</summary>
+    public Drawing Without(Drawing edited) => edited with
+    {
+        Texts = [.. _drawing.Texts.Where(text => !_texts.Contains(text))],
+        Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Where(point => !_takes(point))],
+    };
+
+    /// <summary>A mirrored text reads from the back, as what is engraved of a mirrored drawing does.</summary>
+    private static PlacedText Placed(PlacedText text, Transform2D map) => text with
+    {
+        Position = At(text.Position, map),
+        End = text.End is { } end ? At(end, map) : null,
+        Height = text.Height * map.Scale,
+        FrameWidth = text.FrameWidth * map.Scale,
+        Rotation = (map.Mirrored ? map.Turn - text.Rotation : map.Turn + text.Rotation).Positive(),
+        Mirrored = text.Mirrored ^ map.Mirrored,
+    };
+
+    private static PlacedPoint Placed(PlacedPoint point, Transform2D map) => point with { Position = At(point.Position, map) };
+
+    private static Vector3D At(Vector3D place, Transform2D map)
+    {
+        var moved = map.Apply(new Point2D(place.X, place.Y));
+        return new Vector3D(moved.X, moved.Y, place.Z);
+    }
+
+    private static bool IsVisible(Drawing drawing, PlacedText text) => !text.Hidden && drawing.Layers[text.Layer] is { On: true, Frozen: false };
+}
