@@ -6,10 +6,12 @@ using Engraver.Workbench.Composition;
 namespace Engraver.Benchmarks.Stops;
 
 /// <summary>A pseudo-terminal that stands for a serial line of a rate: a command is on the wire when its last bit would have left such a line, which carries ten bits for each byte, one after the other.</summary>
+/// <remarks>Only what is measured takes its time: what comes before the first path (some thousand bytes: the handshake, the program that watches) and behind the press is carried at once.</remarks>
 internal sealed class FaultStopSerialTap : FaultStopWire
 {
     private readonly Lock _gate = new();
     private readonly StringBuilder _command = new();
+    private readonly ServedSimulator _controller;
     private readonly double _ticksPerByte;
 
     /// <summary>Time stamp at which the line has carried everything that the host gave it.</summary>
@@ -18,8 +20,10 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     private double _underWay;
 
     /// <param name="baud">Bits per second.</param>
-    private FaultStopSerialTap(string path, int baud)
+    private FaultStopSerialTap(ServedSimulator controller, string path, int baud)
     {
+        _controller = controller;
+        controller.SerialCarriesAtOnce = true;
         _ticksPerByte = Stopwatch.Frequency * 10.0 / baud;
         Address = string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={baud}");
     }
@@ -37,7 +41,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     /// <param name="path">Becomes the device; must not exist.</param>
     public static async Task<FaultStopWire> OverSerialAsync(ServedSimulator controller, string path, int baud, CancellationToken cancellation)
     {
-        var tap = new FaultStopSerialTap(path, baud);
+        var tap = new FaultStopSerialTap(controller, path, baud);
         await controller.ServeSerialAsync(path, baud, tap.Hear, cancellation).ConfigureAwait(false);
         return tap;
     }
@@ -46,6 +50,8 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     {
         lock (_gate) _underWay = Math.Max(0.0, _free - at) * 1000.0 / Stopwatch.Frequency;
     }
+
+    public override void Rest() => _controller.SerialCarriesAtOnce = true;
 
     /// <summary>The line ends with its controller.</summary>
     public override ValueTask DisposeAsync() => ValueTask.CompletedTask;
@@ -66,7 +72,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
         _free = Math.Max(_free, came);
         foreach (var one in bytes)
         {
-            _free += _ticksPerByte;
+            if (!_controller.SerialCarriesAtOnce) _free += _ticksPerByte;
             if (one is not ((byte)'\r' or (byte)';'))
             {
                 _command.Append((char)one);
@@ -74,9 +80,13 @@ internal sealed class FaultStopSerialTap : FaultStopWire
             }
 
             commands.Add((_command.ToString(), (long)_free));
+            if (IsPath(_command)) _controller.SerialCarriesAtOnce = false;
             _command.Clear();
         }
 
         return commands;
     }
+
+    /// <summary>The command opens a sequence of segments (galil-dmc.md B.1, B.7).</summary>
+    private static bool IsPath(StringBuilder command) => command.Length > 2 && command[1] == 'M' && command[0] is 'V' or 'L';
 }

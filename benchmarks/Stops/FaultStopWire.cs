@@ -19,6 +19,11 @@ internal abstract class FaultStopWire : IAsyncDisposable
     {
     }
 
+    /// <summary>What is said from here on is not measured any more.</summary>
+    public virtual void Rest()
+    {
+    }
+
     public abstract ValueTask DisposeAsync();
 
     protected void Tell(string command, long at) => Heard?.Invoke(command, at);

@@ -122,6 +122,13 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.CompletedTask;
     }
 
+    /// <summary>Whether bytes on a served serial line take no time, as long as what they say is of no interest. Whoever listens on the line may set it, and the bytes that were just heard go as it says.</summary>
+    public bool SerialCarriesAtOnce
+    {
+        get => _core.Machine.Serial.CarriesAtOnce;
+        set => _core.Machine.Serial.CarriesAtOnce = value;
+    }
+
     /// <summary>Cuts every link at once, as a pulled cable would; motion and programs go on.</summary>
     public void DropConnections() => _core.CutAll();
 

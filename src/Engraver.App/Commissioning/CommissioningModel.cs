@@ -84,6 +84,7 @@ public sealed record CommissioningRow(string Title, string State, bool IsNow)
             CommissioningState.Now => Text.Get("Commissioning.Now"),
             CommissioningState.Through => Text.Get("Commissioning.Through"),
             CommissioningState.LeftOut => Text.Get("Commissioning.LeftOut"),
+            CommissioningState.Unfinished => Text.Get("Commissioning.Unfinished"),
             _ => "",
         };
         return new CommissioningRow(Text.Get("Commissioning.Row", step.Number, step.Name), state, step.State == CommissioningState.Now);

@@ -82,10 +82,12 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         _listenerEnded.TrySetResult();
     }
 
+    private TimeSpan ByteTime() => _core.Machine.Serial.CarriesAtOnce ? TimeSpan.Zero : _byteTime;
+
     private async Task ReceiveAsync(CancellationToken cancellation)
     {
         var buffer = new byte[Portion];
-        var wire = new BytePacer(_options.Time, _byteTime);
+        var wire = new BytePacer(_options.Time, ByteTime);
         try
         {
             while (await _incoming.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var count)
@@ -105,7 +107,7 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
     private async Task SendAsync(CancellationToken cancellation)
     {
         var buffer = new byte[Portion];
-        var wire = new BytePacer(_options.Time, _byteTime);
+        var wire = new BytePacer(_options.Time, ByteTime);
         try
         {
             while (await _handle.Output.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var count)

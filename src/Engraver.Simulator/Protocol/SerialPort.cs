@@ -6,6 +6,8 @@ internal sealed class SerialPort
     /// <summary><c>_WH</c> of the port, which is not in the handle table (A.1).</summary>
     public const int HandleIndex = -1;
 
+    private volatile bool _carriesAtOnce;
+
     /// <summary>EO: 1 is the factory setting; a reset brings back what BN burned.</summary>
     public bool Echo { get; set; } = true;
 
@@ -14,6 +16,13 @@ internal sealed class SerialPort
 
     /// <summary>Start bit, eight data bits, stop bit.</summary>
     public TimeSpan ByteTime { get; private set; }
+
+    /// <summary>Whether bytes take no time on the line; from any thread.</summary>
+    public bool CarriesAtOnce
+    {
+        get => _carriesAtOnce;
+        set => _carriesAtOnce = value;
+    }
 
     /// <summary>Connects a client; returns null when there already is one.</summary>
     public Handle? Plug(int baud, Handle client)

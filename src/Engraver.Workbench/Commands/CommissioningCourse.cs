@@ -39,4 +39,7 @@ public enum CommissioningState
 
     /// <summary>The operator left it out.</summary>
     LeftOut,
+
+    /// <summary>Begun, and left before its end: a move was stopped, refused or not wanted, or something has to be mended first.</summary>
+    Unfinished,
 }

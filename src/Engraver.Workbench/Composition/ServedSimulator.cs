@@ -54,6 +54,21 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <param name="heard">Told all bytes as they pass on the line, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
     public Task ServeSerialAsync(string path, int baud, Action<ReadOnlyMemory<byte>, bool>? heard, CancellationToken cancellation) => _controller.ServeSerialAsync(path, baud, heard, cancellation);
 
+    /// <summary>Whether bytes on the serial line take no time (<see cref="SimulatedController.SerialCarriesAtOnce"/>).</summary>
+    public bool SerialCarriesAtOnce
+    {
+        get => _controller.SerialCarriesAtOnce;
+        set => _controller.SerialCarriesAtOnce = value;
+    }
+
+    /// <summary>More faults beside those of the plan; one whose moment is past happens at once.</summary>
+    /// <param name="faults">As for <see cref="Create"/>.</param>
+    /// <exception cref="JsonException">The text is no plan of faults.</exception>
+    public void Schedule(string faults)
+    {
+        foreach (var fault in FaultPlan.Parse(faults).Faults) _controller.Schedule(fault);
+    }
+
     public ValueTask DisposeAsync() => _controller.DisposeAsync();
 
     private static BurnedMotion Burned(MachineProfile profile)

@@ -55,6 +55,18 @@ internal sealed class ServerScreen
         return file.ToArray();
     }
 
+    /// <summary>Whether a rectangle looks so.</summary>
+    /// <param name="look">0xRRGGBB, row by row.</param>
+    public bool Shows(PixelRect place, int[] look)
+    {
+        for (var i = 0; i < look.Length; i++)
+        {
+            if (At(place.X + (i % place.Width), place.Y + (i / place.Width)) != look[i]) return false;
+        }
+
+        return true;
+    }
+
     /// <summary>The same in every pixel.</summary>
     public bool Equals(ServerScreen other) => _dump.AsSpan().SequenceEqual(other._dump);
 

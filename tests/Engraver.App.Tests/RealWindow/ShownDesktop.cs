@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Globalization;
 using Avalonia;
 using Engraver.App.Tests.Start;
@@ -14,6 +15,7 @@ internal sealed class ShownDesktop : IDisposable
     private readonly TemporaryDesktopFolder _screen = new();
     private static readonly TimeSpan s_untilAgain = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan s_untilTypedAgain = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a broken test waits that long
 
     /// <summary>A window that looks the same so often has nothing left to paint.</summary>
     private const int LooksAtRest = 60;
@@ -133,6 +135,22 @@ internal sealed class ShownDesktop : IDisposable
         }
 
         return last.Png(new PixelRect(Corner(), Size));
+    }
+
+    /// <summary>Ends when a part of the window looks so, with the pointer elsewhere.</summary>
+    /// <param name="look">0xRRGGBB, row by row.</param>
+    /// <param name="what">What is waited for, in words.</param>
+    /// <exception cref="InvalidOperationException">It never did; what the window showed instead is kept with the results of the build.</exception>
+    public void WaitForLook(PixelRect place, int[] look, string what)
+    {
+        _server.Run("xdotool", "mousemove", "--window", Id, "640", "17"); // beside the menus: the pointer is part of the picture
+        var (corner, since) = (Corner(), Stopwatch.GetTimestamp());
+        while (!Screen().Shows(new PixelRect(corner.X + place.X, corner.Y + place.Y, place.Width, place.Height), look))
+        {
+            if (Stopwatch.GetElapsedTime(since) < s_patience) continue;
+            File.WriteAllBytes(Path.Combine(Pictures, "failed.png"), Picture());
+            throw new InvalidOperationException($"The window does not show: {what}");
+        }
     }
 
     /// <summary>The size that the desktop is started with.</summary>

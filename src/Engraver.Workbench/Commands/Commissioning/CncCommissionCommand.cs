@@ -53,8 +53,8 @@ internal sealed class CncCommissionCommand : ICommand
                     break;
                 case "Skip": course.Set(i++, CommissioningState.LeftOut); break;
                 default:
-                    await step.RunAsync(machine, cancellation).ConfigureAwait(false);
-                    course.Set(i++, CommissioningState.Through);
+                    var isThrough = await step.RunAsync(machine, cancellation).ConfigureAwait(false);
+                    course.Set(i++, isThrough ? CommissioningState.Through : CommissioningState.Unfinished);
                     break;
             }
         }
@@ -67,7 +67,8 @@ internal interface ICommissioningStep
     /// <summary>For the question before it.</summary>
     string Name { get; }
 
+    /// <returns>False when it was left before its end: a move was not wanted, was stopped or was refused, or something has to be mended first. What was accepted until then stays.</returns>
     /// <exception cref="CommandException">The link or the controller does not allow to go on.</exception>
     /// <exception cref="OperationCanceledException">Esc, or the operator's stop: nothing that was not accepted stays.</exception>
-    Task RunAsync(CommissionedMachine machine, CancellationToken cancellation);
+    Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation);
 }

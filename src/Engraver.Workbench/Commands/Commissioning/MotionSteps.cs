@@ -17,7 +17,7 @@ internal sealed class DirectionStep : ICommissioningStep
 
     public string Name => Wording.Get("Commission.DirectionStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         await machine.AskSpeedAsync().ConfigureAwait(false);
         var prompt = new NumberPrompt(Wording.Get("Commission.Distance")) { Least = 1.0, Most = 1e6, Whole = true, Default = machine.Context.Remembered("CNCCOMMISSION", "1000") };
@@ -25,8 +25,10 @@ internal sealed class DirectionStep : ICommissioningStep
         machine.Context.Remember("CNCCOMMISSION", NumberPrompt.Show(counts));
         for (var i = 0; i < machine.Letters.Length; i++)
         {
-            if (!await AxisAsync(machine, machine.Profile.Axes.All[i].Letter, s_ways[i], counts, cancellation).ConfigureAwait(false)) return;
+            if (!await AxisAsync(machine, machine.Profile.Axes.All[i].Letter, s_ways[i], counts, cancellation).ConfigureAwait(false)) return false;
         }
+
+        return true;
     }
 
     /// <returns>False when something has to be mended first.</returns>
@@ -46,7 +48,7 @@ internal sealed class DirectionStep : ICommissioningStep
             default: break;
         }
 
-        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
+        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false); // it may stay there: which way it goes is known
         return true;
     }
 
@@ -67,22 +69,26 @@ internal sealed class ScaleStep : ICommissioningStep
 
     public string Name => Wording.Get("Commission.ScaleStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         await machine.AskSpeedAsync().ConfigureAwait(false);
-        foreach (var letter in machine.Profile.Axes.Letters) await AxisAsync(machine, letter, cancellation).ConfigureAwait(false);
+        var isMeasured = true;
+        foreach (var letter in machine.Profile.Axes.Letters) isMeasured &= await AxisAsync(machine, letter, cancellation).ConfigureAwait(false);
+        return isMeasured;
     }
 
-    private static async Task AxisAsync(CommissionedMachine machine, char letter, CancellationToken cancellation)
+    /// <returns>False when it did not move.</returns>
+    private static async Task<bool> AxisAsync(CommissionedMachine machine, char letter, CancellationToken cancellation)
     {
         var axis = ProfileAxis.Of(machine.Profile, letter);
         var usual = Math.Clamp(Math.Round((letter == machine.Profile.Axes.Z?.Letter ? UsualHeight : UsualWay) * Math.Abs(axis.CountsPerMillimetre)), 1.0, 1e7);
         var prompt = new NumberPrompt(Wording.Get("Commission.MeasuredCounts", letter)) { Least = 1.0, Most = 1e7, Whole = true, Default = NumberPrompt.Show(usual) };
         var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
-        if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return;
+        if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
         if (await machine.Context.AskAsync(new NumberPrompt(Wording.Get("Commission.Measured", letter)) { Least = 0.001, Most = 1e5, EnterEnds = true }).ConfigureAwait(false) is Answer<double>.Value { Of: var millimetres })
             Take(machine, axis with { CountsPerMillimetre = Math.CopySign(counts / millimetres, axis.CountsPerMillimetre) });
         await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
+        return true;
     }
 
     private static void Take(CommissionedMachine machine, MachineAxis axis)
@@ -110,34 +116,35 @@ internal sealed class LetterStep : ICommissioningStep
 
     public string Name => Wording.Get("Commission.LetterStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         await machine.AskSpeedAsync().ConfigureAwait(false);
-        if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return;
+        if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return false;
         var drawn = machine.Profile.Axes;
         if (drawn.Scale.Smallest < Coarsest || drawn.Scale.Largest > Finest)
         {
             machine.Context.Say(Wording.Get("Commission.NoLetterInCounts", Coarsest, Finest), MessageKind.Warning);
-            return;
+            return false;
         }
 
         var farthest = drawn.Scale.ToCounts(new Point2D(LetterF.Width, LetterF.Height));
         if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.DrawF", drawn.X.Letter, farthest.X, drawn.Y.Letter, farthest.Y, machine.Speed)).ConfigureAwait(false))
         {
             machine.Context.Say(Wording.Get("Commission.NotMoved"));
-            return;
+            return false;
         }
 
-        if (!await machine.DrawAsync(LetterF.Program(machine.TestPlane, drawn, machine.Speed), cancellation).ConfigureAwait(false)) return;
-        if (await AskAsync(machine, "Commission.LongStroke").ConfigureAwait(false) is not { } longStroke || await AskAsync(machine, "Commission.Bars").ConfigureAwait(false) is not { } bars) return;
+        if (!await machine.DrawAsync(LetterF.Program(machine.TestPlane, drawn, machine.Speed), cancellation).ConfigureAwait(false)) return false;
+        if (await AskAsync(machine, "Commission.LongStroke").ConfigureAwait(false) is not { } longStroke || await AskAsync(machine, "Commission.Bars").ConfigureAwait(false) is not { } bars) return true;
         if (LetterF.Corrected(drawn, longStroke, bars) is not { } axes)
         {
             machine.Context.Say(Wording.Get("Commission.NoSuchLetter"), MessageKind.Warning);
-            return;
+            return false;
         }
 
         machine.Context.Say(Wording.Get(axes == drawn ? "Commission.LetterRight" : axes.X.Letter == drawn.X.Letter ? "Commission.LetterMirrored" : "Commission.LetterSwapped"), MessageKind.Result);
         machine.Profile = machine.Profile with { Axes = axes };
+        return true;
     }
 
     /// <returns>Null: it stays as it is.</returns>
@@ -150,13 +157,13 @@ internal sealed class OutputStep : ICommissioningStep
 {
     public string Name => Wording.Get("Commission.OutputStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         var prompt = new NumberPrompt(Wording.Get("Commission.Output", machine.Profile.ToolOutput)) { Least = 1.0, Most = MachineFamilies.Driver.Limits.Outputs, Whole = true, EnterEnds = true };
         while (await machine.Context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var typed })
         {
             var output = (int)typed;
-            if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return;
+            if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return false;
             if (machine.Context.Machine.Status.Outputs is { } outputs && (outputs & (1 << (output - 1))) != 0)
             {
                 machine.Context.Say(Wording.Get("Commission.OutputIsOn", output), MessageKind.Warning);
@@ -164,12 +171,14 @@ internal sealed class OutputStep : ICommissioningStep
             }
 
             if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.SwitchOutput", output)).ConfigureAwait(false)) continue;
-            if (!await machine.PulseAsync(output, cancellation).ConfigureAwait(false)) return;
+            if (!await machine.PulseAsync(output, cancellation).ConfigureAwait(false)) return false;
             if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ToolSwitched")).ConfigureAwait(false)) continue;
             machine.Profile = machine.Profile with { ToolOutput = output };
             machine.Context.Say(Wording.Get("Commission.OutputTaken", output), MessageKind.Result);
-            return;
+            break;
         }
+
+        return true;
     }
 }
 

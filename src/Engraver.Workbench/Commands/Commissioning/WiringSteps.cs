@@ -10,7 +10,7 @@ internal sealed class MotorStep : ICommissioningStep
 
     public string Name => Wording.Get("Commission.MotorStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         foreach (var axis in (await machine.ReadAsync(cancellation).ConfigureAwait(false)).Axes)
         {
@@ -26,6 +26,8 @@ internal sealed class MotorStep : ICommissioningStep
             if (type == found || !await machine.SwitchOffAsync(axis.Letter, cancellation).ConfigureAwait(false)) continue;
             await machine.AcceptAsync(new SetupValue.Motor(axis.Letter, type), Wording.Get("Commission.MotorSet", axis.Letter, Said(type)), cancellation).ConfigureAwait(false);
         }
+
+        return true;
     }
 
     private static string Said(MotorType type) => Wording.Get(type.Signal switch { MotorSignal.Servo => "Commission.Servo", MotorSignal.LowPulses => "Commission.LowPulses", _ => "Commission.HighPulses" }) + Senses.Said(type.IsReversed);
@@ -38,7 +40,7 @@ internal sealed class EncoderStep : ICommissioningStep
 
     public string Name => Wording.Get("Commission.EncoderStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         foreach (var axis in (await machine.ReadAsync(cancellation).ConfigureAwait(false)).Axes)
         {
@@ -50,6 +52,8 @@ internal sealed class EncoderStep : ICommissioningStep
             var said = Wording.Get(type.Signal == EncoderSignal.Quadrature ? "Commission.Quadrature" : "Commission.PulseAndDirection") + Senses.Said(type.IsReversed);
             await machine.AcceptAsync(new SetupValue.Encoder(axis.Letter, type), Wording.Get("Commission.EncoderSet", axis.Letter, said), cancellation).ConfigureAwait(false);
         }
+
+        return true;
     }
 }
 
@@ -72,11 +76,12 @@ internal sealed class SwitchStep : ICommissioningStep
 
     public string Name => Wording.Get("Commission.SwitchStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         var facts = await machine.ReadAsync(cancellation).ConfigureAwait(false);
         if (facts.LimitSense is { } limits) await OneAsync(machine, Wording.Get("Commission.LimitSwitches"), limits, sense => new SetupValue.LimitSense(sense), cancellation).ConfigureAwait(false);
         if (facts.HomeSense is { } home) await OneAsync(machine, Wording.Get("Commission.HomeSwitches"), home, sense => new SetupValue.HomeSense(sense), cancellation).ConfigureAwait(false);
+        return true;
     }
 
     private static async Task OneAsync(CommissionedMachine machine, string switches, SwitchSense found, Func<SwitchSense, SetupValue> value, CancellationToken cancellation)
@@ -116,7 +121,7 @@ internal sealed class ErrorStep : ICommissioningStep
 
     public string Name => Wording.Get("Commission.ErrorStep");
 
-    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         foreach (var axis in (await machine.ReadAsync(cancellation).ConfigureAwait(false)).Axes)
         {
@@ -131,5 +136,7 @@ internal sealed class ErrorStep : ICommissioningStep
             var on = await machine.Context.ChoiceAsync(Wording.Get("Commission.OffOnError", axis.Letter), s_answers, found ? "Yes" : "No").ConfigureAwait(false) == "Yes";
             if (on != found) await machine.AcceptAsync(new SetupValue.OffOnError(axis.Letter, on), Wording.Get(on ? "Commission.OffOnErrorSet" : "Commission.OffOnErrorCleared", axis.Letter), cancellation).ConfigureAwait(false);
         }
+
+        return true;
     }
 }

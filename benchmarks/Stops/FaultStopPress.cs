@@ -1,0 +1,138 @@
+using System.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
+
+namespace Engraver.Benchmarks.Stops;
+
+/// <summary>One press of STOP after the other, each in a job of its own on a controller of its own: the job begins to move, a little later the fault happens, and at most 60 ms behind it STOP is pressed.</summary>
+internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
+{
+    /// <summary>The fault happens within this time after the first motion, so that it meets the job between any two commands; seconds.</summary>
+    private const double EarliestFault = 0.1;
+    private const double LatestFault = 0.5;
+
+    /// <summary>STOP comes within so many seconds behind the fault.</summary>
+    private const double PressWithin = 0.06;
+
+    /// <summary>A stop that is not on the wire after this never comes there: the link is gone.</summary>
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(2);
+
+    private readonly Random _random = new(1);
+
+    public bool IsSerial => baud is not null;
+
+    /// <param name="fault">A faults file with a moment that is past; null for none.</param>
+    /// <returns>Null when the job ended before it moved, because this computer was held up: it does not count.</returns>
+    /// <exception cref="ControllerException">The simulated controller could not be reached.</exception>
+    public async Task<PressedStop?> RunAsync(string? fault, CancellationToken stop)
+    {
+        await using var controller = ServedSimulator.Create(1.0, profile: null, faults: null, signColumn: false);
+        await using var wire = baud is { } rate ? await FaultStopSerialTap.OverSerialAsync(controller, Path.Combine(folder, "line"), rate, stop).ConfigureAwait(false) : await FaultStopWire.OverTcpAsync(controller, stop).ConfigureAwait(false);
+        var ear = new Ear(wire);
+        await using var machine = new MachineSession(TimeProvider.System);
+        await machine.ConnectAsync(ControllerAddress.Parse(wire.Address), stop).ConfigureAwait(false);
+        var program = machine.FitToLink(job.Motion.Program!, JobMode.Stream, job.Drawing).Program;
+        var run = machine.RunAsync(job, program, address => new MachineRunOptions(address, JobMode.Stream) { JournalPath = Path.Combine(folder, "stop.jsonl") }, stop);
+        try
+        {
+            if (await Task.WhenAny(ear.Moves, run).ConfigureAwait(false) == run) return null;
+            await Task.Delay(TimeSpan.FromSeconds(EarliestFault + ((LatestFault - EarliestFault) * _random.NextDouble())), stop).ConfigureAwait(false);
+            if (run.IsCompleted || machine.Progress is not { SegmentsSent: > 0 }) return null;
+            ear.FaultComes();
+            if (fault is not null) controller.Schedule(fault);
+            await Task.Delay(TimeSpan.FromSeconds(PressWithin * _random.NextDouble()), stop).ConfigureAwait(false);
+            return await PressAsync(machine, wire, ear, run, stop).ConfigureAwait(false);
+        }
+        finally
+        {
+            wire.Rest();
+            await EndAsync(run).ConfigureAwait(false);
+        }
+    }
+
+    private static async Task<PressedStop> PressAsync(MachineSession machine, FaultStopWire wire, Ear ear, Task run, CancellationToken stop)
+    {
+        var collecting = GC.GetTotalPauseDuration();
+        wire.Press(Stopwatch.GetTimestamp());
+        var pressed = ear.Press();
+        machine.Stop();
+        await Task.WhenAny(ear.Stop, Task.Delay(s_patience, stop), GoneAsync(machine, run)).ConfigureAwait(false);
+        var pause = (GC.GetTotalPauseDuration() - collecting).TotalMilliseconds;
+        double? time = ear.Stop.IsCompleted ? Stopwatch.GetElapsedTime(pressed, await ear.Stop.ConfigureAwait(false)).TotalMilliseconds : null;
+        return new PressedStop(time, ear.IsBraked, pause, wire.UnderWayMilliseconds);
+    }
+
+    /// <summary>Completes when the job has ended and no link stands any more; never otherwise.</summary>
+    private static async Task GoneAsync(MachineSession machine, Task run)
+    {
+        await run.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+        if (machine.Description is not null) await Task.Delay(Timeout.Infinite, CancellationToken.None).ConfigureAwait(false);
+    }
+
+    /// <summary>However the job ends.</summary>
+    private static async Task EndAsync(Task run)
+    {
+        try
+        {
+            await run.ConfigureAwait(false);
+        }
+        catch (ControllerException)
+        {
+            // The link is gone, as the fault wanted it.
+        }
+        catch (OperationCanceledException)
+        {
+            // This program is being ended.
+        }
+    }
+
+    /// <summary>Hears on the wire that the path begins, and that it is braked.</summary>
+    private sealed class Ear
+    {
+        private static readonly char[] s_ends = ['\r', ';'];
+        private readonly TaskCompletionSource _moves = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        private readonly TaskCompletionSource<long> _stop = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        private long _faultAt = long.MaxValue;
+        private long _pressedAt = long.MaxValue;
+        private volatile bool _isBraked;
+
+        public Ear(FaultStopWire wire) => wire.Heard += Hear;
+
+        /// <summary>The path begins.</summary>
+        public Task Moves => _moves.Task;
+
+        /// <summary>The time stamp of the first braking at or behind the press.</summary>
+        public Task<long> Stop => _stop.Task;
+
+        /// <summary>The path was braked between the fault and the press.</summary>
+        public bool IsBraked => _isBraked;
+
+        public void FaultComes() => Volatile.Write(ref _faultAt, Stopwatch.GetTimestamp());
+
+        /// <returns>The time stamp of the press.</returns>
+        public long Press()
+        {
+            var now = Stopwatch.GetTimestamp();
+            Volatile.Write(ref _pressedAt, now);
+            return now;
+        }
+
+        private void Hear(string text, long at)
+        {
+            if (Array.Exists(text.Split(s_ends), command => command == "BGS")) _moves.TrySetResult(); // a question of _BGS is none
+            if (!text.Contains("STS", StringComparison.Ordinal)) return; // the end of the path, in the same line or before the end of the axes
+            if (at >= Volatile.Read(ref _pressedAt)) _stop.TrySetResult(at);
+            else if (at >= Volatile.Read(ref _faultAt)) _isBraked = true;
+        }
+    }
+}
+
+/// <summary>What became of one press.</summary>
+/// <param name="Milliseconds">From STOP to the wire; null when it was not heard there.</param>
+/// <param name="IsBraked">The fault had ended the job, whose own stop was on the wire before the press.</param>
+/// <param name="Pause">Garbage collection between the press and the wire, milliseconds.</param>
+/// <param name="UnderWay">How long a serial line was still busy at the press, milliseconds.</param>
+internal readonly record struct PressedStop(double? Milliseconds, bool IsBraked, double Pause, double UnderWay);

@@ -1,0 +1,121 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+using Engraver.App.Commissioning;
+
+namespace Engraver.App.Tests.RealWindow;
+
+/// <summary>The conversation of the page of commissioning, as the same window has it in memory: what stands there before each answer, and where the answer's button is.</summary>
+internal sealed class AskedQuestions
+{
+    private readonly List<AskedQuestion> _asked = [];
+
+    private AskedQuestions()
+    {
+    }
+
+    /// <summary>Where the tab of the page is, and its keys.</summary>
+    public Point Tab { get; private set; }
+
+    public Point Begin { get; private set; }
+
+    public Point BreakOff { get; private set; }
+
+    public IReadOnlyList<AskedQuestion> All => _asked;
+
+    /// <summary>Where the list of steps is.</summary>
+    public PixelRect EndPlace { get; private set; }
+
+    /// <summary>The list of steps behind the last answer, with how each ended: 0xRRGGBB, row by row.</summary>
+    public int[] EndLook { get; private set; } = [];
+
+    /// <param name="drawing">Open in the window.</param>
+    /// <param name="folder">Where files are written.</param>
+    /// <param name="answers">In their order.</param>
+    public static async Task<AskedQuestions> OfAsync(DesktopFixture fixture, string drawing, string folder, IReadOnlyList<GivenAnswer> answers)
+    {
+        var found = new AskedQuestions();
+        await fixture.WithOperator(here =>
+        {
+            here.Hands.Resize(new Size(ShownDesktop.Size.Width, ShownDesktop.Size.Height));
+            here.Open(drawing);
+            here.Enter("CNCCONNECT", "sim:?speed=10");
+            here.Show("Commissioning");
+            found.Tab = here.MiddleOf(here.Window.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is Engraver.App.Tabs.PageTab { Key: "Commissioning" }));
+            (found.Begin, found.BreakOff) = (here.MiddleOf(here.Find<Button>("BeginKey")), here.MiddleOf(here.Find<Button>("BreakOffKey")));
+            here.Click(here.Find<Button>("BeginKey"));
+            here.Rest();
+            foreach (var answer in answers) found.Answer(here, answer);
+            found.EndPlace = PlaceOf(here, here.Find<ItemsControl>("CommissioningSteps"));
+            found.EndLook = Look(here, found.EndPlace);
+        }, workFolder: folder);
+        return found;
+    }
+
+    private void Answer(Operator here, GivenAnswer answer)
+    {
+        var question = here.Find<TextBlock>("QuestionText");
+        var place = PlaceOf(here, question);
+        var button = answer.Way == AnswerWay.Typed ? (Point?)null : here.MiddleOf(ButtonOf(here, answer.Text));
+        _asked.Add(new AskedQuestion(question.Text!, answer, button, place, Look(here, place)));
+        if (button is { } at) here.Hands.Click(at);
+        else
+        {
+            here.Hands.Type(answer.Text);
+            here.Hands.Press(Avalonia.Input.Key.Enter);
+        }
+
+        here.Step();
+        if (answer.Way == AnswerWay.ClickedThenStopped)
+        {
+            here.Until(() => here.Window.Model.Machine.State == "MOVING");
+            here.Hands.Press(Avalonia.Input.Key.Pause);
+        }
+
+        here.Rest();
+    }
+
+    private static Button ButtonOf(Operator here, string answer)
+    {
+        var page = here.Window.GetVisualDescendants().OfType<CommissioningView>().First();
+        return page.GetVisualDescendants().OfType<Button>().First(button => button.Content as string == answer);
+    }
+
+    private static PixelRect PlaceOf(Operator here, Control control)
+    {
+        var corner = control.TranslatePoint(default, here.Window)!.Value;
+        return new PixelRect((int)corner.X, (int)corner.Y, (int)control.Bounds.Width, (int)control.Bounds.Height);
+    }
+
+    private static int[] Look(Operator here, PixelRect place)
+    {
+        var look = new int[place.Width * place.Height];
+        for (var i = 0; i < look.Length; i++) look[i] = (int)(here.Hands.PixelAt(place.X + (i % place.Width), place.Y + (i / place.Width)).ToUInt32() & 0xFFFFFF);
+        return look;
+    }
+}
+
+/// <summary>A question of the page.</summary>
+/// <param name="Button">Where it is answered; null where the answer is typed.</param>
+/// <param name="Place">Of its text in the window.</param>
+/// <param name="Look">The pixels there, 0xRRGGBB, row by row.</param>
+internal sealed record AskedQuestion(string Text, GivenAnswer Answer, Point? Button, PixelRect Place, int[] Look);
+
+/// <summary>What an operator answers.</summary>
+/// <param name="Text">The words on a button, or what is typed; empty for Enter alone.</param>
+internal sealed record GivenAnswer(string Text, AnswerWay Way)
+{
+    public static GivenAnswer Click(string text) => new(text, AnswerWay.Clicked);
+
+    public static GivenAnswer Type(string text) => new(text, AnswerWay.Typed);
+}
+
+/// <summary>How an answer is given.</summary>
+internal enum AnswerWay
+{
+    Clicked,
+    Typed,
+
+    /// <summary>STOP is pressed while the machine moves for it.</summary>
+    ClickedThenStopped,
+}
