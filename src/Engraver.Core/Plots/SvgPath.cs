@@ -29,7 +29,7 @@ internal static class SvgPath
     }
 
     /// <summary>Ellipses and splines as arcs, which SVG has, with an error too small to see.</summary>
-    private static IReadOnlyList<Segment> Drawable(Segment segment, PlotFrame frame) =>
+    public static IReadOnlyList<Segment> Drawable(Segment segment, PlotFrame frame) =>
         segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, CurveNearness / frame.Scale) : [segment];
 
     public static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;

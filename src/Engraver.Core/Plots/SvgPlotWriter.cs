@@ -22,36 +22,53 @@ public static class SvgPlotWriter
         """;
 
     /// <summary>Writes the picture; LF line ends, numbers invariant.</summary>
-    public static void Write(PlotModel plot, TextWriter output)
+    public static void Write(PlotModel plot, TextWriter output) => Write(plot, new PlotFrame(plot.Seen), thinned: null, output);
+
+    /// <summary>Writes the picture for a page that is to stay small: where its lines take more than that, at the finest resolution at which they do not.</summary>
+    /// <param name="most">Characters of its lines.</param>
+    /// <returns>The resolution in millimetres of the drawing; null for a picture that is whole.</returns>
+    public static double? WriteWithin(PlotModel plot, int most, TextWriter output)
     {
+        ArgumentNullException.ThrowIfNull(plot);
         var frame = new PlotFrame(plot.Seen);
+        var thinned = ThinnedPlot.WholeLength(plot) > most ? ThinnedPlot.Of(plot, frame, most, Colour) : null;
+        Write(plot, frame, thinned, output);
+        return thinned?.Cell / frame.Scale;
+    }
+
+    private static void Write(PlotModel plot, PlotFrame frame, ThinnedPlot? thinned, TextWriter output)
+    {
         var size = $"{Number(frame.FieldWidth)} {Number(frame.Height)}";
         Line(output, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {size}\" width=\"{Number(frame.FieldWidth)}\" height=\"{Number(frame.Height)}\">");
         Line(output, Style.ReplaceLineEndings("\n"));
         if (plot.Heat is not null) Line(output, HeatStyle());
         if (plot.Marks.Count > 0) Line(output, "<style>.point{fill:#f0f3f6} .corner{fill:none;stroke:#d2a8ff;stroke-width:1.5}</style>");
         Line(output, $"<rect class=\"field\" width=\"100%\" height=\"100%\"/>");
-        WriteRapids(plot, frame, output);
-        WriteStrokes(plot, frame, output);
+        if (thinned is not null) WriteThinned(plot, thinned, output);
+        else WriteWhole(plot, frame, output);
         WritePoints(plot, frame, output);
         WriteMarks(plot, frame, output);
         WriteCaption(plot, frame, output);
         Line(output, "</svg>");
     }
 
-    private static void WriteRapids(PlotModel plot, PlotFrame frame, TextWriter output)
+    private static void WriteWhole(PlotModel plot, PlotFrame frame, TextWriter output)
     {
-        if (plot.Rapids.Count == 0) return;
-        Line(output, $"<path class=\"rapid\" d=\"{Format([.. plot.Rapids.Select(Segment.FromLine)], frame)}\"/>");
-    }
-
-    private static void WriteStrokes(PlotModel plot, PlotFrame frame, TextWriter output)
-    {
-        var width = Number(Math.Clamp(2.2 - (plot.Strokes.Count / 1000.0), 0.8, 2.0));
-        Line(output, $"<g stroke-width=\"{width}\">");
+        if (plot.Rapids.Count > 0) Line(output, $"<path class=\"rapid\" d=\"{Format([.. plot.Rapids.Select(Segment.FromLine)], frame)}\"/>");
+        Line(output, $"<g stroke-width=\"{StrokeWidth(plot)}\">");
         foreach (var stroke in plot.Strokes) Line(output, $"<path class=\"cut {Colour(stroke)}\" d=\"{Format(stroke.Segments, frame)}\"/>");
         Line(output, "</g>");
     }
+
+    private static void WriteThinned(PlotModel plot, ThinnedPlot thinned, TextWriter output)
+    {
+        if (thinned.Rapids.Length > 0) Line(output, $"<path class=\"rapid\" d=\"{thinned.Rapids}\"/>");
+        Line(output, $"<g stroke-width=\"{StrokeWidth(plot)}\">");
+        foreach (var (colour, path) in thinned.Strokes) Line(output, $"<path class=\"cut {colour}\" d=\"{path}\"/>");
+        Line(output, "</g>");
+    }
+
+    private static string StrokeWidth(PlotModel plot) => Number(Math.Clamp(2.2 - (plot.Strokes.Count / 1000.0), 0.8, 2.0));
 
     private static void WriteMarks(PlotModel plot, PlotFrame frame, TextWriter output)
     {

@@ -13,6 +13,11 @@ internal sealed class ChainPiece
 
     private const int MostNewtonSteps = 8;
 
+    private const int MostLengthSteps = 60;
+
+    /// <summary>Part of its length to which a place on a free piece is found by <see cref="FractionAtArcLength"/>.</summary>
+    private const double LengthShare = 1e-13;
+
     private readonly Segment _segment;
     private readonly BezierSpan? _span;
     private readonly PowerBasis? _powers;
@@ -108,6 +113,23 @@ internal sealed class ChainPiece
         return Start + _lengths[cell] + ((place - cell) * (_lengths[cell + 1] - _lengths[cell]));
     }
 
+    /// <summary>The length of the chain up to a fraction, by quadrature: for times, which <see cref="LengthAt"/> is too coarse for where the curve's speed changes much within a step of its table, as behind a doubled control point.</summary>
+    public double ArcLengthAt(double fraction)
+    {
+        if (_span is null) return LengthAt(fraction);
+        fraction = Math.Clamp(fraction, 0.0, 1.0);
+        var cell = Math.Min((int)(fraction * TableSteps), TableSteps - 1);
+        return Start + _lengths[cell] + Gauss(_powers!, (double)cell / TableSteps, fraction);
+    }
+
+    /// <summary>The inverse of <see cref="ArcLengthAt"/>.</summary>
+    public double FractionAtArcLength(double length)
+    {
+        if (_span is null || length <= Start || length >= End) return FractionAt(length);
+        var cell = Array.BinarySearch(_lengths, length - Start);
+        return InCell(Math.Clamp(cell < 0 ? ~cell - 1 : cell, 0, TableSteps - 1), length);
+    }
+
     /// <summary>The fraction at which a place lies abeam, beginning the search at a guess; below 0 or above 1 when that is beyond an end.</summary>
     public double Foot(Point2D place, double guess, double near = 1e-6)
     {
@@ -132,6 +154,23 @@ internal sealed class ChainPiece
         var weight = Math.Cos(half);
         var shoulder = arc.Centre + Vector2D.FromPolar(arc.Radius / weight, arc.Start + (arc.Sweep * ((from + to) / 2.0)));
         return new BezierSpan([start.X, start.Y, 0.0, 1.0, shoulder.X * weight, shoulder.Y * weight, 0.0, weight, end.X, end.Y, 0.0, 1.0]);
+    }
+
+    /// <summary>Newton's steps on the length; where the curve nearly stands still, halves of what is left.</summary>
+    private double InCell(int cell, double length)
+    {
+        var (low, high) = ((double)cell / TableSteps, (cell + 1.0) / TableSteps);
+        var fraction = FractionAt(length);
+        for (var step = 0; step < MostLengthSteps; step++)
+        {
+            var off = ArcLengthAt(fraction) - length;
+            if (Math.Abs(off) <= LengthShare * Length) return fraction;
+            (low, high) = off > 0.0 ? (low, fraction) : (fraction, high);
+            var next = fraction - (off / Speed(_powers!, fraction));
+            fraction = next > low && next < high ? next : (low + high) / 2.0;
+        }
+
+        return fraction;
     }
 
     private double FreeFoot(Point2D place, double guess, double near)

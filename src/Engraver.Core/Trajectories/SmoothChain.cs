@@ -54,6 +54,15 @@ internal sealed class SmoothChain
         return piece.At(piece.FractionAt(length));
     }
 
+    /// <summary>The place at a length by quadrature (<see cref="ChainPiece.ArcLengthAt"/>), and the same place as a length for <see cref="At"/>.</summary>
+    public (ChainPlace Place, double At) AtArcLength(double length)
+    {
+        length = Wrapped(length);
+        var piece = _pieces[PieceAt(length)];
+        var fraction = piece.FractionAtArcLength(length);
+        return (piece.At(fraction), piece.LengthAt(fraction));
+    }
+
     /// <summary>The length within 0 and <see cref="Length"/>; of an open chain what is beyond an end is the end.</summary>
     public double Wrapped(double length)
     {

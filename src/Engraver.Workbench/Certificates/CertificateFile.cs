@@ -1,15 +1,19 @@
 using System.Text.Json;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>The file of a certificate: JSON beside the drawing, <c>part.certificate.json</c> for <c>part.dxf</c>.</summary>
+/// <summary>The file of a certificate: JSON beside the drawing, one for each target: <c>part.certificate.json</c> for the program that <c>part.dxf</c> is run with, <c>part.agie.certificate.json</c> and the like for the others.</summary>
 public static class CertificateFile
 {
     public const string Ending = ".certificate.json";
 
     /// <summary>The usual place.</summary>
-    public static string PathOf(string drawing) => Path.ChangeExtension(drawing, null) + Ending;
+    /// <param name="target">Name of the post.</param>
+    /// <param name="dialect">The kind of controller; null for the usual one.</param>
+    public static string PathOf(string drawing, string target, string? dialect = null) =>
+        Path.ChangeExtension(drawing, null) + (target == PostTable.All[0].Post.Name ? "" : $".{target}") + (dialect is null ? "" : $"-{dialect}") + Ending;
 
     /// <summary>Writes it whole or not at all.</summary>
     /// <exception cref="IOException">The place cannot be written.</exception>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Machines.Arming;
@@ -45,14 +46,14 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
     /// <summary>The line of the list before a start. A job runs without a certificate too; one that is of another job must have been read.</summary>
     public ArmingCheck Check => new(true, Sentence + ".") { IsWarning = State == CertificateState.Stale, IsNote = State == CertificateState.None };
 
-    /// <summary>Of a job that a machine runs, by the certificate at its usual place.</summary>
+    /// <summary>Of a job that a machine runs, by the certificate of what it is sent, at its usual place.</summary>
     /// <param name="program">Of the job, made fit for the link.</param>
     public static CertificateStanding OfRun(PreparedJob job, MotionProgram program)
     {
         ArgumentNullException.ThrowIfNull(job);
         if (FileKind.IsStream(job.Drawing.FileName)) return None;
         if (job.Followed is not null) return None with { RunsTrajectories = true };
-        var path = CertificateFile.PathOf(job.Drawing.FileName);
+        var path = CertificateFile.PathOf(job.Drawing.FileName, PostTable.ForMotion(program.Style).Post.Name);
         return File.Exists(path) ? Of(path, JobIdentity.OfRun(job, program)) : None;
     }
 
@@ -70,7 +71,7 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
         ArgumentNullException.ThrowIfNull(certificate);
         ArgumentNullException.ThrowIfNull(job);
         var differs = job.Differences(certificate.Drawing.Sha256, certificate.Settings.Values, certificate.Profile.Sha256).ToList();
-        if (certificate.Program.Target != job.Target) differs.Add("target");
+        if (certificate.Program.Target != job.Target || certificate.Program.Dialect != job.Dialect) differs.Add("target");
         if (differs.Count == 0 && (!certificate.Ok || job.Program.Value is null || certificate.Program.Sha256 != job.Program.Value)) differs.Add("program");
         return new CertificateStanding(differs.Count == 0 ? CertificateState.Stands : CertificateState.Stale, differs, certificate);
     }

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Posts;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Composition;
@@ -23,7 +24,7 @@ public static class Certification
     {
         ArgumentNullException.ThrowIfNull(request);
         var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
-        var reader = request.Target.Reader ?? throw new ArgumentException($"Nothing reads programs of {post.Name}.", nameof(request));
+        var reader = request.Reader ?? throw new ArgumentException($"Nothing reads programs of {post.Name}.", nameof(request));
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, post.Motion ?? MotionStyle.Continuous, cancellation);
         var (posted, fitted) = Posted(request, job);
         if (posted.Text is not { } text) return new Certified(null, posted.Diagnostics) { WithoutProgram = posted.WithoutProgram };
@@ -36,7 +37,7 @@ public static class Certification
     public static JobIdentity IdentityOf(CertificationRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
-        return JobIdentity.Of(request.Drawing.FileName, request.Settings, request.Target.Post.Name, Program) with { Drawing = request.DrawingHash };
+        return JobIdentity.Of(request.Drawing.FileName, request.Settings, request.Target.Post.Name, Program) with { Drawing = request.DrawingHash, Dialect = request.Dialect };
 
         string? Program()
         {
@@ -51,8 +52,8 @@ public static class Certification
         var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
         var fit = post.Motion is not null && job.Motion.Program is { } program ? JobPlan.FitToLink(program, request.Address, request.Mode, drawing) : null;
         if (request.Program is { } given) return (new PostedProgram(given.Text, job.Diagnostics), fit?.Program);
-        if (post.Motion is null) return (PostedProgram.Create(drawing, settings, post, PostedProgram.NoOptions), null);
-        return (PostedProgram.FromJob(fit is null ? job : job with { Motion = job.Motion with { Program = fit.Program } }, post, PostedProgram.NoOptions), fit?.Program);
+        if (post.Motion is null) return (PostedProgram.Create(drawing, settings, post, request.Options), null);
+        return (PostedProgram.FromJob(fit is null ? job : job with { Motion = job.Motion with { Program = fit.Program } }, post, request.Options), fit?.Program);
     }
 
     private static JobCertificate Certificate(CertificationRequest request, PreparedJob job, MotionProgram? fitted, string text, VerificationReport report, IReadOnlyList<Diagnostic> findings)
@@ -63,7 +64,7 @@ public static class Certification
             Issued = request.Now,
             IssuedBy = $"CncEngraver {ProgramVersion}",
             Drawing = new CertifiedDrawing(Path.GetFileName(request.Drawing.FileName), request.DrawingHash, request.Drawing.Bytes),
-            Program = new CertifiedProgram(request.Target.Post.Name, request.Program is { } given ? Path.GetFileName(given.File) : null, ContentHash.OfText(text), text.Count(letter => letter == '\n')),
+            Program = new CertifiedProgram(request.Target.Post.Name, request.Program is { } given ? Path.GetFileName(given.File) : null, ContentHash.OfText(text), text.Count(letter => letter == '\n')) { Dialect = request.Dialect },
             Settings = new CertifiedSettings(JobIdentity.OfSettings(words), words),
             Profile = new CertifiedProfile(JobIdentity.OfProfile(machine), machine.Scale.X, machine.Scale.Y, machine.FeedMmPerMinute, machine.RapidMmPerMinute),
             Ok = report.Ok,
@@ -71,19 +72,24 @@ public static class Certification
             Tolerance = report.ToleranceMm,
             MissingLength = report.MissingLengthMm,
             ExtraLength = report.ExtraLengthMm,
-            Limits = Limits(job),
+            Limits = Limits(job, request.Reader is { TellsHeights: true }),
             PlannedSeconds = fitted is null ? null : JobPlan.PlannedTimes(fitted, request.Address, request.Mode).Total,
             Findings = [.. findings.OrderByDescending(found => found.Severity).Select(Finding)],
         };
     }
 
-    private static CertifiedLimits? Limits(PreparedJob job)
+    private static CertifiedLimits? Limits(PreparedJob job, bool tellsHeights)
     {
         var (box, axes) = (FrameOutline.BoundsOf(job.Toolpath), job.Settings.Machine.Axes);
         if (box.IsEmpty) return null;
-        var (x, y) = (axes.X.Travel is { } alongX ? alongX.Most - alongX.Least : (double?)null, axes.Y.Travel is { } alongY ? alongY.Most - alongY.Least : (double?)null);
-        return new CertifiedLimits(box.MinX, box.MinY, box.MaxX, box.MaxY, x, y, !(box.Width > x) && !(box.Height > y));
+        var (x, y) = (Length(axes.X), Length(axes.Y));
+        var limits = new CertifiedLimits(box.MinX, box.MinY, box.MaxX, box.MaxY, x, y, !(box.Width > x) && !(box.Height > y));
+        if (!tellsHeights || axes.Z is not { } axis || job.Motion.Program is not { } program || MotionExtents.Of(program).Heights(program.Profile, dryRun: false) is not { } heights) return limits;
+        var (one, other, z) = (heights.Least / axis.CountsPerMillimetre, heights.Most / axis.CountsPerMillimetre, Length(axis));
+        return limits with { MinZ = Math.Min(one, other), MaxZ = Math.Max(one, other), TravelZ = z, Fits = limits.Fits && !(Math.Abs(one - other) > z) };
     }
+
+    private static double? Length(MachineAxis axis) => axis.Travel is { } travel ? travel.Most - travel.Least : null;
 
     private static CertifiedFinding Finding(Diagnostic found) =>
         new(found.Id, found.Severity.ToString().ToLower(CultureInfo.InvariantCulture), found.Source.Line > 0 ? (int)found.Source.Line : null, found.Sentence);
@@ -103,6 +109,15 @@ public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, 
 
     /// <summary>With what that program was posted, as far as it decides how it is judged; null for the defaults.</summary>
     public PostedWith? Posted { get; init; }
+
+    /// <summary>The kind of controller that the program is written for and by whose rules it is read back; null for the usual one of the target.</summary>
+    public string? Dialect { get; init; }
+
+    /// <summary>The reader of the target and the dialect; null where nothing reads it.</summary>
+    internal IProgramReader? Reader => Dialect is null ? Target.Reader : Target.Dialects[Dialect];
+
+    /// <summary>Of the post: those that decide what is read back.</summary>
+    internal IReadOnlyDictionary<string, string> Options => Dialect is null ? PostedProgram.NoOptions : new Dictionary<string, string> { ["dialect"] = Dialect };
 
     /// <summary>The link that the machine's own program is sent over, which may have to be cut slower there; null for none.</summary>
     public ControllerAddress? Address { get; init; }

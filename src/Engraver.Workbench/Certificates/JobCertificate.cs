@@ -56,7 +56,11 @@ public sealed record CertifiedDrawing(string File, string? Sha256, long Bytes);
 /// <param name="Target">Name of the post.</param>
 /// <param name="File">Where it was read from, without the folder; null for one that was made for this.</param>
 /// <param name="Sha256">Of its text, UTF-8.</param>
-public sealed record CertifiedProgram(string Target, string? File, string Sha256, int Lines);
+public sealed record CertifiedProgram(string Target, string? File, string Sha256, int Lines)
+{
+    /// <summary>The kind of controller by whose rules it was written and read back; null for a target that has only one, and for the usual one.</summary>
+    public string? Dialect { get; init; }
+}
 
 /// <param name="Values">By the keys of docs/settings.md.</param>
 public sealed record CertifiedSettings(string Sha256, IReadOnlyDictionary<string, string> Values);
@@ -69,7 +73,17 @@ public sealed record CertifiedProfile(string Sha256, double CountsPerMillimetreX
 /// <summary>The box of what is cut, and the travel of the machine.</summary>
 /// <param name="TravelX">Length of the travel; null where the profile does not say.</param>
 /// <param name="Fits">False where the box is larger than the travel. Where it lies is known when the work is placed.</param>
-public sealed record CertifiedLimits(double MinX, double MinY, double MaxX, double MaxY, double? TravelX, double? TravelY, bool Fits);
+public sealed record CertifiedLimits(double MinX, double MinY, double MaxX, double MaxY, double? TravelX, double? TravelY, bool Fits)
+{
+    /// <summary>Height of the deepest cut, mm above the surface of the work; null where no axis holds the tool, or the target tells no heights.</summary>
+    public double? MinZ { get; init; }
+
+    /// <summary>The greatest height that the tool goes up to, as <see cref="MinZ"/>.</summary>
+    public double? MaxZ { get; init; }
+
+    /// <summary>Length of the travel in height; null where the profile does not say.</summary>
+    public double? TravelZ { get; init; }
+}
 
 /// <param name="Severity">error, warning or info.</param>
 /// <param name="Line">Of the drawing or the program; null for none.</param>

@@ -18,6 +18,9 @@ namespace Engraver.Workbench.Certificates;
 /// <param name="Program">SHA-256 of the program's text; computed when it is asked for, null when there is none.</param>
 public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, string> Settings, string Profile, string Target, Lazy<string?> Program)
 {
+    /// <summary>The kind of controller that the program is written for; null for the usual one of the target.</summary>
+    public string? Dialect { get; init; }
+
     /// <summary>Of a job that a machine runs: its program is the post of the same motion in the style of the mode.</summary>
     /// <param name="program">Of <paramref name="job"/>, made fit for the link.</param>
     public static JobIdentity OfRun(PreparedJob job, MotionProgram program)

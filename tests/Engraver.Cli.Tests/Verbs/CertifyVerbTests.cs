@@ -17,7 +17,7 @@ public class CertifyVerbTests
         Assert.Equal(
             ["version", "issued", "issuedBy", "drawing", "program", "settings", "profile", "ok", "maxDeviation", "tolerance", "missingLength", "extraLength", "limits", "plannedSeconds", "findings"],
             made.EnumerateObject().Select(field => field.Name));
-        Assert.Equal(["minX", "minY", "maxX", "maxY", "travelX", "travelY", "fits"], made.GetProperty("limits").EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["minX", "minY", "maxX", "maxY", "travelX", "travelY", "fits", "minZ", "maxZ", "travelZ"], made.GetProperty("limits").EnumerateObject().Select(field => field.Name));
         Assert.Equal(JsonText.Of(await CliRun.RunAsync("plan", drawing, "--json")).GetProperty("seconds").GetProperty("total").GetDouble(), made.GetProperty("plannedSeconds").GetDouble());
         var verified = await CliRun.RunAsync("verify", Path.Combine(RepositoryFolder.Samples, "expected", "paper-001.galil.dmc"), "--against", drawing, "--json");
         Assert.Equal(JsonText.Of(verified).GetProperty("maxDeviation").GetDouble(), made.GetProperty("maxDeviation").GetDouble());
@@ -45,6 +45,25 @@ public class CertifyVerbTests
         Assert.Equal(ExitCode.Done, held.ExitCode);
         Assert.Equal((ExitCode.DrawingError, "stale", "max-error profile"), (differs.ExitCode, JsonText.Of(differs).GetProperty("standing").GetString(), string.Join(' ', JsonText.Of(differs).GetProperty("differs").EnumerateArray().Select(part => part.GetString()))));
         Assert.Equal(["standing", "file", "differs", "problem"], JsonText.Of(none).EnumerateObject().Select(field => field.Name));
+    }
+
+    [Fact]
+    public async Task Another_target_and_another_dialect_have_their_own_files_and_stand_on_the_page_of_the_job()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("part.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001")));
+        var agie = await CliRun.RunAsync("certify", drawing, "--target", "agie");
+        var grbl = JsonText.Of(await CliRun.RunAsync("certify", drawing, "--target", "gcode", "--dialect", "grbl", "--json"));
+        var usual = JsonText.Of(await CliRun.RunAsync("certify", drawing, "--target", "gcode", "--dialect", "linuxcnc", "--json"));
+        var none = await CliRun.RunAsync("certify", drawing, "--target", "agie", "--dialect", "grbl");
+        await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("a.html"));
+        var page = await File.ReadAllTextAsync(folder.PathOf("a.html"));
+
+        Assert.Equal((ExitCode.Done, ExitCode.Usage), (agie.ExitCode, none.ExitCode));
+        Assert.Equal(["part.agie.certificate.json", "part.gcode-grbl.certificate.json", "part.gcode.certificate.json"], Directory.GetFiles(folder.PathOf(""), "part.*.certificate.json").Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(("grbl", null), (grbl.GetProperty("program").GetProperty("dialect").GetString(), usual.GetProperty("program").GetProperty("dialect").GetString()));
+        foreach (var target in new[] { "agie", "gcode", "gcode grbl" }) Assert.Matches($"<td class=\"mark\">{target}</td>\\s*<td>stands</td>", page);
+        Assert.Contains(grbl.GetProperty("program").GetProperty("sha256").GetString()!, page, StringComparison.Ordinal);
     }
 
     [Theory]

@@ -56,9 +56,45 @@ public class CertificateTests
 
         Assert.Equal((CertificateState.Stale, "join-tolerance order"), (other.State, string.Join(' ', other.Differs)));
         Assert.Equal((CertificateState.Stale, "profile"), (fed.State, string.Join(' ', fed.Differs)));
-        Assert.Equal("target", string.Join(' ', part.Standing(JobMode.Calls).Differs));
         Assert.Contains("--join-tolerance, --order changed", SettingWording.OnConsole(other.Sentence), StringComparison.Ordinal);
         Assert.Contains("CNCJOINTOL, CNCORDER changed", SettingWording.AtCommandLine(other.Sentence), StringComparison.Ordinal);
+    }
+
+    /// <summary>The machine is sent another program in another mode; each has its own certificate, and none replaces another.</summary>
+    [Fact]
+    public async Task Each_target_has_its_own()
+    {
+        using var part = new CertifiedPart();
+        await part.CertifyAsync();
+        var missing = part.Standing(JobMode.Calls);
+        await part.CertifyAsync(part.Request("galil-calls"));
+        await part.CertifyAsync(part.Request("gcode") with { Dialect = "grbl" });
+
+        Assert.Equal(CertificateState.None, missing.State);
+        Assert.Equal([CertificateState.Stands, CertificateState.Stands], new[] { JobMode.Stream, JobMode.Calls }.Select(mode => part.Standing(mode).State));
+        Assert.Equal(["part.certificate.json", "part.galil-calls.certificate.json", "part.gcode-grbl.certificate.json"], Directory.GetFiles(Path.GetDirectoryName(part.File)!, "*.json").Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        var grbl = CertificateFile.PathOf(part.File, "gcode", "grbl");
+        Assert.Equal(CertificateState.Stands, CertificateStanding.Of(grbl, Certification.IdentityOf(part.Request("gcode") with { Dialect = "grbl" })).State);
+        Assert.Equal("target", Assert.Single(CertificateStanding.Of(grbl, Certification.IdentityOf(part.Request("gcode"))).Differs));
+        File.Copy(CertificateFile.PathOf(part.File, "galil-calls"), part.Certificate, overwrite: true);
+        Assert.Equal("target", Assert.Single(part.Standing().Differs));
+    }
+
+    /// <summary>2 mm deep, 10 mm above the work between strokes.</summary>
+    [Theory]
+    [InlineData("galil", 100.0, -2.0, true)]
+    [InlineData("gcode", 100.0, -2.0, true)]
+    [InlineData("galil", 11.9, -2.0, false)]
+    [InlineData("agie", 11.9, null, true)]
+    public async Task Where_an_axis_holds_the_tool_the_limits_have_heights(string target, double travel, double? deepest, bool fits)
+    {
+        var mill = MachineProfile.Default with { Height = new HeightDrive { CutDepth = 2.0, ClearanceHeight = 10.0 } };
+        var axes = mill.Axes with { Z = new MachineAxis('C', 1000.0) { Travel = new AxisTravel(-travel, 0.0) } };
+        using var part = new CertifiedPart { Settings = new DrawingSettings { Machine = mill with { Axes = axes } } };
+        var limits = (await part.CertifyAsync(part.Request(target))).Limits!;
+
+        Assert.Equal((deepest, deepest is null ? null : 10.0, deepest is null ? null : travel, fits), (limits.MinZ, limits.MaxZ, limits.TravelZ, limits.Fits));
+        Assert.Equal(limits, CertificateFile.Read(CertificateFile.PathOf(part.File, target)).Certificate!.Limits);
     }
 
     [Fact]

@@ -24,7 +24,7 @@ internal sealed class CertifiedPart : IDisposable
 
     public DrawingSettings Settings { get; init; } = new();
 
-    public string Certificate => CertificateFile.PathOf(File);
+    public string Certificate => CertificateFile.PathOf(File, "galil");
 
     public CertificationRequest Request(string target = "galil") => new(DrawingFile.Open(File, Settings, CancellationToken.None), ContentHash.OfFile(File), Settings, PostTable.Find(target), Now);
 
@@ -32,7 +32,7 @@ internal sealed class CertifiedPart : IDisposable
     public async Task<JobCertificate> CertifyAsync(CertificationRequest? request = null)
     {
         var made = (await Certification.CertifyAsync(request ?? Request(), null, CancellationToken.None)).Certificate!;
-        CertificateFile.Write(Certificate, made);
+        CertificateFile.Write(CertificateFile.PathOf(File, made.Program.Target, made.Program.Dialect), made);
         return made;
     }
 

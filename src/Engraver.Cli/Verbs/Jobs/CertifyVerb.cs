@@ -18,6 +18,7 @@ internal sealed class CertifyVerb
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
     private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Certify.Target") };
+    private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Certify.Dialect") };
     private readonly Option<string?> _program = new("--program") { HelpName = "FILE", Description = Wording.Get("Certify.Program") };
     private readonly PostedOptions _posted = new();
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = Wording.Get("Certify.Output") };
@@ -30,6 +31,7 @@ internal sealed class CertifyVerb
     {
         _host = host;
         _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name)]);
+        _dialect.AcceptOnlyFromAmong([.. PostTable.All.SelectMany(entry => entry.Dialects.Keys)]);
     }
 
     public static Command Build(VerbHost host)
@@ -37,7 +39,7 @@ internal sealed class CertifyVerb
         var verb = new CertifyVerb(host);
         var command = new Command("certify", Wording.Get("Certify.Summary"));
         verb._drawing.AddTo(command);
-        foreach (var option in (Option[])[verb._target, verb._program, verb._output, verb._check, verb._connect, verb._mode, verb._json]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._target, verb._dialect, verb._program, verb._output, verb._check, verb._connect, verb._mode, verb._json]) command.Options.Add(option);
         verb._posted.AddTo(command, verb.Target);
         command.SetAction(verb.RunAsync);
         return command;
@@ -50,12 +52,13 @@ internal sealed class CertifyVerb
         var hash = ContentHash.OfFile(file);
         var request = new CertificationRequest(DrawingFile.Open(file, settings, stop), hash, settings, Target(parsed), TimeProvider.System.GetUtcNow())
         {
+            Dialect = Dialect(parsed),
             Program = parsed.GetValue(_program) is { } program ? Given(program) : null,
             Posted = Posted(parsed),
             Address = parsed.GetValue(_connect),
             Mode = ModeOption.Mode(parsed.GetValue(_mode)),
         };
-        var place = parsed.GetValue(_output) ?? CertificateFile.PathOf(file);
+        var place = parsed.GetValue(_output) ?? CertificateFile.PathOf(file, request.Target.Post.Name, request.Dialect);
         return parsed.GetValue(_check) ? Check(parsed, request, place) : await CertifyAsync(parsed, request, place, stop).ConfigureAwait(false);
     }
 
@@ -97,6 +100,16 @@ internal sealed class CertifyVerb
     {
         var posted = _posted.Of(parsed);
         return posted == PostedWith.Defaults || parsed.GetValue(_program) is not null ? posted : throw new UsageException(Wording.Get("Certify.PostedWithoutProgram"));
+    }
+
+    /// <summary>Null for the dialect that the post of the target writes without being asked.</summary>
+    /// <exception cref="UsageException">The target does not have it.</exception>
+    private string? Dialect(ParseResult parsed)
+    {
+        if (parsed.GetValue(_dialect) is not { } dialect) return null;
+        var target = Target(parsed);
+        if (!target.Dialects.ContainsKey(dialect)) throw new UsageException(Wording.Get("Post.NoOptionTarget", _dialect.Name, target.Post.Name));
+        return target.Post.Options.Any(option => option.Name == "dialect" && option.Default == dialect) ? null : dialect;
     }
 
     /// <exception cref="UsageException">The program cannot be read.</exception>

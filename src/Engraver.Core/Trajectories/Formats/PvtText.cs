@@ -22,6 +22,9 @@ internal static class PvtText
     /// <summary>Curvature by length, radians, of what is taken for straight.</summary>
     private const double Straight = 1e-9;
 
+    /// <summary>A part that is shorter than this part of the error is not divided any more: what runs through it cannot leave it by more.</summary>
+    private const double ShortPart = 0.5;
+
     /// <summary>Part of the error that an uneven speed may take.</summary>
     private const double RampShare = 0.5;
 
@@ -34,8 +37,8 @@ internal static class PvtText
         var plan = new PvtSpeeds(chain, motion.Velocity, AccelerationShare * motion.Acceleration);
         for (var (round, scale) = (0, 1.0); round < MostRounds; round++, scale *= 0.75)
         {
-            var knots = Knots(chain, plan, options.MaxError, scale);
-            var rows = Rows(chain, plan, knots);
+            var rows = Rows(chain, plan, Knots(chain, plan, options.MaxError, scale), motion.Acceleration);
+            var knots = rows.Select(row => row.At).ToList();
             var bound = SplineBound.Measure(rows.Count - 1, i => CubicOf(rows[i], rows[i + 1]), chain, knots, options.MaxError);
             if (bound <= options.MaxError) return FileOf(chain, source, options, motion, rows, knots, bound);
         }
@@ -43,7 +46,7 @@ internal static class PvtText
         return null;
     }
 
-    /// <summary>Ends and joints always, between them steps of the size that the error allows.</summary>
+    /// <summary>Lengths by quadrature: ends and joints always, between them steps of the size that the error allows.</summary>
     private static List<double> Knots(SmoothChain chain, PvtSpeeds plan, double error, double scale)
     {
         var knots = new List<double> { 0.0 };
@@ -71,7 +74,8 @@ internal static class PvtText
     {
         var curvatures = Enumerable.Range(0, 9).Select(i => Math.Abs(piece.At(from + ((to - from) * i / 8.0)).Curvature)).ToArray();
         var (inside, ends) = (curvatures[1..8].Max(), Math.Max(curvatures[0], curvatures[8]));
-        var (until, length) = (piece.LengthAt(to), piece.LengthAt(to) - piece.LengthAt(from));
+        var (until, length) = (piece.ArcLengthAt(to), piece.ArcLengthAt(to) - piece.ArcLengthAt(from));
+        if (length < ShortPart * error) return [(until, 1)];
         var uneven = !(ends <= MostUneven * inside) && !(ends * length < Straight);
         if (!uneven) return [(until, Elements(length, Math.Max(inside, ends), error, scale))];
         return Elements(length, inside, error, scale) == 1 ? [(until, 1)] : [.. Divided(piece, from, (from + to) / 2.0, error, scale), .. Divided(piece, (from + to) / 2.0, to, error, scale)];
@@ -92,7 +96,7 @@ internal static class PvtText
         {
             var (from, step) = (knots[i - 1], knots[i] - knots[i - 1]);
             var (leave, arrive) = (SpeedAt(plan, knots, i - 1), SpeedAt(plan, knots, i));
-            var (curvature, uneven) = (Enumerable.Range(1, 7).Max(k => Math.Abs(chain.At(from + (step * k / 8.0)).Curvature)), step * (arrive - leave) / (arrive + leave));
+            var (curvature, uneven) = (Enumerable.Range(1, 7).Max(k => Math.Abs(chain.AtArcLength(from + (step * k / 8.0)).Place.Curvature)), step * (arrive - leave) / (arrive + leave));
             var count = (int)Math.Ceiling(Math.Pow(curvature * uneven * uneven / (32.0 * allowed), 0.25));
             for (var k = 1; k < count; k++)
             {
@@ -109,19 +113,22 @@ internal static class PvtText
     /// <summary>Zero at both ends.</summary>
     private static double SpeedAt(PvtSpeeds plan, List<double> knots, int index) => index == 0 || index == knots.Count - 1 ? 0.0 : plan.At(knots[index]);
 
-    private static List<Station> Rows(SmoothChain chain, PvtSpeeds plan, List<double> knots)
+    private static List<Station> Rows(SmoothChain chain, PvtSpeeds plan, List<double> knots, double acceleration)
     {
-        var rows = new List<Station>();
-        for (var i = 0; i < knots.Count; i++)
-        {
-            var place = i == 0 ? chain.Pieces[0].At(0.0) : i == knots.Count - 1 ? chain.Pieces[^1].At(1.0) : chain.At(knots[i]);
-            var speed = SpeedAt(plan, knots, i);
-            var seconds = i == 0 ? 0.0 : Math.Max(ShortestSeconds, 2.0 * (knots[i] - knots[i - 1]) / (speed + rows[^1].Speed));
-            rows.Add(new Station(Round(seconds), new Point2D(Round(place.Point.X), Round(place.Point.Y)), new Vector2D(Round(place.Tangent.X * speed), Round(place.Tangent.Y * speed)), speed));
-        }
+        List<(ChainPlace Place, double At)> places = [(chain.Pieces[0].At(0.0), 0.0), .. knots.Skip(1).SkipLast(1).Select(chain.AtArcLength), (chain.Pieces[^1].At(1.0), chain.Length)];
+        var speeds = plan.AtKnots(knots, (i, leave, arrive) => Excess(Row(i - 1, leave, leave), Row(i, leave, arrive), acceleration));
+        return [.. knots.Select((_, i) => Row(i, i == 0 ? 0.0 : speeds[i - 1], speeds[i]))];
 
-        return rows;
+        Station Row(int i, double before, double speed)
+        {
+            var (place, seconds) = (places[i].Place, i == 0 ? 0.0 : 2.0 * (knots[i] - knots[i - 1]) / (speed + before));
+            return new Station(Round(seconds), new Point2D(Round(place.Point.X), Round(place.Point.Y)), new Vector2D(Round(place.Tangent.X * speed), Round(place.Tangent.Y * speed)), places[i].At);
+        }
     }
+
+    /// <summary>What an element needs over what it may: of its acceleration, and of the square of its shortest time.</summary>
+    private static double Excess(in Station from, in Station to, double acceleration) =>
+        Math.Max(MostAcceleration(from, to) / acceleration, ShortestSeconds * ShortestSeconds / (to.Seconds * to.Seconds));
 
     private static double Round(double value) => Math.Round(value, SplineFit.Decimals);
 
@@ -144,79 +151,26 @@ internal static class PvtText
         return new TrajectoryFile(text.ToString(), rows[0].Place, options.Z, rows.Count, SampledDistance.Of(rows.Count - 1, i => CubicOf(rows[i], rows[i + 1]), chain, knots), bound, 1.0, chain.Length, chain.Closed, source) { BrokenLimits = [.. broken, .. MotionLimits.BrokenTravel(source, motion)] };
     }
 
-    /// <summary>The acceleration of a cubic is linear in time, so that it is greatest at an end; its speed is checked there too.</summary>
-    private static void AddLimits(List<string> broken, int element, in Station from, in Station to, TrajectoryMotion motion)
+    /// <summary>Of an axis: the acceleration of a cubic is linear in time, so that it is greatest at an end.</summary>
+    private static double MostAcceleration(in Station from, in Station to)
     {
         var (way, t) = (to.Place - from.Place, to.Seconds);
         var first = (way * (6.0 / (t * t))) - (from.Velocity * (4.0 / t)) - (to.Velocity * (2.0 / t));
         var last = (way * (-6.0 / (t * t))) + (from.Velocity * (2.0 / t)) + (to.Velocity * (4.0 / t));
-        var most = Math.Max(Math.Max(Math.Abs(first.X), Math.Abs(last.X)), Math.Max(Math.Abs(first.Y), Math.Abs(last.Y)));
+        return Math.Max(Math.Max(Math.Abs(first.X), Math.Abs(last.X)), Math.Max(Math.Abs(first.Y), Math.Abs(last.Y)));
+    }
+
+    /// <summary>The speed of an element is checked at its ends.</summary>
+    private static void AddLimits(List<string> broken, int element, in Station from, in Station to, TrajectoryMotion motion)
+    {
+        var (most, t) = (MostAcceleration(from, to), to.Seconds);
         if (most > motion.Acceleration) broken.Add(Wording.Get("Xps.Acceleration", element, Fact(most), Fact(motion.Acceleration)));
         if (to.Velocity.Length > motion.Velocity * 1.000001) broken.Add(Wording.Get("Xps.Velocity", element, Fact(to.Velocity.Length), Fact(motion.Velocity)));
-        if (t <= ShortestSeconds && way.Length > 0.0) broken.Add(Wording.Get("Xps.ElementTooShort", element, Fact(t)));
+        if (t < ShortestSeconds && to.Place != from.Place) broken.Add(Wording.Get("Xps.ElementTooShort", element, Fact(t)));
     }
 
     private static string Fact(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 
-    private readonly record struct Station(double Seconds, Point2D Place, Vector2D Velocity, double Speed);
-}
-
-/// <summary>Speed along a chain from rest to rest: as fast as asked, slower where the curvature or the ends demand it, never accelerating faster than allowed.</summary>
-internal sealed class PvtSpeeds
-{
-    /// <summary>Part of the acceleration that turning takes; the rest is for speeding up and slowing down.</summary>
-    private const double TurningShare = 0.5;
-
-    private double[] _at;
-    private double[] _squared;
-
-    public PvtSpeeds(SmoothChain chain, double velocity, double acceleration)
-    {
-        var (at, squared) = (new List<double>(), new List<double>());
-        foreach (var piece in chain.Pieces)
-        {
-            for (var i = 0; i <= 16; i++)
-            {
-                var place = piece.At(i / 16.0);
-                at.Add(piece.LengthAt(i / 16.0));
-                squared.Add(Math.Min(velocity * velocity, TurningShare * acceleration / Math.Max(Math.Abs(place.Curvature), 1e-12)));
-            }
-        }
-
-        (_at, _squared) = ([.. at], [.. squared]);
-        var along = 2.0 * (1.0 - TurningShare) * acceleration;
-        var (up, down, half) = (_squared[0] / along, _squared[^1] / along, chain.Length / 2.0);
-        Ramps = up < half && down < half ? [up, chain.Length - down] : [half];
-        InsertRamps();
-        (_squared[0], _squared[^1]) = (0.0, 0.0);
-        for (var i = 1; i < _at.Length; i++) _squared[i] = Math.Min(_squared[i], _squared[i - 1] + (along * (_at[i] - _at[i - 1])));
-        for (var i = _at.Length - 2; i >= 0; i--) _squared[i] = Math.Min(_squared[i], _squared[i + 1] + (along * (_at[i + 1] - _at[i])));
-    }
-
-    /// <summary>Lengths at which the speed of rest has become the speed of travel, and at which it begins to fall.</summary>
-    public IReadOnlyList<double> Ramps { get; }
-
-    /// <summary>mm/s at a length.</summary>
-    public double At(double length)
-    {
-        var found = Array.BinarySearch(_at, length);
-        if (found >= 0) return Math.Sqrt(_squared[found]);
-        var next = Math.Clamp(~found, 1, _at.Length - 1);
-        var share = (length - _at[next - 1]) / Math.Max(_at[next] - _at[next - 1], double.Epsilon);
-        return Math.Sqrt(_squared[next - 1] + (Math.Clamp(share, 0.0, 1.0) * (_squared[next] - _squared[next - 1])));
-    }
-
-    /// <summary>Makes the ends of the ramps places of the table, for the squared speed is linear between its places.</summary>
-    private void InsertRamps()
-    {
-        foreach (var ramp in Ramps)
-        {
-            var found = Array.BinarySearch(_at, ramp);
-            if (found >= 0) continue;
-            var next = Math.Clamp(~found, 1, _at.Length - 1);
-            var squared = Math.Min(_squared[next - 1], _squared[next]);
-            _at = [.. _at[..next], ramp, .. _at[next..]];
-            _squared = [.. _squared[..next], squared, .. _squared[next..]];
-        }
-    }
+    /// <param name="At">The place as a length of the chain.</param>
+    private readonly record struct Station(double Seconds, Point2D Place, Vector2D Velocity, double At);
 }

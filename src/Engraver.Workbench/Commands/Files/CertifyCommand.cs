@@ -28,8 +28,9 @@ internal sealed class CertifyCommand : ICommand
         FindingMessages.Say(context, file, made.Diagnostics, Severity.Warning);
         if (made.Certificate is not { } certificate) throw new CommandException(CommandFailure.Drawing, $"{made.WithoutProgram}.");
         if (!certificate.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Certify.NotOk", Path.GetFileName(file), certificate.MissingLength, certificate.ExtraLength));
-        CertificateFile.Write(CertificateFile.PathOf(file), certificate);
-        context.Say(Wording.Get("Certify.Written", Path.GetFileName(CertificateFile.PathOf(file)), certificate.MaxDeviation ?? 0.0, certificate.Tolerance), MessageKind.Result);
+        var place = CertificateFile.PathOf(file, certificate.Program.Target);
+        CertificateFile.Write(place, certificate);
+        context.Say(Wording.Get("Certify.Written", Path.GetFileName(place), certificate.MaxDeviation ?? 0.0, certificate.Tolerance), MessageKind.Result);
         await LookAsync(context, cancellation).ConfigureAwait(false);
     }
 

@@ -34,6 +34,9 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
     /// <summary>Findings of every stage, errors first, in the words of the place where they are read.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; private init; } = [];
 
+    /// <summary>How the job stands to the certificates of other targets that are beside its drawing, by target and dialect.</summary>
+    public IReadOnlyList<(string Target, CertificateStanding Standing)> OtherCertificates { get; private init; } = [];
+
     /// <summary>The run that the page is about; null for a job that has not been run, or that the history does not know.</summary>
     public HistoryEntry? Run { get; private init; }
 
@@ -65,10 +68,24 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
             Cost = program is null ? null : JobSheet.Of(job, times, request.Rates ?? request.Settings.Machine.Rates).Cost,
             Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, cancellation) : null,
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
+            OtherCertificates = [.. OthersOf(request, JobPlan.StyleOf(request.Mode), cancellation)],
             Run = request.Run,
             RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing.FileName, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash) : [],
         };
         return request.Journal is { } journal ? report.WithTrace(journal) : report;
+    }
+
+    private static IEnumerable<(string, CertificateStanding)> OthersOf(JobReportRequest request, MotionStyle sent, CancellationToken cancellation)
+    {
+        var hash = new Lazy<string?>(() => ContentHash.OfFile(request.Drawing.FileName));
+        foreach (var (entry, dialect) in PostTable.All.Where(entry => entry.Reader is not null && entry.Post.Motion != sent).SelectMany(entry => entry.Dialects.Keys.Cast<string?>().Prepend(null), (entry, dialect) => (entry, dialect)))
+        {
+            cancellation.ThrowIfCancellationRequested();
+            var path = CertificateFile.PathOf(request.Drawing.FileName, entry.Post.Name, dialect);
+            if (!File.Exists(path)) continue;
+            var job = new CertificationRequest(request.Drawing, hash.Value, request.Settings, entry, request.Now) { Dialect = dialect, Address = request.Address, Mode = request.Mode };
+            yield return ($"{entry.Post.Name} {dialect}".TrimEnd(), CertificateStanding.Of(path, Certification.IdentityOf(job)));
+        }
     }
 
     private JobReport WithTrace(string journal)

@@ -14,6 +14,12 @@ namespace Engraver.Workbench.Reports.Pages;
 /// <summary>A job as one page of HTML that needs nothing else: pictures of the path, of the speed and of the run, the sheet of times, lengths and costs, the list before the start, the certificate, the findings, the settings.</summary>
 public static class JobReportPage
 {
+    /// <summary>Characters of the lines of one picture; a page has two at most.</summary>
+    private const int MostPicture = 1_500_000;
+
+    /// <summary>Findings that are listed, the worst first; of the others their number is told.</summary>
+    private const int MostFindings = 500;
+
     /// <summary>The usual file of a drawing's page.</summary>
     public static string PathOf(string drawing) => Path.ChangeExtension(drawing, null) + ".report.html";
 
@@ -31,7 +37,11 @@ public static class JobReportPage
         Pictures(report, page);
         Sheet(report, page);
         if (report.Run is { } run) Run(report, run, here, page);
-        page.Section("certificate", Wording.Get("JobReport.Certificate"), () => Certificate(report.Certificate, here, page));
+        page.Section("certificate", Wording.Get("JobReport.Certificate"), () =>
+        {
+            Certificate(report.Certificate, here, page);
+            if (report.OtherCertificates is [_, ..] others) OtherCertificates(others, here, page);
+        });
         page.Section("findings", Wording.Get("JobReport.Findings"), () => Findings(report.Findings, page));
         page.Section("settings", Wording.Get("JobReport.Settings"), () => Settings(report, page));
         page.Finish();
@@ -49,7 +59,7 @@ public static class JobReportPage
     private static void Pictures(JobReport report, PageWriter page)
     {
         var (job, title) = (report.Job, Path.GetFileName(report.Job.Drawing.FileName));
-        page.Section("path", Wording.Get("JobReport.Path"), () => page.Figure("picture", output => SvgPlotWriter.Write(PlotModel.FromPath(job.Toolpath, title), output)));
+        page.Section("path", Wording.Get("JobReport.Path"), () => Picture(PlotModel.FromPath(job.Toolpath, title), page));
         if (report.Motion is { } motion) page.Section("speed", Wording.Get("JobReport.Speed"), () => page.Figure("chart", output => SpeedPicture.Write(motion, output)));
         if (report.Trace is { } trace) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => Deviation(report, trace, title, page));
         else if (report.TraceProblem is { } problem) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Paragraph(problem));
@@ -57,8 +67,16 @@ public static class JobReportPage
 
     private static void Deviation(JobReport report, RunTrace trace, string title, PageWriter page)
     {
-        page.Figure("picture", output => SvgPlotWriter.Write(RunPlot.Create(report.Job.Analysed, trace, RunMeasure.Deviation, title), output));
+        Picture(RunPlot.Create(report.Job.Analysed, trace, RunMeasure.Deviation, title), page);
         if (report.Run is { OpenLoop: { Count: > 0 } axes }) page.Paragraph(Wording.Get("JobReport.OpenLoop", string.Join(", ", axes)));
+    }
+
+    /// <summary>A picture with more lines than a browser opens at once is drawn at a resolution, and says at which.</summary>
+    private static void Picture(PlotModel plot, PageWriter page)
+    {
+        double? resolution = null;
+        page.Figure("picture", output => resolution = SvgPlotWriter.WriteWithin(plot, MostPicture, output));
+        if (resolution is { } millimetres) page.Paragraph(Wording.Get("JobReport.Thinned", plot.Strokes.Sum(stroke => stroke.Segments.Count), millimetres), "quiet");
     }
 
     /// <summary>The figures stand under their names in <c>plan --json</c>.</summary>
@@ -145,16 +163,26 @@ public static class JobReportPage
         ]);
     }
 
+    private static void OtherCertificates(IReadOnlyList<(string Target, CertificateStanding Standing)> others, TimeZoneInfo here, PageWriter page)
+    {
+        string Figure(double? value) => value?.ToString("0.####", CultureInfo.InvariantCulture) ?? "–";
+        page.Paragraph(Wording.Get("JobReport.OtherCertificates"));
+        page.Table(
+            [Wording.Get("JobReport.Target"), Wording.Get("JobReport.Standing"), Wording.Get("JobReport.Issued"), Wording.Get("JobReport.MaxDeviation"), Wording.Get("JobReport.Tolerance"), Wording.Get("JobReport.ProgramHash")],
+            others.Select(one => (string[])[one.Target, Wording.Get("ReportStanding." + one.Standing.State), one.Standing.Certificate is { } made ? Time(made.Issued, here) : "–", Figure(one.Standing.Certificate?.MaxDeviation), Figure(one.Standing.Certificate?.Tolerance), one.Standing.Certificate?.Program.Sha256 ?? "–"]));
+    }
+
     private static string Box(CertifiedLimits box)
     {
-        var fits = !box.Fits ? Wording.Get("JobReport.FitsNot") : box.TravelX is null && box.TravelY is null ? Wording.Get("JobReport.NoTravel") : Wording.Get("JobReport.Fits");
-        return Wording.Get("JobReport.Box", box.MinX, box.MaxX, box.MinY, box.MaxY, fits);
+        var fits = !box.Fits ? Wording.Get("JobReport.FitsNot") : box is { TravelX: null, TravelY: null, TravelZ: null } ? Wording.Get("JobReport.NoTravel") : Wording.Get("JobReport.Fits");
+        return box is { MinZ: { } low, MaxZ: { } high } ? Wording.Get("JobReport.BoxWithHeights", box.MinX, box.MaxX, box.MinY, box.MaxY, low, high, fits) : Wording.Get("JobReport.Box", box.MinX, box.MaxX, box.MinY, box.MaxY, fits);
     }
 
     private static void Findings(IReadOnlyList<Diagnostic> findings, PageWriter page)
     {
         if (findings.Count == 0) page.Paragraph(Wording.Get("JobReport.NoFindings"));
-        else page.Table([Wording.Get("JobReport.Id"), Wording.Get("JobReport.Severity"), Wording.Get("JobReport.Line"), Wording.Get("JobReport.Finding")], findings.Select(found => (string[])[found.Id, Wording.Get("ReportSeverity." + found.Severity), found.Source.Line > 0 ? found.Source.Line.ToString(CultureInfo.InvariantCulture) : "", found.Message]));
+        else page.Table([Wording.Get("JobReport.Id"), Wording.Get("JobReport.Severity"), Wording.Get("JobReport.Line"), Wording.Get("JobReport.Finding")], findings.Take(MostFindings).Select(found => (string[])[found.Id, Wording.Get("ReportSeverity." + found.Severity), found.Source.Line > 0 ? found.Source.Line.ToString(CultureInfo.InvariantCulture) : "", found.Message]));
+        if (findings.Count > MostFindings) page.Paragraph(Wording.Get("JobReport.MoreFindings", findings.Count - MostFindings), "quiet");
     }
 
     private static void Settings(JobReport report, PageWriter page)
