@@ -18,7 +18,7 @@ internal sealed class VerifyVerb
     private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.DrawingMadeFromDxf") };
     private readonly Option<string> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram"), DefaultValueFactory = _ => PostTable.All[0].Post.Name };
     private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Verify.Dialect") };
-    private readonly Option<string?> _origin = new("--origin") { HelpName = "here|X,Y[,Z]", Description = Wording.Get("Verify.Origin") };
+    private readonly PostedOptions _posted = new();
     private readonly Option<bool> _json = JsonOption.New();
     private readonly DrawingOptions _drawing = new();
 
@@ -34,10 +34,10 @@ internal sealed class VerifyVerb
         var verb = new VerifyVerb(host);
         var command = new Command("verify", Wording.Get("Verify.ReplaysPostedProgramCompares"));
         command.Arguments.Add(verb._program);
-        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._origin, verb._json]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json]) command.Options.Add(option);
+        verb._posted.AddTo(command, verb.Target);
         verb._drawing.AddOptionsTo(command);
         command.Validators.Add(verb.CheckDialect);
-        command.Validators.Add(verb.CheckOrigin);
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -47,8 +47,9 @@ internal sealed class VerifyVerb
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
         var (program, reader) = ReadBack(parsed.GetRequiredValue(_program), parsed.GetRequiredValue(_target), parsed.GetValue(_dialect));
+        var posted = _posted.Of(parsed);
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
-        var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, ProgramOrigin.TryParse(parsed.GetValue(_origin) ?? string.Empty))).ConfigureAwait(false);
+        var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
         else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);
@@ -65,14 +66,6 @@ internal sealed class VerifyVerb
     {
         if (result.GetResult(_dialect) is not { Tokens: [var dialect] }) return;
         if (Entry(result)?.Dialects.ContainsKey(dialect.Value) != true) result.AddError(Wording.Get("Post.NoOptionTarget", _dialect.Name, Target(result)));
-    }
-
-    /// <summary>Refuses an origin for a target that has none of its own, and one that its post would refuse.</summary>
-    private void CheckOrigin(CommandResult result)
-    {
-        if (result.GetResult(_origin) is not { Tokens: [var origin] }) return;
-        if (Entry(result)?.Post.Options.FirstOrDefault(option => option.Name == "origin") is not { } choice) result.AddError(Wording.Get("Post.NoOptionTarget", _origin.Name, Target(result)));
-        else if (!choice.Takes(origin.Value)) result.AddError(Wording.Get("Post.Not", choice.Name, origin.Value, choice.Form));
     }
 
     private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.All[0].Post.Name;

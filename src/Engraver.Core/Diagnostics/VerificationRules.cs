@@ -23,6 +23,10 @@ public static class VerificationRules
 
     public static readonly DiagnosticRule OtherFeed = new("VER0010", Severity.Error, "feed", "line", "least", "most");
 
+    public static readonly DiagnosticRule BlendsTooFar = new("VER0011", Severity.Error, "blend", "line", "deviation", "tolerance");
+
+    public static readonly DiagnosticRule BlendsWithoutBound = new("VER0012", Severity.Error, "line");
+
     public static readonly DiagnosticRule ToolpathBeside = new("VER0020", Severity.Error, "deviation", "x", "y", "tolerance");
 
     public static readonly DiagnosticRule ToolpathMissing = new("VER0021", Severity.Error, "length", "x", "y");
@@ -31,5 +35,5 @@ public static class VerificationRules
 
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, OtherFeed, ToolpathBeside, ToolpathMissing, ToolpathExtra];
+        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, OtherFeed, BlendsTooFar, BlendsWithoutBound, ToolpathBeside, ToolpathMissing, ToolpathExtra];
 }

@@ -14,10 +14,12 @@ public interface IProgramReader
     /// <summary>How far the form itself may move a place by rounding it, millimetres: what is allowed grows by it.</summary>
     double Rounding => 0.0;
 
-    /// <summary>Tells the judges every motion from the first command to the end of the program.</summary>
+    /// <summary>Tells the judges every motion from the first command to the end of the program. The text is read once, and no more of it is held than a command, a line or a part that is loaded at once: memory does not grow with its length.</summary>
     /// <returns>Why the text is no program or did not run to its end, with its lines; empty when it did.</returns>
     /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
-    Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation);
+    /// <exception cref="IOException">The text cannot be read on.</exception>
+    /// <exception cref="InvalidDataException">It has a line that is too long for any program.</exception>
+    Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation);
 }
 
 /// <summary>How a program is read back.</summary>
@@ -33,6 +35,9 @@ public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, Ti
 
     /// <summary>Told how fast the program cuts, by a reader whose form says so; null: nobody asks.</summary>
     public FeedJudge? Feeds { get; init; }
+
+    /// <summary>Told how far the controller itself may leave the path, by a reader of a language with path control; null: nobody asks.</summary>
+    public BlendJudge? Blends { get; init; }
 }
 
 /// <summary>How far a replay has come.</summary>

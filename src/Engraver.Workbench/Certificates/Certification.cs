@@ -27,7 +27,7 @@ public static class Certification
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, post.Motion ?? MotionStyle.Continuous, cancellation);
         var (posted, fitted) = Posted(request, job);
         if (posted.Text is not { } text) return new Certified(null, posted.Diagnostics) { WithoutProgram = posted.WithoutProgram };
-        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation).ConfigureAwait(false);
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation, request.Posted).ConfigureAwait(false);
         IReadOnlyList<Diagnostic> findings = [.. posted.Diagnostics, .. report.Diagnostics];
         return new Certified(Certificate(request, job, fitted, text, report, findings), findings);
     }
@@ -100,6 +100,9 @@ public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, 
 {
     /// <summary>A program that was posted before, with its file; null: it is posted now.</summary>
     public (string File, string Text)? Program { get; init; }
+
+    /// <summary>With what that program was posted, as far as it decides how it is judged; null for the defaults.</summary>
+    public PostedWith? Posted { get; init; }
 
     /// <summary>The link that the machine's own program is sent over, which may have to be cut slower there; null for none.</summary>
     public ControllerAddress? Address { get; init; }

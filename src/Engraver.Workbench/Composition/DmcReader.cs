@@ -21,24 +21,22 @@ public sealed class DmcReader : IProgramReader
     private static readonly TimeSpan s_replyTimeout = TimeSpan.FromSeconds(60);
 
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
-    public async Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public async Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
-        var program = ReadBackProgram.Parse(text);
-        if (program.Diagnostics.Count > 0) return program.Diagnostics;
+        var program = new ReadBackProgram(text);
         var listener = new RecordListener(request.Machine, [.. request.Judges]);
         listener.Start(-(double)request.Start.X, -(double)request.Start.Y, -(double)request.Start.Z);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
         using var listening = controller.Record.Subscribe(listener);
         await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
-        for (var i = 0; i < program.Chunks.Count; i++)
+        for (var number = 1; ; number++)
         {
-            var number = i + 1;
-            void Report() => progress?.Report(new ReplayProgress(number, program.Chunks.Count, TimeSpan.FromMilliseconds(controller.Status.Sample), request.Expected));
-            if (await RunAsync(program.Chunks[i], controller, channel, request.Longest, Report, cancellation).ConfigureAwait(false) is { } failure) return [failure];
+            var (chunk, fault) = program.Next();
+            if (chunk is null) return fault is null ? [] : [fault];
+            void Report() => progress?.Report(new ReplayProgress(number, Math.Max(number, program.Count), TimeSpan.FromMilliseconds(controller.Status.Sample), request.Expected));
+            if (await RunAsync(chunk, controller, channel, request.Longest, Report, cancellation).ConfigureAwait(false) is { } failure) return [failure];
         }
-
-        return [];
     }
 
     private static async Task<Diagnostic?> RunAsync(ReadBackChunk chunk, SimulatedController controller, CommandChannel channel, TimeSpan longest, Action report, CancellationToken cancellation)

@@ -21,11 +21,12 @@ public static class ProgramVerification
     /// <summary>Runs the program and compares.</summary>
     /// <param name="reader">Of the language that the program is written in.</param>
     /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
-    /// <param name="origin">The drawing's zero by the program's own, as it was posted; null for a program that begins where the machine stands, at the drawing's start.</param>
+    /// <param name="posted">With what it was posted; null for the defaults.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, ProgramOrigin? origin = null)
+    public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostedWith? posted = null)
     {
+        var (origin, allowedBlend) = (posted?.Origin, posted?.AllowedBlendMm ?? 0.0);
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
         var tolerances = TolerancesOf(job, reader);
         var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
@@ -33,11 +34,24 @@ public static class ProgramVerification
         ITraceJudge[] judges = bridges.Count == 0 ? [JudgeOf([])] : [JudgeOf([]), JudgeOf(bridges)];
         var machine = job.Settings.Machine;
         var feeds = new FeedJudge(machine.FeedMmPerMinute, reader.TellsHeights ? machine.Height?.PlungeMmPerMinute : null);
+        var blends = new BlendJudge();
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
-        var request = new ReplayRequest(machine, origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (origin?.Way(machine) ?? TimeSpan.Zero))), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null, Feeds = feeds };
-        var faults = program.Text is { } text ? await reader.ReplayAsync(text, request, progress, cancellation).ConfigureAwait(false) : program.Diagnostics;
+        var request = new ReplayRequest(machine, origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (origin?.Way(machine) ?? TimeSpan.Zero))), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null, Feeds = feeds, Blends = blends };
+        var faults = await program.ReadAsync(text => reader.ReplayAsync(text, request, progress, cancellation)).ConfigureAwait(false);
         var report = Report(job, tolerances, faults.Count > 0 || feeds.Finding is not { } other ? faults : [other], [.. judges.Select(judge => judge.Verdict())], bridges);
-        return report with { SlowestMmPerMinute = feeds.Slowest, FastestMmPerMinute = feeds.Fastest, LowestZMm = feeds.Lowest };
+        return Blended(report, blends, allowedBlend) with { SlowestMmPerMinute = feeds.Slowest, FastestMmPerMinute = feeds.Fastest, LowestZMm = feeds.Lowest };
+    }
+
+    /// <summary>Wherever the program leads the controller may leave it by its path control: both distances count together. Without a bound nothing is known of them.</summary>
+    private static VerificationReport Blended(VerificationReport report, BlendJudge blends, double allowed)
+    {
+        if (blends.Largest == 0.0) return report with { ToleranceMm = report.ToleranceMm + allowed };
+        var isBounded = double.IsFinite(blends.Largest);
+        report = report with { MaxDeviationMm = isBounded ? report.MaxDeviationMm + blends.Largest : null, ToleranceMm = report.ToleranceMm + allowed, BlendMm = isBounded ? blends.Largest : null };
+        var finding = !isBounded ? VerificationRules.BlendsWithoutBound.At(new SourceRef(blends.Line), FactText.Of(blends.Line))
+            : report.MaxDeviationMm is { } deviation && deviation > report.ToleranceMm ? VerificationRules.BlendsTooFar.At(new SourceRef(blends.Line), FactText.Of(blends.Largest), FactText.Of(blends.Line), Text(deviation), Text(report.ToleranceMm))
+            : null;
+        return finding is null ? report : report with { Ok = false, Diagnostics = [.. report.Diagnostics, finding] };
     }
 
     /// <summary>A form that rounds more coarsely than the machine counts is allowed what its rounding does.</summary>
@@ -73,35 +87,8 @@ public static class ProgramVerification
     private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }
 
-/// <summary>Where a program takes the drawing's zero to be, mm by the controller's own zero.</summary>
-/// <param name="Z">Null: the height at which the tool stands when the program begins.</param>
-public sealed record ProgramOrigin(double X, double Y, double? Z)
-{
-    /// <summary>Two or three finite numbers apart by commas; null for any other text.</summary>
-    public static ProgramOrigin? TryParse(string text)
-    {
-        ArgumentNullException.ThrowIfNull(text);
-        var numbers = text.Split(',').Select(word => double.TryParse(word, NumberStyles.AllowDecimalPoint | NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number) ? number : double.NaN).ToList();
-        if (!numbers.TrueForAll(double.IsFinite)) return null;
-        return numbers switch
-        {
-            [var x, var y] => new ProgramOrigin(x, y, null),
-            [var x, var y, var z] => new ProgramOrigin(x, y, z),
-            _ => null,
-        };
-    }
-
-    /// <summary>Where the machine stands in the frame of the drawing while it stands on the controller's zero, counts.</summary>
-    internal CountsPoint Beginning(CountsScale scale) => new(Counts(-X * scale.X), Counts(-Y * scale.Y), Counts(-(Z ?? 0.0) * scale.Z));
-
-    /// <summary>Time of the rapid from the controller's zero to the drawing's.</summary>
-    internal TimeSpan Way(MachineProfile machine) => TimeSpan.FromMinutes((Math.Abs(X) + Math.Abs(Y) + Math.Abs(Z ?? 0.0)) / machine.RapidMmPerMinute);
-
-    private static int Counts(double value) => (int)Math.Clamp(Math.Round(value), int.MinValue, int.MaxValue);
-}
-
 /// <summary>How a posted program and a drawing agree, millimetres.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing; null when nothing is cut or there is no drawing to compare with.</param>
+/// <param name="MaxDeviationMm">Largest distance of a cut from the drawing, with what the controller's path control may add to it; null when nothing is cut, nothing is known, or there is no drawing to compare with.</param>
 /// <param name="ToleranceMm">How large it may be: rounding and curve error, and half of the widest gap where the join tolerance has gaps bridged beyond that.</param>
 /// <param name="MissingLengthMm">Length of the drawing that the program does not cut.</param>
 /// <param name="ExtraLengthMm">Length that the program cuts beside the drawing.</param>
@@ -115,6 +102,9 @@ public sealed record VerificationReport(
 
     /// <summary>The fastest cut, mm/min; null where its form says no feed.</summary>
     public double? FastestMmPerMinute { get; init; }
+
+    /// <summary>By how much the controller may leave the path of the program, which is part of the deviation; null where the program sets no bound.</summary>
+    public double? BlendMm { get; init; } = 0.0;
 
     /// <summary>The lowest height of a cut over the drawing's height 0; null where nothing is told of heights.</summary>
     public double? LowestZMm { get; init; }

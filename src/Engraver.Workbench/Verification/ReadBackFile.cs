@@ -2,22 +2,45 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>A posted program as it stands in a file.</summary>
-/// <param name="Text">Null when the file cannot be read; then <paramref name="Diagnostics"/> say why.</param>
-public sealed record ReadBackFile(string? Text, IReadOnlyList<Diagnostic> Diagnostics)
+/// <summary>A posted program as it stands in a file. Whether it is a program is for its reader to judge.</summary>
+/// <param name="open">Begins the text anew. What cannot be read throws then, or while it is read.</param>
+public sealed class ReadBackFile(Func<TextReader> open)
 {
-    /// <summary>Reads the text of any file; whether it is a program is for its reader to judge.</summary>
-    public static ReadBackFile Open(string path)
+    public static ReadBackFile Open(string path) => new(() => new StreamReader(path));
+
+    public static ReadBackFile FromText(string text) => new(() => new StringReader(text));
+
+    /// <summary>Has the text read from its beginning, as far as the reader wants it.</summary>
+    /// <returns>What the reader found; why the file cannot be read.</returns>
+    public async Task<IReadOnlyList<Diagnostic>> ReadAsync(Func<TextReader, Task<IReadOnlyList<Diagnostic>>> read)
     {
+        ArgumentNullException.ThrowIfNull(read);
         try
         {
-            return FromText(File.ReadAllText(path));
+            using var text = open();
+            return await read(text).ConfigureAwait(false);
         }
-        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        catch (Exception unreadable) when (IsUnreadable(unreadable))
         {
-            return new ReadBackFile(null, [DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'))]);
+            return [Fault(unreadable)];
         }
     }
 
-    public static ReadBackFile FromText(string text) => new(text, []);
+    /// <summary>All of it, for a short program that is needed whole; without a text the reason.</summary>
+    public (string? Text, Diagnostic? Fault) Whole()
+    {
+        try
+        {
+            using var text = open();
+            return (text.ReadToEnd(), null);
+        }
+        catch (Exception unreadable) when (IsUnreadable(unreadable))
+        {
+            return (null, Fault(unreadable));
+        }
+    }
+
+    private static bool IsUnreadable(Exception exception) => exception is IOException or UnauthorizedAccessException or InvalidDataException;
+
+    private static Diagnostic Fault(Exception unreadable) => DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'));
 }

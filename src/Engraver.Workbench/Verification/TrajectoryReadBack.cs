@@ -1,7 +1,5 @@
 using System.Globalization;
-using System.Text;
 using System.Text.Json;
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Core.Trajectories.Reading;
@@ -22,35 +20,71 @@ public static class TrajectoryReadBack
     });
 
     /// <param name="path">A trajectory file, its folder, or the folder's list.</param>
-    public static ReadBackFile Open(string path)
+    public static ReadBackFile Open(string path) => new(() => Text(path));
+
+    private static TextReader Text(string path)
+    {
+        if (Directory.Exists(path)) return All(Path.Combine(path, TrajectoryFolder.ListName));
+        if (Path.GetFileName(path) == TrajectoryFolder.ListName) return All(path);
+        var list = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path))!, TrajectoryFolder.ListName);
+        var named = File.Exists(list) ? Starts(list).FirstOrDefault(one => one.File == Path.GetFileName(path)) : default;
+        return named.File is null ? new StreamReader(path) : new JoinedText(Marked(named.X, named.Y, path));
+    }
+
+    private static JoinedText All(string list) => new(Starts(list).SelectMany(one => Marked(one.X, one.Y, Path.Combine(Path.GetDirectoryName(list)!, Path.GetFileName(one.File)))));
+
+    /// <summary>The place, then the file, opened when it is its turn.</summary>
+    private static IEnumerable<TextReader> Marked(double x, double y, string path)
+    {
+        yield return new StringReader(string.Create(CultureInfo.InvariantCulture, $"{TrajectoryReader.Mark}{x:R} {y:R}\n"));
+        yield return new StreamReader(path);
+        yield return new StringReader("\n");
+    }
+
+    /// <exception cref="InvalidDataException">It is no such list.</exception>
+    private static List<(string File, double X, double Y)> Starts(string list)
     {
         try
         {
-            if (Directory.Exists(path)) return All(Path.Combine(path, TrajectoryFolder.ListName));
-            if (Path.GetFileName(path) == TrajectoryFolder.ListName) return All(path);
-            var list = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path))!, TrajectoryFolder.ListName);
-            var named = File.Exists(list) ? Starts(list).FirstOrDefault(one => one.File == Path.GetFileName(path)) : default;
-            return ReadBackFile.FromText(named.File is null ? File.ReadAllText(path) : Marked(named.X, named.Y, File.ReadAllText(path)));
+            using var json = JsonDocument.Parse(File.ReadAllText(list));
+            return [.. json.RootElement.GetProperty("trajectories").EnumerateArray().Select(one =>
+                (one.GetProperty("file").GetString()!, one.GetProperty("start").GetProperty("x").GetDouble(), one.GetProperty("start").GetProperty("y").GetDouble()))];
         }
-        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
+        catch (Exception other) when (other is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
         {
-            return new ReadBackFile(null, [DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'))]);
+            throw new InvalidDataException(other.Message, other);
         }
     }
 
-    private static ReadBackFile All(string list)
+    /// <summary>Texts one after the other; each is opened where the one before ends.</summary>
+    private sealed class JoinedText(IEnumerable<TextReader> parts) : TextReader
     {
-        var text = new StringBuilder();
-        foreach (var (file, x, y) in Starts(list)) text.Append(Marked(x, y, File.ReadAllText(Path.Combine(Path.GetDirectoryName(list)!, Path.GetFileName(file)))));
-        return ReadBackFile.FromText(text.ToString());
-    }
+        private readonly IEnumerator<TextReader> _parts = parts.GetEnumerator();
+        private TextReader? _part;
 
-    private static string Marked(double x, double y, string text) => string.Create(CultureInfo.InvariantCulture, $"{TrajectoryReader.Mark}{x:R} {y:R}\n{text.TrimEnd()}\n");
+        public override int Peek() => IsAtText() ? _part!.Peek() : -1;
 
-    private static List<(string File, double X, double Y)> Starts(string list)
-    {
-        using var json = JsonDocument.Parse(File.ReadAllText(list));
-        return [.. json.RootElement.GetProperty("trajectories").EnumerateArray().Select(one =>
-            (one.GetProperty("file").GetString()!, one.GetProperty("start").GetProperty("x").GetDouble(), one.GetProperty("start").GetProperty("y").GetDouble()))];
+        public override int Read() => IsAtText() ? _part!.Read() : -1;
+
+        public override int Read(char[] buffer, int index, int count) => IsAtText() ? _part!.Read(buffer, index, count) : 0;
+
+        protected override void Dispose(bool disposing)
+        {
+            if (disposing) _part?.Dispose();
+            if (disposing) _parts.Dispose();
+            base.Dispose(disposing);
+        }
+
+        private bool IsAtText()
+        {
+            while (_part is null || _part.Peek() < 0)
+            {
+                _part?.Dispose();
+                if (!_parts.MoveNext()) return false;
+                _part = _parts.Current;
+            }
+
+            return true;
+        }
     }
 }

@@ -13,7 +13,7 @@ public class VerifyVerbTests
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok", "minFeed", "maxFeed", "lowestZ"], report.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok", "minFeed", "maxFeed", "lowestZ", "blend"], report.EnumerateObject().Select(field => field.Name));
         Assert.True(report.GetProperty("ok").GetBoolean());
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("tolerance").GetDouble());
     }
@@ -35,6 +35,23 @@ public class VerifyVerbTests
         Assert.InRange(JsonText.Of(told).GetProperty("maxDeviation").GetDouble(), 0.0, JsonText.Of(told).GetProperty("tolerance").GetDouble());
     }
 
+    [Fact]
+    public async Task A_program_that_goes_to_its_place_by_itself_is_certified_for_the_place_that_is_given()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.PathOf("part.dxf");
+        File.Copy(SampleDrawing.PathOf("paper-001"), drawing);
+        await CliRun.RunAsync("post", drawing, "--target", "galil", "--origin=40,-12.5", "-o", folder.PathOf("job.dmc"));
+        string[] certify = ["certify", drawing, "--target", "galil", "--program", folder.PathOf("job.dmc"), "-o", folder.PathOf("job.json")];
+
+        Assert.Equal(ExitCode.DrawingError, (await CliRun.RunAsync(certify)).ExitCode);
+        Assert.Equal(ExitCode.DrawingError, (await CliRun.RunAsync([.. certify, "--origin=40,-12"])).ExitCode);
+        Assert.False(File.Exists(folder.PathOf("job.json")));
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync([.. certify, "--origin=40,-12.5"])).ExitCode);
+        Assert.True(File.Exists(folder.PathOf("job.json")));
+        Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("certify", drawing, "--target", "galil", "--origin=40,-12.5")).ExitCode);
+    }
+
     [Theory]
     [InlineData("gcode", "1,2")]
     [InlineData("galil", "work")]
@@ -46,6 +63,21 @@ public class VerifyVerbTests
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("--origin", run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("gcode", "0.05", "0.05", ExitCode.Done)]
+    [InlineData("gcode", "0.05", "0", ExitCode.DrawingError)]
+    [InlineData("gcode", "0.05", "2", ExitCode.Usage)]
+    [InlineData("galil", null, "0.05", ExitCode.Usage)]
+    public async Task Rounded_corners_are_allowed_where_they_were_asked_for(string target, string? written, string allowed, int exit)
+    {
+        using var folder = new TemporaryFolder();
+        await CliRun.RunAsync(["post", SampleDrawing.PathOf("paper-001"), "--target", target, "-o", folder.PathOf("job.txt"), .. written is null ? (string[])[] : ["--blend", written]]);
+        var run = await CliRun.RunAsync("verify", folder.PathOf("job.txt"), "--against", SampleDrawing.PathOf("paper-001"), "--target", target, "--blend", allowed, "--json");
+
+        Assert.Equal(exit, run.ExitCode);
+        if (exit != ExitCode.Usage) Assert.Equal(0.1, JsonText.Of(run).GetProperty("blend").GetDouble());
     }
 
     [Theory]

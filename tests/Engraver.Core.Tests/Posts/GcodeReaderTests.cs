@@ -49,6 +49,59 @@ public class GcodeReaderTests
         Assert.Equal(isTaken ? "" : "PST0001@3", (await TellingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\n{arc}\nM2\n")).Findings);
 
     [Theory]
+    [InlineData("G61", "G1 X9", 0.0)]
+    [InlineData("G61.1", "G1 X9", 0.0)]
+    [InlineData("G64 P0.05", "G1 X9", 0.1)] // lines are joined within the same
+    [InlineData("G64 P0.05 Q0.01", "G1 X9", 0.06)]
+    [InlineData("G64 P0.05 Q0", "G1 X9", 0.05)]
+    [InlineData("G64 P0.05", "G2 X9 I4.5", 0.05)] // arcs are not
+    [InlineData("G64 P0.002 G20", "G21 G1 X9", 0.1016)] // the unit first
+    [InlineData("G64 P3", "G1 X9", 6.0)]
+    [InlineData("G64", "G1 X9", double.PositiveInfinity)]
+    [InlineData("G64 P0", "G1 X9", double.PositiveInfinity)]
+    [InlineData("G64 Q0.1", "G1 X9", double.PositiveInfinity)]
+    [InlineData("", "G1 X9", double.PositiveInfinity)] // as the controller starts
+    [InlineData("G64\nG61", "G1 X9", 0.0)]
+    [InlineData("G64", "M5 G1 X9", 0.0)] // nothing is cut
+    public async Task How_far_path_control_may_leave_the_path_is_told_with_the_first_cut_under_it(string mode, string cut, double most)
+    {
+        var text = $"G0 X0 Y0\n{mode}\nM3\nF600\n{cut}\nM5\nM2\n";
+        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), text);
+
+        Assert.Equal("", found);
+        Assert.Equal(most, told.Blends.Largest, 1e-12);
+        Assert.Equal(most == 0.0 ? 0 : text.Split('\n').ToList().IndexOf(cut) + 1, told.Blends.Line);
+    }
+
+    [Fact]
+    public async Task Grbl_runs_every_path_exactly() => Assert.Equal(0.0, (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), "G0 X0 Y0\nM3\nG1 X9 F600\nM5\nM2\n")).Told.Blends.Largest);
+
+    /// <summary>rs274-hpgl.md 1.3: from a radius of 1 mm to an end 1.004 mm from the centre.</summary>
+    [Fact]
+    public async Task An_arc_whose_ends_are_not_as_far_from_the_centre_spirals_on_LinuxCNC_and_keeps_its_first_radius_on_grbl()
+    {
+        const string Arc = "G0 X0 Y0\nM3\nG2 X2.004 Y0 I1 F600\nM5\nM2\n";
+        var spiral = (await TellingJudge.ReadAsync(new GcodeReader(), Arc)).Told.Cuts;
+        var round = (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), Arc)).Told.Cuts;
+
+        Assert.All(spiral.Zip(spiral.Skip(1)), pair => Assert.True(pair.First.Arc.Radius < pair.Second.Arc.Radius));
+        Assert.All(round.SkipLast(1), cut => Assert.Equal(1.0, cut.Arc.Radius, Round));
+        Assert.Equal(-180.0, round.SkipLast(1).Sum(cut => cut.Arc.Sweep.Degrees), 1e-9);
+        Assert.Equal(SegmentKind.Line, round[^1].Kind);
+        Assert.InRange(round[^1].Start.DistanceTo(new Point2D(2.0, 0.0)), 0.0, Round);
+        Assert.Equal(new Point2D(2.004, 0.0), round[^1].End);
+    }
+
+    [Fact]
+    public async Task Grbl_holds_the_difference_of_the_ends_against_the_first_radius()
+    {
+        const string Arc = "G0 X0 Y0\nM3\nG2 X200.10005 Y0 I100 F600\nM5\nM2\n";
+
+        Assert.Equal("", (await TellingJudge.ReadAsync(new GcodeReader(), Arc)).Findings);
+        Assert.Equal("PST0001@3", (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), Arc)).Findings);
+    }
+
+    [Theory]
     [InlineData("g1x1y2f600")]
     [InlineData("N10 G 1 X 1 . 0 Y +2 F600")]
     [InlineData("G1 (a comment) X1.(another)Y2 F600 ; the rest X9")]
@@ -101,8 +154,9 @@ public class GcodeReaderTests
     [InlineData("G4")]
     [InlineData("G4 P-1")]
     [InlineData("G4 P1 X1")]
-    [InlineData("G64")]
-    [InlineData("G64 P5")]
+    [InlineData("G64 P-1")]
+    [InlineData("G64 P1 Q-1")]
+    [InlineData("G1 X1 Q2 F1")]
     [InlineData("G20 F5")]
     [InlineData("G55")]
     [InlineData("M6 T1")]

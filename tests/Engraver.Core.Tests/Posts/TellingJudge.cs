@@ -14,6 +14,8 @@ internal sealed class TellingJudge : ITraceJudge
 
     public FeedJudge Feeds { get; } = new(600.0, null);
 
+    public BlendJudge Blends { get; } = new();
+
     public void Add(in TraceSample sample) => Places.Add(sample);
 
     public void Add(in TraceSpan span) => Cuts.Add(span.Path);
@@ -25,8 +27,8 @@ internal sealed class TellingJudge : ITraceJudge
     public static async Task<(string Findings, TellingJudge Told)> ReadAsync(IProgramReader reader, string text, MachineProfile? machine = null)
     {
         var told = new TellingJudge();
-        var request = new ReplayRequest(machine ?? MachineProfile.Default, default, TimeSpan.Zero, TimeSpan.MaxValue, [told]) { Feeds = told.Feeds };
-        var found = await reader.ReplayAsync(text, request, progress: null, CancellationToken.None);
+        var request = new ReplayRequest(machine ?? MachineProfile.Default, default, TimeSpan.Zero, TimeSpan.MaxValue, [told]) { Feeds = told.Feeds, Blends = told.Blends };
+        var found = await reader.ReplayAsync(new StringReader(text), request, progress: null, CancellationToken.None);
         return (string.Join(' ', found.Select(finding => $"{finding.Id}@{finding.Source.Line}")), told);
     }
 }

@@ -10,7 +10,7 @@ public class FuzzTests
     [Fact]
     public async Task Whatever_a_client_sends_the_controller_lives_and_answers()
     {
-        var runs = TestExtent.Cases(perCommit: 30_000, full: 1_000_000, "ENGRAVER_FUZZ_LINES") / LinesOfOne;
+        var runs = TestExtent.Cases(perCommit: 20_000, full: 1_000_000, "ENGRAVER_FUZZ_LINES") / LinesOfOne;
         var first = TestExtent.Number("ENGRAVER_FUZZ_SEED", 1);
         for (var seed = first; seed < first + runs; seed++)
         {

@@ -8,7 +8,7 @@ public class SteadyMotionTests
 {
     private const string Operands = "_CSS,_AVS,_VPA,_VPB,_RPA,_RPB,_RPC,_TPA,_TVA,_TVB,_VMS,_BGS,_BGA,_SCA,_NO,w,TIME";
 
-    public static TheoryData<int> Seeds => [.. Enumerable.Range(0, TestExtent.Cases(perCommit: 20, full: 60, "ENGRAVER_STEADY_SEEDS"))];
+    public static TheoryData<int> Seeds => [.. Enumerable.Range(0, TestExtent.Cases(perCommit: 8, full: 60, "ENGRAVER_STEADY_SEEDS"))];
 
     [Theory]
     [MemberData(nameof(Seeds))]

@@ -86,6 +86,78 @@ public class TargetVerificationTests
         Assert.True(report.Ok);
     }
 
+    /// <summary>Corners are rounded by P, and lines joined within as much (rs274-hpgl.md 1.4).</summary>
+    [Theory]
+    [InlineData("0.05", 0.0, "VER0011", 0.1)]
+    [InlineData("0.05", 0.04, "VER0011", 0.1)]
+    [InlineData("0.05", 0.05, "", 0.1)]
+    [InlineData("0.0015", 0.0, "", 0.003)] // within what is allowed anyway
+    [InlineData("0", 0.05, "", 0.0)]
+    public async Task How_far_the_controller_may_round_corners_is_part_of_the_deviation_and_allowed_where_it_was_asked_for(string written, double allowed, string finding, double blend)
+    {
+        var (drawing, settings, entry) = (Plate(), new DrawingSettings(), PostTable.Find("gcode"));
+        var text = PostedProgram.Create(drawing, settings, entry.Post, new Dictionary<string, string> { ["blend"] = written }).Text!;
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), entry.Reader!, drawing, settings, progress: null, CancellationToken.None, new PostedWith { BlendMm = allowed });
+
+        Assert.Equal(finding, string.Join(' ', report.Diagnostics.Select(found => found.Id)));
+        Assert.Equal((finding.Length == 0, blend), (report.Ok, report.BlendMm));
+        Assert.Equal(blend, report.MaxDeviationMm!.Value, 1e-5);
+        Assert.Equal(0.0035 + (2.0 * allowed), report.ToleranceMm, 1e-9);
+    }
+
+    [Theory]
+    [InlineData("G61", "G64")]
+    [InlineData(" G61", "")] // as the controller starts
+    public async Task A_program_that_sets_no_bound_to_rounding_is_not_ok_and_its_deviation_is_not_known(string was, string becomes)
+    {
+        var (drawing, entry) = (Plate(), PostTable.Find("gcode"));
+        var text = PostedProgram.Create(drawing, new DrawingSettings(), entry.Post, PostedProgram.NoOptions).Text!;
+        var unbounded = text.Replace(was, becomes, StringComparison.Ordinal);
+        var report = await VerifyAsync(drawing, new DrawingSettings(), unbounded, entry.Reader!);
+
+        var found = Assert.Single(report.Diagnostics);
+        Assert.Equal(("VER0012", unbounded.Split('\n').ToList().FindIndex(line => line is ['G', >= '1' and <= '3', ' ', ..]) + 1), (found.Id, found.Source.Line));
+        Assert.Equal((false, null, null), (report.Ok, report.MaxDeviationMm, report.BlendMm));
+        Assert.True((await VerifyAsync(drawing, new DrawingSettings(), text.Replace("\n%\n", "\n", StringComparison.Ordinal).Replace("%\n", "", StringComparison.Ordinal).Replace(was, becomes.Replace("G64", "G61", StringComparison.Ordinal), StringComparison.Ordinal), entry.Dialects["grbl"])).Ok); // grbl rounds nothing
+    }
+
+    public static TheoryData<string> Targets => [.. PostTable.All.Select(entry => entry.Post.Name)];
+
+    [Theory]
+    [MemberData(nameof(Targets))]
+    public async Task Line_ends_of_Windows_and_of_old_Macintoshes_mean_the_same(string target)
+    {
+        var (drawing, entry) = (Plate(), PostTable.Find(target));
+        var text = PostedProgram.Create(drawing, new DrawingSettings(), entry.Post, PostedProgram.NoOptions).Text!;
+        var usual = await VerifyAsync(drawing, new DrawingSettings(), text, entry.Reader!);
+        foreach (var end in (string[])["\r\n", "\r"])
+        {
+            var report = await VerifyAsync(drawing, new DrawingSettings(), text.Replace("\n", end, StringComparison.Ordinal), entry.Reader!);
+            Assert.True(report.Ok, target + string.Join(' ', report.Diagnostics.Select(finding => finding.Sentence)));
+            Assert.Equal(usual.MaxDeviationMm, report.MaxDeviationMm);
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Targets))]
+    public async Task An_empty_file_half_a_program_and_the_program_of_another_drawing_are_not_ok(string target)
+    {
+        var (drawing, entry) = (Plate(), PostTable.Find(target));
+        string Text(Drawing of) => PostedProgram.Create(of, new DrawingSettings(), entry.Post, PostedProgram.NoOptions).Text!;
+        var whole = Text(drawing);
+        var other = Text(new DrawingBuilder().Line(0, 0, 20, 0).Line(20, 0, 20, 10).Line(20, 10, 0, 10.1).Line(0, 10.1, 0, 0).Circle(10, 5, 3).Build());
+
+        foreach (var bad in (string[])["", "\n", whole[..(whole.Length / 2)], other])
+        {
+            var report = await VerifyAsync(drawing, new DrawingSettings(), bad, entry.Reader!);
+            Assert.False(report.Ok);
+            Assert.NotEmpty(report.Diagnostics);
+            if (bad.Length == 0) Assert.Equal("VER0001", report.Diagnostics[0].Id);
+        }
+    }
+
+    private static Drawing Plate() => new DrawingBuilder().Line(0, 0, 20, 0).Line(20, 0, 20, 10).Line(20, 10, 0, 10).Line(0, 10, 0, 0).Circle(10, 5, 3).Build();
+
     private static async Task<VerificationReport> VerifyAsync(Drawing drawing, DrawingSettings settings, string targetAndChoice)
     {
         var words = targetAndChoice.Split(' ');

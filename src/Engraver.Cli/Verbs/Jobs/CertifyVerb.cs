@@ -19,6 +19,7 @@ internal sealed class CertifyVerb
     private readonly DrawingOptions _drawing = new();
     private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Certify.Target") };
     private readonly Option<string?> _program = new("--program") { HelpName = "FILE", Description = Wording.Get("Certify.Program") };
+    private readonly PostedOptions _posted = new();
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = Wording.Get("Certify.Output") };
     private readonly Option<bool> _check = new("--check") { Description = Wording.Get("Certify.Check") };
     private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
@@ -37,6 +38,7 @@ internal sealed class CertifyVerb
         var command = new Command("certify", Wording.Get("Certify.Summary"));
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._target, verb._program, verb._output, verb._check, verb._connect, verb._mode, verb._json]) command.Options.Add(option);
+        verb._posted.AddTo(command, verb.Target);
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -49,6 +51,7 @@ internal sealed class CertifyVerb
         var request = new CertificationRequest(DrawingFile.Open(file, settings, stop), hash, settings, Target(parsed), TimeProvider.System.GetUtcNow())
         {
             Program = parsed.GetValue(_program) is { } program ? Given(program) : null,
+            Posted = Posted(parsed),
             Address = parsed.GetValue(_connect),
             Mode = ModeOption.Mode(parsed.GetValue(_mode)),
         };
@@ -87,10 +90,19 @@ internal sealed class CertifyVerb
     private PostEntry Target(ParseResult parsed) =>
         parsed.GetValue(_target) is { } name ? PostTable.Find(name) : PostTable.ForMotion(JobPlan.StyleOf(ModeOption.Mode(parsed.GetValue(_mode))));
 
+    private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.ForMotion(MotionStyle.Continuous).Post.Name;
+
+    /// <exception cref="UsageException">Something is said of a program that is not given: the one that is posted here has the defaults.</exception>
+    private PostedWith Posted(ParseResult parsed)
+    {
+        var posted = _posted.Of(parsed);
+        return posted == PostedWith.Defaults || parsed.GetValue(_program) is not null ? posted : throw new UsageException(Wording.Get("Certify.PostedWithoutProgram"));
+    }
+
     /// <exception cref="UsageException">The program cannot be read.</exception>
     private static (string File, string Text) Given(string path)
     {
-        var read = ReadBackFile.Open(path);
-        return read.Text is { } text ? (path, text) : throw new UsageException(Wording.Get("Certify.ProgramUnreadable", path, read.Diagnostics[0].Message));
+        var (text, fault) = ReadBackFile.Open(path).Whole();
+        return text is not null ? (path, text) : throw new UsageException(Wording.Get("Certify.ProgramUnreadable", path, fault!.Message));
     }
 }

@@ -13,22 +13,21 @@ public sealed class AgieReader : IProgramReader
 
     public bool TellsHeights => false;
 
-    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
         var machine = new DemMachine(request.Entry ?? request.Machine.Scale.ToMillimetres(request.Start.X, request.Start.Y), request.Judges);
-        return Task.FromResult<IReadOnlyList<Diagnostic>>(Run(text, machine, cancellation) is { } fault ? [fault] : []);
+        return Task.FromResult<IReadOnlyList<Diagnostic>>(Run(new ProgramRows(text), machine, cancellation) is { } fault ? [fault] : []);
     }
 
-    private static Diagnostic? Run(string text, DemMachine machine, CancellationToken cancellation)
+    private static Diagnostic? Run(ProgramRows lines, DemMachine machine, CancellationToken cancellation)
     {
-        using var lines = new StringReader(text);
-        var (line, expected, isInside, isMarked) = (0, 1, false, false);
-        while (lines.ReadLine() is { } row)
+        var (expected, isInside, isMarked) = (1, false, false);
+        while (lines.Next() is { } row)
         {
             cancellation.ThrowIfCancellationRequested();
-            line++;
+            var line = lines.Number;
             if (!isInside && !isMarked && row.Length == 0) continue;
             if (row == "%" && !isInside && !isMarked)
             {
@@ -44,7 +43,7 @@ public sealed class AgieReader : IProgramReader
             (isMarked, isInside, expected) = (isMarked && !block.IsLast, !block.IsLast, expected + 1);
         }
 
-        if (isInside || isMarked) return Fault(line, Wording.Get("AgieReader.NoEnd"));
+        if (isInside || isMarked) return Fault(lines.Number, Wording.Get("AgieReader.NoEnd"));
         return machine.HasMoved ? null : VerificationRules.ProgramEmpty.At(default);
     }
 

@@ -11,11 +11,11 @@ public sealed class ClDataReader : IProgramReader
 {
     public bool TellsHeights => false;
 
-    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
-        var fault = new Replay(request.Judges, cancellation).Run(text);
+        var fault = new Replay(request.Judges, cancellation).Run(new ProgramRows(text));
         return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
     }
 
@@ -28,21 +28,19 @@ public sealed class ClDataReader : IProgramReader
         private bool _hasEntities;
         private double _seconds;
 
-        public Diagnostic? Run(string text)
+        public Diagnostic? Run(ProgramRows lines)
         {
-            using var lines = new StringReader(text);
-            var line = 0;
-            while (lines.ReadLine() is { } first)
+            while (lines.Next() is { } first)
             {
                 cancellation.ThrowIfCancellationRequested();
-                line += 2;
+                var line = lines.Number + 1;
                 if (!int.TryParse(first.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var code)) return Fault(line - 1, Wording.Get("ClDataReader.Code", Shown(first)));
-                if (lines.ReadLine() is not { } value) return Fault(line - 1, Wording.Get("ClDataReader.NoEnd"));
+                if (lines.Next() is not { } value) return Fault(line - 1, Wording.Get("ClDataReader.NoEnd"));
                 if (code == 0 && value.Trim() == "EOF") return End(line);
                 if ((code == 0 ? Begin(value.Trim(), line) : Take(code, value, line)) is { } fault) return fault;
             }
 
-            return line == 0 ? VerificationRules.ProgramEmpty.At(default) : Fault(line, Wording.Get("ClDataReader.NoEnd"));
+            return lines.Number == 0 ? VerificationRules.ProgramEmpty.At(default) : Fault(lines.Number, Wording.Get("ClDataReader.NoEnd"));
         }
 
         private Diagnostic? End(int line)

@@ -7,7 +7,7 @@ namespace Engraver.Core.Posts.GcodeReading;
 /// <param name="From">Direction from the centre to the start, radians.</param>
 /// <param name="Sweep">Radians, counter-clockwise positive.</param>
 /// <param name="StartRadius">Millimetres.</param>
-/// <param name="EndRadius">The same but for what the text's rounding made of it: between them the controller spirals.</param>
+/// <param name="EndRadius">Of the last place before the end. LinuxCNC spirals to the end's own distance from the centre; grbl keeps the radius of the start, and from there goes straight to the end.</param>
 internal readonly record struct GcodeArc(Point2D Centre, double From, double Sweep, double StartRadius, double EndRadius)
 {
     /// <summary>Ends of a centre arc may differ by so much from their radius, millimetres, or by so much more if it is a small part of it.</summary>
@@ -29,23 +29,24 @@ internal readonly record struct GcodeArc(Point2D Centre, double From, double Swe
     }
 
     /// <returns>Null when the ends do not lie on one circle, and why.</returns>
-    public static GcodeArc? ByCentre(Point2D start, Point2D end, Point2D centre, bool clockwise, out string reason)
+    public static GcodeArc? ByCentre(Point2D start, Point2D end, Point2D centre, bool clockwise, GcodeController controller, out string reason)
     {
         reason = "";
+        var isGrbl = controller == GcodeController.Grbl;
         var (first, last) = (Math.Sqrt(Square(start.X - centre.X) + Square(start.Y - centre.Y)), Math.Sqrt(Square(end.X - centre.X) + Square(end.Y - centre.Y)));
         var apart = Math.Abs(first - last);
         if (first == 0.0 || last == 0.0) reason = Wording.Get("GcodeReader.NoRadius");
-        else if (apart > LargestDifference || (apart > RadiusDifference && apart > RadiusPart * Math.Max(first, last))) reason = Wording.Get("GcodeReader.EndsApart", apart);
+        else if (apart > LargestDifference || (apart > RadiusDifference && apart > RadiusPart * (isGrbl ? first : Math.Max(first, last)))) reason = Wording.Get("GcodeReader.EndsApart", apart);
         if (reason.Length > 0) return null;
         var (from, to) = (Math.Atan2(start.Y - centre.Y, start.X - centre.X), Math.Atan2(end.Y - centre.Y, end.X - centre.X));
         var sweep = clockwise ? from - to : to - from;
         while (sweep < NoTurn) sweep += 2.0 * Math.PI;
         while (sweep >= (2.0 * Math.PI) + NoTurn) sweep -= 2.0 * Math.PI;
-        return new GcodeArc(centre, from, clockwise ? -sweep : sweep, first, last);
+        return new GcodeArc(centre, from, clockwise ? -sweep : sweep, first, isGrbl ? first : last);
     }
 
     /// <returns>Null when no such arc joins the ends, and why.</returns>
-    public static GcodeArc? ByRadius(Point2D start, Point2D end, double radius, bool clockwise, out string reason)
+    public static GcodeArc? ByRadius(Point2D start, Point2D end, double radius, bool clockwise, GcodeController controller, out string reason)
     {
         reason = "";
         var (x, y) = (end.X - start.X, end.Y - start.Y);
@@ -55,7 +56,7 @@ internal readonly record struct GcodeArc(Point2D Centre, double From, double Swe
         if (reason.Length > 0) return null;
         var height = Math.Sqrt(Math.Max(0.0, (size * size) - (chord * chord / 4.0)));
         var left = clockwise == radius < 0.0 ? height : -height; // the centre of a short turn lies on the side to which it turns
-        return ByCentre(start, end, new Point2D(((start.X + end.X) / 2.0) - (y / chord * left), ((start.Y + end.Y) / 2.0) + (x / chord * left)), clockwise, out reason);
+        return ByCentre(start, end, new Point2D(((start.X + end.X) / 2.0) - (y / chord * left), ((start.Y + end.Y) / 2.0) + (x / chord * left)), clockwise, controller, out reason);
     }
 
     private static double Square(double value) => value * value;

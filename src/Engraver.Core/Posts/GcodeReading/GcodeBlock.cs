@@ -7,7 +7,7 @@ namespace Engraver.Core.Posts.GcodeReading;
 internal sealed class GcodeBlock
 {
     /// <summary>Letters that may stand on a line; G and M several times.</summary>
-    private const string Known = "NGMFSXYZIJKRPT";
+    private const string Known = "NGMFSXYZIJKRPQT";
 
     private readonly List<GcodeWord> _words = [];
 

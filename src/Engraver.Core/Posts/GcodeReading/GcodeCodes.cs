@@ -6,6 +6,8 @@ internal static class GcodeCodes
     public const int Dwell = 40;
     public const int Inch = 200;
     public const int Millimetre = 210;
+    public const int ExactPath = 610;
+    public const int ExactStop = 611;
     public const int Blending = 640;
     public const int NoMotion = 800;
     public const int Absolute = 900;

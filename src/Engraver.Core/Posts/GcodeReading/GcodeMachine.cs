@@ -19,6 +19,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private bool _isCentreAbsolute;
     private int? _motion;
     private int? _workOffset;
+    private GcodeBlend _blend = controller == GcodeController.Grbl ? GcodeBlend.Exact : GcodeBlend.Unbounded;
     private double _feed;
     private bool _spindle;
     private bool _coolant;
@@ -38,6 +39,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         if (block['F'] is { } feed) _feed = feed * _unit;
         Switch(block);
         foreach (var code in block.Codes('G')) if (Mode(code) is { } fault) return fault;
+        Control(block);
         if (block.Codes('G').Where(GcodeCodes.IsMotion).Select(code => (int?)code).FirstOrDefault() is { } motion) _motion = motion;
         if (block.Has("IJR") && _motion is not (20 or 30)) return Wording.Get("GcodeReader.NotArc");
         if ((block.Has("XYZ") || (block.Has("IJR") && _motion is 20 or 30)) && Move(block, line) is { } unmoved) return unmoved;
@@ -73,6 +75,16 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         return null;
     }
 
+    /// <summary>Lengths count in the unit of the line, wherever it stands.</summary>
+    private void Control(GcodeBlock block)
+    {
+        foreach (var code in block.Codes('G'))
+        {
+            if (code is GcodeCodes.ExactPath or GcodeCodes.ExactStop) _blend = GcodeBlend.Exact;
+            else if (code == GcodeCodes.Blending) _blend = GcodeBlend.Of(block['P'], block['Q'], _unit);
+        }
+    }
+
     private string? Move(GcodeBlock block, int line)
     {
         if (_motion is null or GcodeCodes.NoMotion) return Wording.Get("GcodeReader.NoMotion");
@@ -85,7 +97,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         var (from, isKnown) = (_place, _knowsZ);
         Learn(block);
         _place = to;
-        if (isKnown) _teller.Line(from, to, IsOn, _motion == 0 ? double.PositiveInfinity : _feed, line);
+        if (isKnown) _teller.Line(from, to, new GcodeMotion(IsOn, _motion == 0 ? double.PositiveInfinity : _feed, _blend, line));
         return null;
     }
 
@@ -98,11 +110,11 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         var (start, end, clockwise) = (new Point2D(_place.X, _place.Y), new Point2D(to.X, to.Y), _motion == 20);
         var (i, j) = ((block['I'] ?? 0.0) * _unit, (block['J'] ?? 0.0) * _unit);
         var centre = _isCentreAbsolute ? new Point2D(i, j) : new Point2D(start.X + i, start.Y + j);
-        var arc = block['R'] is { } radius ? GcodeArc.ByRadius(start, end, radius * _unit, clockwise, out var reason) : GcodeArc.ByCentre(start, end, centre, clockwise, out reason);
+        var arc = block['R'] is { } radius ? GcodeArc.ByRadius(start, end, radius * _unit, clockwise, controller, out var reason) : GcodeArc.ByCentre(start, end, centre, clockwise, controller, out reason);
         if (arc is not { } known) return reason;
         var from = _place;
         _place = to;
-        _teller.Arc(known, from, to, IsOn, _feed, line);
+        _teller.Arc(known, from, to, new GcodeMotion(IsOn, _feed, _blend, line));
         return null;
     }
 

@@ -7,22 +7,21 @@ namespace Engraver.Core.Posts.GcodeReading;
 /// <remarks>What the controller would refuse, and what would lead where the program does not say, is one finding at its line, and nothing behind it is run. One line is held at a time.</remarks>
 public sealed class GcodeReader(GcodeController controller = GcodeController.LinuxCnc) : IProgramReader
 {
-    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
-        var fault = Run(text, new GcodeMachine(request, controller), cancellation);
+        var fault = Run(new ProgramRows(text), new GcodeMachine(request, controller), cancellation);
         return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
     }
 
-    private Diagnostic? Run(string text, GcodeMachine machine, CancellationToken cancellation)
+    private Diagnostic? Run(ProgramRows lines, GcodeMachine machine, CancellationToken cancellation)
     {
-        using var lines = new StringReader(text);
-        var (line, hasBegun, isMarked) = (0, false, false);
-        while (lines.ReadLine() is { } row)
+        var (hasBegun, isMarked) = (false, false);
+        while (lines.Next() is { } row)
         {
             cancellation.ThrowIfCancellationRequested();
-            line++;
+            var line = lines.Number;
             if (GcodeBlock.Parse(row, out var reason) is not { } block) return Fault(line, reason);
             if (block.IsMark)
             {
@@ -34,24 +33,23 @@ public sealed class GcodeReader(GcodeController controller = GcodeController.Lin
             if (block.Words.Count == 0) continue;
             hasBegun = true;
             if ((GcodeRules.Check(block, controller) ?? machine.Do(block, line)) is { } fault) return Fault(line, fault);
-            if (machine.HasEnded) return Rest(lines, line, isMarked) ?? (machine.HasMoved ? null : VerificationRules.ProgramEmpty.At(default));
+            if (machine.HasEnded) return Rest(lines, isMarked) ?? (machine.HasMoved ? null : VerificationRules.ProgramEmpty.At(default));
         }
 
-        return hasBegun ? Fault(line, Wording.Get("GcodeReader.NoEnd")) : VerificationRules.ProgramEmpty.At(default);
+        return hasBegun ? Fault(lines.Number, Wording.Get("GcodeReader.NoEnd")) : VerificationRules.ProgramEmpty.At(default);
     }
 
     /// <summary>Behind the end stands nothing but the mark, where the program began with one: what else stands there would not be run, and is no part of a whole program.</summary>
-    private static Diagnostic? Rest(StringReader lines, int line, bool isMarked)
+    private static Diagnostic? Rest(ProgramRows lines, bool isMarked)
     {
-        while (lines.ReadLine() is { } row)
+        while (lines.Next() is { } row)
         {
-            line++;
             var text = row.Trim();
             if (text == "%" && isMarked) return null;
-            if (text.Length > 0) return Fault(line, Wording.Get("GcodeReader.BehindEnd"));
+            if (text.Length > 0) return Fault(lines.Number, Wording.Get("GcodeReader.BehindEnd"));
         }
 
-        return isMarked ? Fault(line, Wording.Get("GcodeReader.NoMark")) : null;
+        return isMarked ? Fault(lines.Number, Wording.Get("GcodeReader.NoMark")) : null;
     }
 
     private static Diagnostic Fault(int line, string reason) => PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), reason);

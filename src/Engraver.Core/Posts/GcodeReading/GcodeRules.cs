@@ -41,7 +41,8 @@ internal static class GcodeRules
         if (block.Has("IJR") && !isArc) return Wording.Get("GcodeReader.NotArc");
         foreach (var letter in "FS") if (block[letter] is < 0.0) return Wording.Get("GcodeReader.Negative", letter);
         if (dwells && block['P'] is not >= 0.0) return Wording.Get("GcodeReader.DwellTime");
-        if (blends && block['P'] is not (> 0.0 and <= 1.0)) return Wording.Get("GcodeReader.Tolerance");
+        if (block.Has("Q") && !blends) return Wording.Get("GcodeReader.Letter", "Q");
+        if (blends && (block['P'] is < 0.0 || block['Q'] is < 0.0)) return Wording.Get("GcodeReader.Tolerance");
         if (switches && !(block['P'] is { } output and >= 0.0 && output == Math.Floor(output))) return Wording.Get("GcodeReader.Output");
         if ((dwells ? 1 : 0) + (switches ? 1 : 0) + (blends ? 1 : 0) > 1) return Wording.Get("GcodeReader.TwoOfP");
         if (block.Has("P") && !(dwells || switches || blends) && (isGrbl || !isArc || block['P'] != 1.0)) return Wording.Get("GcodeReader.Turns");

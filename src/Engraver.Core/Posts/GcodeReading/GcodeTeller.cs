@@ -15,6 +15,9 @@ internal sealed class GcodeTeller(ReplayRequest request)
 
     private const int MostPieces = 720;
 
+    /// <summary>What calculating an arc makes of its end, millimetres.</summary>
+    private const double NoWay = 1e-9;
+
     private readonly HeightDrive? _drive = request.Machine.Height;
     private double _seconds;
 
@@ -27,40 +30,41 @@ internal sealed class GcodeTeller(ReplayRequest request)
         if (_drive is null) Stand(place.X, place.Y, 0.0, isOn);
     }
 
-    /// <summary>A line.</summary>
-    /// <param name="isOn">The tool's switch; a tool axis cuts by its height.</param>
-    public void Line(Vector3D from, Vector3D to, bool isOn, double feed, int line)
+    public void Line(Vector3D from, Vector3D to, GcodeMotion motion)
     {
         HasMoved = true;
-        if (_drive is not null) Places(from, to, part => from + ((to - from) * part), (to - from).Length, feed, line);
-        else if (!isOn) Stand(to.X, to.Y, 0.0, isOn: false);
-        else if (from.X != to.X || from.Y != to.Y) Cut(Segment.FromLine(new Point2D(from.X, from.Y), new Point2D(to.X, to.Y)), feed, line);
+        if (_drive is not null) Places(from, to, part => from + ((to - from) * part), (to - from).Length, motion);
+        else if (!motion.IsOn) Stand(to.X, to.Y, 0.0, isOn: false);
+        else if (from.X != to.X || from.Y != to.Y) Cut(Segment.FromLine(new Point2D(from.X, from.Y), new Point2D(to.X, to.Y)), motion);
     }
 
     /// <summary>An arc, which may rise.</summary>
-    public void Arc(GcodeArc arc, Vector3D from, Vector3D to, bool isOn, double feed, int line)
+    public void Arc(GcodeArc arc, Vector3D from, Vector3D to, GcodeMotion motion)
     {
         HasMoved = true;
+        motion = motion with { Blend = motion.Blend with { Lines = 0.0 } };
         var length = Math.Abs(arc.Sweep) * Math.Max(arc.StartRadius, arc.EndRadius);
-        if (_drive is not null) Places(from, to, part => arc.At(part) is var at ? new Vector3D(at.X, at.Y, from.Z + ((to.Z - from.Z) * part)) : default, double.Hypot(length, to.Z - from.Z), feed, line);
-        else if (!isOn) Stand(to.X, to.Y, 0.0, isOn: false);
-        else Pieces(arc, feed, line);
+        if (_drive is not null) Places(from, to, part => arc.At(part) is var at ? new Vector3D(at.X, at.Y, from.Z + ((to.Z - from.Z) * part)) : default, double.Hypot(length, to.Z - from.Z), motion);
+        else if (!motion.IsOn) Stand(to.X, to.Y, 0.0, isOn: false);
+        else Pieces(arc, new Point2D(to.X, to.Y), motion);
     }
 
-    /// <summary>In quarters of a turn at most, as the judges take arcs; of ends that are not as far from the centre as many pieces as keep each within half of a step of its radius.</summary>
-    private void Pieces(GcodeArc arc, double feed, int line)
+    /// <summary>In quarters of a turn at most, as the judges take arcs; of ends that are not as far from the centre as many pieces as keep each within half of a step of its radius. Straight on where the arc does not reach the end.</summary>
+    private void Pieces(GcodeArc arc, Point2D end, GcodeMotion motion)
     {
         var (quarters, spiral) = (Math.Ceiling(Math.Abs(arc.Sweep) / (Math.PI / 2.0)), Math.Ceiling(Math.Abs(arc.EndRadius - arc.StartRadius) / RadiusStep));
         var parts = (int)Math.Clamp(spiral, quarters, MostPieces);
         for (var i = 0; i < parts; i++)
         {
             var radius = arc.StartRadius + ((arc.EndRadius - arc.StartRadius) * (i + 0.5) / parts);
-            Cut(Segment.FromArc(new ArcSegment(arc.Centre, radius, Angle.FromRadians(arc.From + (arc.Sweep * i / parts)), Angle.FromRadians(arc.Sweep / parts))), feed, line);
+            Cut(Segment.FromArc(new ArcSegment(arc.Centre, radius, Angle.FromRadians(arc.From + (arc.Sweep * i / parts)), Angle.FromRadians(arc.Sweep / parts))), motion);
         }
+
+        if (arc.At(1.0) is var last && last.DistanceTo(end) > NoWay) Cut(Segment.FromLine(last, end), motion);
     }
 
     /// <summary>Both ends and places between; the tool cuts below the retract height.</summary>
-    private void Places(Vector3D from, Vector3D to, Func<double, Vector3D> at, double length, double feed, int line)
+    private void Places(Vector3D from, Vector3D to, Func<double, Vector3D> at, double length, GcodeMotion motion)
     {
         var isCut = Math.Min(from.Z, to.Z) < _drive!.RetractHeight;
         var steps = isCut ? (int)Math.Max(1.0, Math.Ceiling(length / Step)) : 1;
@@ -71,15 +75,17 @@ internal sealed class GcodeTeller(ReplayRequest request)
         }
 
         if (!isCut) return;
+        request.Blends?.Add(motion.Line, motion.Blend.Largest);
         request.Feeds?.Reach(Math.Min(from.Z, to.Z));
-        if (!double.IsInfinity(feed) || from.X != to.X || from.Y != to.Y || to.Z < from.Z) request.Feeds?.Add(line, feed, length, from.Z - to.Z);
+        if (!double.IsInfinity(motion.Feed) || from.X != to.X || from.Y != to.Y || to.Z < from.Z) request.Feeds?.Add(motion.Line, motion.Feed, length, from.Z - to.Z);
     }
 
-    private void Cut(in Segment path, double feed, int line)
+    private void Cut(in Segment path, GcodeMotion motion)
     {
         foreach (var judge in request.Judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
         _seconds += 1.0;
-        request.Feeds?.Add(line, feed, path.Length);
+        request.Feeds?.Add(motion.Line, motion.Feed, path.Length);
+        request.Blends?.Add(motion.Line, motion.Blend.Largest);
     }
 
     private void Stand(double x, double y, double z, bool isOn)

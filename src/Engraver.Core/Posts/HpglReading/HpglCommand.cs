@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 
 namespace Engraver.Core.Posts.HpglReading;
 
@@ -8,52 +9,96 @@ namespace Engraver.Core.Posts.HpglReading;
 internal sealed record HpglCommand(string Name, IReadOnlyList<double> Values, int Line);
 
 /// <summary>Takes commands from a text, one after the other. A command ends at a semicolon or where the next letters begin; blanks and line ends between commands mean nothing.</summary>
-internal sealed class HpglScanner(string text)
+/// <remarks>A command with very many numbers comes in parts of the same name: to move through a list of places is to move through its parts, and no other command has so many.</remarks>
+internal sealed class HpglScanner(TextReader text)
 {
-    private int _at;
+    /// <summary>Numbers of a part, in whole pairs.</summary>
+    private const int MostValues = 1024;
+
+    /// <summary>Characters of a number; one that is longer is none.</summary>
+    private const int LongestNumber = 64;
+
+    private readonly char[] _name = new char[2];
+    private readonly StringBuilder _word = new();
+    private bool _isInList;
+    private bool _isOwed;
 
     public int Line { get; private set; } = 1;
 
-    /// <summary>The next command; null at the end, and for what is no command, with the reason.</summary>
+    /// <summary>The next command, or the next part of a long one; null at the end, and for what is no command, with the reason.</summary>
     public HpglCommand? Next(out string reason)
     {
         reason = "";
-        while (_at < text.Length && (char.IsWhiteSpace(text[_at]) || text[_at] == ';')) Step();
-        if (_at >= text.Length) return null;
-        var line = Line;
-        if (_at + 1 >= text.Length || !char.IsAsciiLetter(text[_at]) || !char.IsAsciiLetter(text[_at + 1]))
+        if (!_isInList)
         {
-            reason = Wording.Get("HpglReader.NoCommand", Shown(text[_at..Math.Min(text.Length, _at + 8)]));
-            return null;
+            while (text.Peek() is >= 0 and var sign && (char.IsWhiteSpace((char)sign) || sign == ';')) Step();
+            if (text.Peek() < 0) return null;
+            if (!IsNamed(out var read))
+            {
+                reason = Wording.Get("HpglReader.NoCommand", read);
+                return null;
+            }
         }
 
-        var name = text.Substring(_at, 2).ToUpperInvariant();
-        _at += 2;
-        var from = _at;
-        while (_at < text.Length && text[_at] != ';' && !char.IsAsciiLetter(text[_at])) Step();
-        if (Numbers(text[from.._at].Trim()) is { } values) return new HpglCommand(name, values, line);
-        reason = Wording.Get("HpglReader.NoNumbers", name, Shown(text[from.._at].Trim()));
+        var (name, line) = (new string(_name), Line);
+        if (Numbers(out var wrong) is { } values) return new HpglCommand(name, values, line);
+        reason = Wording.Get("HpglReader.NoNumbers", name, wrong);
         return null;
     }
 
-    private void Step()
+    private bool IsNamed(out string read)
     {
-        if (text[_at++] == '\n') Line++;
+        _word.Clear();
+        while (_word.Length < _name.Length && text.Peek() is >= 0 and var sign && char.IsAsciiLetter((char)sign)) _word.Append(Step());
+        for (var i = 0; i < _word.Length; i++) _name[i] = char.ToUpperInvariant(_word[i]);
+        var isName = _word.Length == _name.Length;
+        if (!isName && text.Peek() >= 0) _word.Append(Step());
+        read = _word.ToString();
+        return isName;
     }
 
-    /// <summary>Apart by a comma or blanks; an empty text is none.</summary>
-    private static double[]? Numbers(string words)
+    private char Step()
     {
-        if (words.Length == 0) return [];
-        var parts = words.Split(',').SelectMany(part => part.Trim() is { Length: > 0 } word ? word.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries) : [""]).ToList();
-        var values = new double[parts.Count];
-        for (var i = 0; i < values.Length; i++)
+        var sign = (char)text.Read();
+        if (sign == '\n') Line++;
+        return sign;
+    }
+
+    /// <summary>Apart by a comma or blanks; none at all is an empty list. Null for what is no list of numbers.</summary>
+    private List<double>? Numbers(out string wrong)
+    {
+        var values = new List<double>();
+        wrong = ",";
+        while (true)
         {
-            if (!double.TryParse(parts[i], NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out values[i]) || Math.Abs(values[i]) > 8_388_608.0) return null;
-        }
+            while (text.Peek() is >= 0 and var blank && char.IsWhiteSpace((char)blank)) Step();
+            if (text.Peek() is < 0 or ';' || char.IsAsciiLetter((char)text.Peek())) return EndOf(values);
+            if (text.Peek() == ',')
+            {
+                if (_isOwed || !_isInList) return null;
+                _isOwed = true;
+                Step();
+                continue;
+            }
 
-        return values;
+            if (values.Count == MostValues) return values;
+            if (Number(out wrong) is not { } value) return null;
+            values.Add(value);
+            (_isInList, _isOwed, wrong) = (true, false, ",");
+        }
     }
 
-    private static string Shown(string words) => words.Length <= 40 ? words : words[..40];
+    private List<double>? EndOf(List<double> values)
+    {
+        _isInList = false;
+        return _isOwed ? null : values;
+    }
+
+    private double? Number(out string word)
+    {
+        _word.Clear();
+        while (text.Peek() is >= 0 and not (',' or ';') and var sign && !char.IsWhiteSpace((char)sign) && !char.IsAsciiLetter((char)sign) && _word.Length <= LongestNumber) _word.Append(Step());
+        word = _word.ToString();
+        return _word.Length <= LongestNumber && double.TryParse(word, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var value) && Math.Abs(value) <= 8_388_608.0 ? value : null;
+    }
 }

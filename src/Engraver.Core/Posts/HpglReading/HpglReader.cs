@@ -12,17 +12,16 @@ public sealed class HpglReader : IProgramReader
     /// <summary>The plotter's own unit: with the roundings of both axes and the height of a chord no place is moved by more.</summary>
     public double Rounding => 0.025;
 
-    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
-        var fault = Run(text, new HpglPlotter(request), cancellation);
+        var fault = Run(new HpglScanner(text), new HpglPlotter(request), cancellation);
         return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
     }
 
-    private static Diagnostic? Run(string text, HpglPlotter plotter, CancellationToken cancellation)
+    private static Diagnostic? Run(HpglScanner scanner, HpglPlotter plotter, CancellationToken cancellation)
     {
-        var scanner = new HpglScanner(text);
         while (scanner.Next(out var reason) is var command)
         {
             cancellation.ThrowIfCancellationRequested();

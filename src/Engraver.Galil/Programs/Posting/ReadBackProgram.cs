@@ -1,67 +1,92 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Posts;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>A posted file taken apart into the programs that are to be loaded and run one after the other (docs of <c>engraver post</c>: comment lines <c>'CHUNK 2 OF 3</c>).</summary>
-/// <param name="Chunks">In order; not to be run when there are diagnostics.</param>
-/// <param name="Diagnostics">Why the file cannot be run.</param>
-public sealed partial record ReadBackProgram(IReadOnlyList<ReadBackChunk> Chunks, IReadOnlyList<Diagnostic> Diagnostics)
+/// <summary>A posted file taken apart, while it is read, into the programs that are to be loaded and run one after the other (docs of <c>engraver post</c>: comment lines <c>'CHUNK 2 OF 3</c>). One program is held at a time.</summary>
+/// <remarks>Marks count up from 1 to the number they name, the first one before everything else.</remarks>
+public sealed partial class ReadBackProgram(TextReader text)
 {
     private const string Entry = "#JOB";
 
-    /// <summary>Any text: what is no program gives diagnostics.</summary>
-    public static ReadBackProgram Parse(string text)
+    /// <summary>Lines of a program that are kept. A controller holds half as many, so that a longer one is refused whatever stands behind them.</summary>
+    private const int MostLines = 2 * DmcLimits.ProgramLines;
+
+    private readonly ProgramRows _lines = new(text);
+    private string? _held;
+    private string _count = "";
+    private int _marks;
+    private bool _hasAny;
+
+    /// <summary>Programs of the file, as its marks say; 1 without marks.</summary>
+    public int Count => int.TryParse(_count, NumberStyles.None, CultureInfo.InvariantCulture, out var count) ? Math.Max(1, count) : 1;
+
+    /// <summary>Takes the next program from the text, whatever it is.</summary>
+    /// <returns>No chunk behind the last one; nor where the file cannot be run on, and the fault says why.</returns>
+    public (ReadBackChunk? Chunk, Diagnostic? Fault) Next()
     {
-        var lines = text.ReplaceLineEndings("\n").TrimEnd('\n', ' ').Split('\n');
-        if (lines.All(string.IsNullOrWhiteSpace)) return new ReadBackProgram([], [VerificationRules.ProgramEmpty.At(default)]);
-        var findings = new List<Diagnostic>();
-        CheckChunkMarks(lines, findings);
-        CheckLines(lines, findings);
-        var chunks = Split(lines);
-        findings.AddRange(chunks.Where(chunk => !chunk.Lines.Any(IsEntry)).Select(chunk => VerificationRules.NoJobLabel.At(new SourceRef(chunk.FirstLine))));
-        return new ReadBackProgram(chunks, findings);
+        var (lines, first, full) = (new List<string>(), 0, 0);
+        for (var row = _held ?? _lines.Next(); row is not null; row = _lines.Next())
+        {
+            if (_held is null && ChunkMark().Match(row) is { Success: true } mark)
+            {
+                if (Misplaced(mark, row) is { } misplaced) return (null, misplaced);
+                if (first > 0)
+                {
+                    _held = row;
+                    return Whole(first, lines);
+                }
+            }
+
+            if (Unusable(row) is { } unusable) return (null, unusable);
+            _held = null;
+            if (first == 0) first = _lines.Number;
+            if (lines.Count < MostLines) lines.Add(row);
+            if (!string.IsNullOrWhiteSpace(row)) full = _lines.Number - first + 1;
+        }
+
+        return Last(first, lines, full);
+    }
+
+    /// <summary>At the end of the file blank lines and blanks mean nothing.</summary>
+    /// <param name="full">Number of the last line that is not blank, from 1; 0 for none.</param>
+    private (ReadBackChunk? Chunk, Diagnostic? Fault) Last(int first, List<string> lines, int full)
+    {
+        if (full == 0) return (null, _hasAny ? null : VerificationRules.ProgramEmpty.At(default));
+        if (_marks > 0 && Number(_marks) != _count) return (null, VerificationRules.ChunksIncomplete.At(new SourceRef(first + full - 1), Number(_marks + 1), _count, Wording.Get("ReadBackProgram.EndFile")));
+        if (full < lines.Count) lines.RemoveRange(full, lines.Count - full);
+        lines[^1] = lines[^1].TrimEnd(' ');
+        return Whole(first, lines);
+    }
+
+    private (ReadBackChunk? Chunk, Diagnostic? Fault) Whole(int first, List<string> lines)
+    {
+        _hasAny = true;
+        return lines.Exists(IsEntry) ? (new ReadBackChunk(first, lines), null) : (null, VerificationRules.NoJobLabel.At(new SourceRef(first)));
+    }
+
+    private Diagnostic? Misplaced(Match mark, string row)
+    {
+        var (isFirst, wanted) = (_marks == 0, Number(++_marks));
+        if (isFirst) _count = mark.Groups["count"].Value;
+        var isRight = mark.Groups["number"].Value == wanted && mark.Groups["count"].Value == _count && (!isFirst || _lines.Number == 1);
+        return isRight ? null : VerificationRules.ChunksIncomplete.At(new SourceRef(_lines.Number), wanted, _count, row);
+    }
+
+    private Diagnostic? Unusable(string row)
+    {
+        var reason = row.Length > DmcLimits.LineLength ? Wording.Get("ReadBackProgram.HasCharactersAllowed", row.Length, DmcLimits.LineLength)
+            : row.AsSpan().ContainsAny("\\\x04\x11\x1A") ? Wording.Get("ReadBackProgram.HoldsCharacterEndsDownload")
+            : null;
+        return reason is null ? null : VerificationRules.LineUnusable.At(new SourceRef(_lines.Number), reason);
     }
 
     private static bool IsEntry(string line) => line.Split(';')[0].Trim() == Entry;
 
-    private static List<ReadBackChunk> Split(string[] lines)
-    {
-        var starts = Enumerable.Range(0, lines.Length).Where(i => i == 0 || ChunkMark().IsMatch(lines[i])).ToList();
-        return [.. starts.Select((start, i) => new ReadBackChunk(start + 1, lines[start..(i + 1 < starts.Count ? starts[i + 1] : lines.Length)]))];
-    }
-
-    /// <summary>Marks count up from 1 to the number they name, the first one before everything else.</summary>
-    private static void CheckChunkMarks(string[] lines, List<Diagnostic> findings)
-    {
-        var marks = Enumerable.Range(0, lines.Length).Where(i => ChunkMark().IsMatch(lines[i])).ToList();
-        if (marks.Count == 0) return;
-        var count = ChunkMark().Match(lines[marks[0]]).Groups["count"].Value;
-        for (var i = 0; i < marks.Count; i++)
-        {
-            var wanted = (i + 1).ToString(CultureInfo.InvariantCulture);
-            var mark = ChunkMark().Match(lines[marks[i]]);
-            if (mark.Groups["number"].Value == wanted && mark.Groups["count"].Value == count && (i > 0 || marks[0] == 0)) continue;
-            findings.Add(VerificationRules.ChunksIncomplete.At(new SourceRef(marks[i] + 1), wanted, count, lines[marks[i]]));
-            return;
-        }
-
-        if (marks.Count.ToString(CultureInfo.InvariantCulture) != count)
-            findings.Add(VerificationRules.ChunksIncomplete.At(new SourceRef(lines.Length), (marks.Count + 1).ToString(CultureInfo.InvariantCulture), count, Wording.Get("ReadBackProgram.EndFile")));
-    }
-
-    private static void CheckLines(string[] lines, List<Diagnostic> findings)
-    {
-        for (var i = 0; i < lines.Length && findings.Count == 0; i++)
-        {
-            var reason = lines[i].Length > DmcLimits.LineLength ? Wording.Get("ReadBackProgram.HasCharactersAllowed", lines[i].Length, DmcLimits.LineLength)
-                : lines[i].AsSpan().ContainsAny("\\\x04\x11\x1A") ? Wording.Get("ReadBackProgram.HoldsCharacterEndsDownload")
-                : null;
-            if (reason is not null) findings.Add(VerificationRules.LineUnusable.At(new SourceRef(i + 1), reason));
-        }
-    }
+    private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
 
     [GeneratedRegex(@"^'CHUNK (?<number>[0-9]{1,9}) OF (?<count>[0-9]{1,9})\s*$", RegexOptions.CultureInvariant)]
     private static partial Regex ChunkMark();

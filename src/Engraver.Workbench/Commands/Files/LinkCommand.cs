@@ -40,9 +40,8 @@ internal sealed class LinkCommand : ICommand
         var answer = await context.AskAsync(new FilePrompt(Wording.Get(taken == 0 ? "Link.EnterFirst" : "Link.EnterNext"), new FileWanted("program", false, new AgiePost().Ending)) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is not Answer<string>.Value { Of: var name }) return null;
         var start = await context.ValueAsync(new PointPrompt(Wording.Get("Link.SpecifyStart")) { Default = context.Remembered(Key(name)) }).ConfigureAwait(false);
-        var file = ReadBackFile.Open(context.FileToRead(name));
-        var fault = file.Diagnostics.Count > 0 ? file.Diagnostics[0] : null;
-        var contour = file.Text is { } text ? AgieContour.Read(text, ToMillimetres(context, start), out fault) : null;
+        var (text, fault) = ReadBackFile.Open(context.FileToRead(name)).Whole();
+        var contour = text is not null ? AgieContour.Read(text, ToMillimetres(context, start), out fault) : null;
         if (contour is not null) return contour;
         FindingMessages.Say(context, name, [fault!], Severity.Warning);
         throw new CommandException(CommandFailure.Drawing, Wording.Get("Link.NotRead", name));

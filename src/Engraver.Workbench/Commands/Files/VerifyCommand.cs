@@ -12,21 +12,47 @@ internal sealed class VerifyCommand : ICommand
 {
     public const string Name = "VERIFY";
 
+    private const string Origin = "Origin";
+    private const string Blend = "Blend";
+
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List(Origin, Blend);
+
     public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
 
     /// <exception cref="CommandException">The program does not cut the drawing, all of it and nothing else.</exception>
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Verify.EnterNameProgramVerify"), new FileWanted("program", false, PostTable.ReadEndings) { Suggested = context.Remembered(Name) is { } last ? Path.GetFullPath(context.FileToRead(last)) : null }) { Default = context.Remembered(Name) }).ConfigureAwait(false);
+        var (name, posted) = await AskAsync(context).ConfigureAwait(false);
         context.Remember(Name, name);
         var reader = PostTable.ReaderFor(name);
         var program = ReadBackFile.Open(context.FileToRead(name));
-        var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
+        var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, cancellation, posted), cancellation).ConfigureAwait(false);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         FindingMessages.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);
         if (!report.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Verify.DoesNotCutOpen", name));
+    }
+
+    /// <summary>The program, and before its name what it was posted with beside the settings of the drawing.</summary>
+    private static async Task<(string Name, PostedWith Posted)> AskAsync(CommandContext context)
+    {
+        var posted = PostedWith.Defaults;
+        var prompt = new FilePrompt(Wording.Get("Verify.EnterNameProgramVerify"), new FileWanted("program", false, PostTable.ReadEndings) { Suggested = context.Remembered(Name) is { } last ? Path.GetFullPath(context.FileToRead(last)) : null }) { Default = context.Remembered(Name), Options = s_options };
+        while (true)
+        {
+            switch (await context.AskAsync(prompt).ConfigureAwait(false))
+            {
+                case Answer<string>.Value { Of: var name }: return (name, posted);
+                case Answer<string>.Chosen { Option: Origin }:
+                    var place = await context.ValueAsync(new MachinePlacePrompt(Wording.Get("Verify.SpecifyOrigin")) { MayHaveHeight = true }).ConfigureAwait(false);
+                    posted = posted with { Origin = new ProgramOrigin(place.X, place.Y, place.Z) };
+                    break;
+                default:
+                    posted = posted with { BlendMm = await context.ValueAsync(new NumberPrompt(Wording.Get("Verify.SpecifyBlend")) { Least = 0.0, Most = 1.0 }).ConfigureAwait(false) };
+                    break;
+            }
+        }
     }
 }
 

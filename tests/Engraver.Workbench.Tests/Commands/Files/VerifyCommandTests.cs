@@ -1,4 +1,6 @@
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands.Files;
 
@@ -28,6 +30,35 @@ public class VerifyCommandTests
         Assert.Equal(CommandFailure.Drawing, failed.Why);
         Assert.Matches(@"\njob\.dmc: error VER0008: The program cuts 0\.02\d* mm beside the drawing at ", talk.Said);
         Assert.Contains("\nNOT OK: ", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("Origin", "40,-12.5", true)]
+    [InlineData("O", "40,-12.5,0", true)]
+    [InlineData("Origin", "40,-12", false)]
+    [InlineData("Blend", "0.05", false)]
+    public async Task A_program_that_goes_to_its_place_by_itself_is_judged_by_the_place_that_is_given(string option, string value, bool isOk)
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"));
+        var posted = PostedProgram.Create(talk.Session.Document.Current.Drawing!, talk.Session.Document.Current.Settings, PostTable.Find("galil").Post, new Dictionary<string, string> { ["origin"] = "40,-12.5" });
+        await File.WriteAllTextAsync(talk.PathOf("job.dmc"), posted.Text);
+
+        Assert.Equal(isOk, await talk.TypeAsync("VERIFY", option, value, "job.dmc") is InputResult.Done);
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("VERIFY", "job.dmc"));
+    }
+
+    [Fact]
+    public async Task Rounded_corners_are_allowed_by_as_much_as_is_said()
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"));
+        var posted = PostedProgram.Create(talk.Session.Document.Current.Drawing!, talk.Session.Document.Current.Settings, PostTable.Find("gcode").Post, new Dictionary<string, string> { ["blend"] = "0.05" });
+        await File.WriteAllTextAsync(talk.PathOf("job.ngc"), posted.Text);
+
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("VERIFY", "job.ngc"));
+        Assert.Contains("error VER0011", talk.Said, StringComparison.Ordinal);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("VERIFY", "Blend", "0.05", "job.ngc"));
     }
 
     [Fact]

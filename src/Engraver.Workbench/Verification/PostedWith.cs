@@ -1,0 +1,53 @@
+using System.Globalization;
+using Engraver.Core.Machines;
+
+namespace Engraver.Workbench.Verification;
+
+/// <summary>How a program was posted, as far as it decides what it is compared with.</summary>
+public sealed record PostedWith
+{
+    /// <summary>With what the posts choose where nothing is said.</summary>
+    public static PostedWith Defaults { get; } = new();
+
+    /// <summary>The drawing's zero by the program's own; null for a program that begins where the machine stands, at the drawing's start.</summary>
+    public ProgramOrigin? Origin { get; init; }
+
+    /// <summary>By how much the controller was allowed to round corners, millimetres. Where no other tolerance is said it joins lines within the same (rs274-hpgl.md 1.4), so that both together are allowed.</summary>
+    public double BlendMm { get; init; }
+
+    internal double AllowedBlendMm => 2.0 * BlendMm;
+
+    /// <summary>From options that the post would take; null for one that was not given.</summary>
+    public static PostedWith Parse(string? origin, string? blend) => new()
+    {
+        Origin = origin is null ? null : ProgramOrigin.TryParse(origin),
+        BlendMm = blend is null ? 0.0 : double.Parse(blend, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture),
+    };
+}
+
+/// <summary>Where a program takes the drawing's zero to be, mm by the controller's own zero.</summary>
+/// <param name="Z">Null: the height at which the tool stands when the program begins.</param>
+public sealed record ProgramOrigin(double X, double Y, double? Z)
+{
+    /// <summary>Two or three finite numbers apart by commas; null for any other text.</summary>
+    public static ProgramOrigin? TryParse(string text)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var numbers = text.Split(',').Select(word => double.TryParse(word, NumberStyles.AllowDecimalPoint | NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number) ? number : double.NaN).ToList();
+        if (!numbers.TrueForAll(double.IsFinite)) return null;
+        return numbers switch
+        {
+            [var x, var y] => new ProgramOrigin(x, y, null),
+            [var x, var y, var z] => new ProgramOrigin(x, y, z),
+            _ => null,
+        };
+    }
+
+    /// <summary>Where the machine stands in the frame of the drawing while it stands on the controller's zero, counts.</summary>
+    internal CountsPoint Beginning(CountsScale scale) => new(Counts(-X * scale.X), Counts(-Y * scale.Y), Counts(-(Z ?? 0.0) * scale.Z));
+
+    /// <summary>Time of the rapid from the controller's zero to the drawing's.</summary>
+    internal TimeSpan Way(MachineProfile machine) => TimeSpan.FromMinutes((Math.Abs(X) + Math.Abs(Y) + Math.Abs(Z ?? 0.0)) / machine.RapidMmPerMinute);
+
+    private static int Counts(double value) => (int)Math.Clamp(Math.Round(value), int.MinValue, int.MaxValue);
+}
