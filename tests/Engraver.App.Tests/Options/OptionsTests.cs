@@ -146,8 +146,9 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Press(here, Key.Space);
         Assert.Equal(!before, box.IsChecked);
         for (var presses = 0; presses < 20 && here.Window.FocusManager?.GetFocusedElement() is not ListBoxItem; presses++) Press(here, Key.Tab);
+        var (pages, page) = (here.Window.Model.Options.Pages.ToList(), here.Window.Model.Options.Page!);
         Press(here, Key.Up);
-        Assert.Equal("Screen and commands", here.Window.Model.Options.Page);
+        Assert.Equal((pages[pages.IndexOf(page) - 1], typeof(ListBoxItem), page), (here.Window.Model.Options.Page, here.Window.FocusManager?.GetFocusedElement()?.GetType(), (here.Window.FocusManager?.GetFocusedElement() as ListBoxItem)?.Content));
         for (var presses = 0; presses < 20 && here.Window.FocusManager?.GetFocusedElement() is not CheckBox; presses++) Press(here, Key.Tab);
         Press(here, Key.Enter);
         here.Until(() => !here.Window.Model.Options.IsOpen);

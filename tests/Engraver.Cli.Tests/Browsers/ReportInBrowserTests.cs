@@ -28,7 +28,7 @@ public class ReportInBrowserTests
         foreach (int? width in new int?[] { 1280, 600, null })
         {
             var layout = await browser.LayOutAsync(page, width);
-            Assert.True(layout.Beyond.Count == 0, $"{width?.ToString() ?? "paper"}: {string.Join("; ", layout.Beyond)}");
+            Assert.True(layout.Beyond.Count == 0, $"{(width is { } pixels ? FormattableString.Invariant($"{pixels} pixels") : "paper")}: {string.Join("; ", layout.Beyond)}");
             Assert.Equal(isRun ? ["path", "speed", "deviation"] : ["path", "speed"], layout.Pictures.Select(picture => picture.Section));
             Assert.All(layout.Pictures, picture => Assert.True(picture.Ink > 0 && picture.InkedWidth > 0.3 * picture.Width && picture.InkedHeight > 0.1 * picture.Height, picture.ToString()));
         }
