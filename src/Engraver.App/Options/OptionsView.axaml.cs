@@ -10,7 +10,12 @@ namespace Engraver.App.Options;
 /// <summary>A sheet over the window below the machine strip: STOP stays beside it.</summary>
 public partial class OptionsView : UserControl
 {
-    public OptionsView() => InitializeComponent();
+    public OptionsView()
+    {
+        InitializeComponent();
+        OptionPages.ContainerPrepared += (_, e) => e.Container.Focusable = true; // rows of lists take no keyboard elsewhere (Theme/Controls.axaml)
+        OptionPages.SelectionChanged += (_, _) => TabGoesToShownPage();
+    }
 
     private OptionsModel Model => (OptionsModel)DataContext!;
 
@@ -23,6 +28,12 @@ public partial class OptionsView : UserControl
         else if (e.Key == Key.Enter && e.Source is not ((Button and not ToggleButton) or ComboBox or ComboBoxItem)) Model.Take.Execute(null);
         else return false;
         return true;
+    }
+
+    /// <summary>Tab goes to the page that is shown, from which the arrow keys go on, and not to the first of the list.</summary>
+    private void TabGoesToShownPage()
+    {
+        if (OptionPages.SelectedItem is { } page) KeyboardNavigation.SetTabOnceActiveElement(OptionPages, OptionPages.ContainerFromItem(page));
     }
 
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)

@@ -44,27 +44,19 @@ public static class SvgPlotWriter
         if (plot.Heat is not null) Line(output, HeatStyle());
         if (plot.Marks.Count > 0) Line(output, "<style>.point{fill:#f0f3f6} .corner{fill:none;stroke:#d2a8ff;stroke-width:1.5}</style>");
         Line(output, $"<rect class=\"field\" width=\"100%\" height=\"100%\"/>");
-        if (thinned is not null) WriteThinned(plot, thinned, output);
-        else WriteWhole(plot, frame, output);
+        if (thinned is not null) WritePaths(plot, thinned.Rapids, thinned.Strokes, output);
+        else WritePaths(plot, plot.Rapids.Count > 0 ? Format([.. plot.Rapids.Select(Segment.FromLine)], frame) : "", plot.Strokes.Select(stroke => (Colour(stroke), Format(stroke.Segments, frame))), output);
         WritePoints(plot, frame, output);
         WriteMarks(plot, frame, output);
         WriteCaption(plot, frame, output);
         Line(output, "</svg>");
     }
 
-    private static void WriteWhole(PlotModel plot, PlotFrame frame, TextWriter output)
+    private static void WritePaths(PlotModel plot, string rapids, IEnumerable<(string Colour, string Path)> strokes, TextWriter output)
     {
-        if (plot.Rapids.Count > 0) Line(output, $"<path class=\"rapid\" d=\"{Format([.. plot.Rapids.Select(Segment.FromLine)], frame)}\"/>");
+        if (rapids.Length > 0) Line(output, $"<path class=\"rapid\" d=\"{rapids}\"/>");
         Line(output, $"<g stroke-width=\"{StrokeWidth(plot)}\">");
-        foreach (var stroke in plot.Strokes) Line(output, $"<path class=\"cut {Colour(stroke)}\" d=\"{Format(stroke.Segments, frame)}\"/>");
-        Line(output, "</g>");
-    }
-
-    private static void WriteThinned(PlotModel plot, ThinnedPlot thinned, TextWriter output)
-    {
-        if (thinned.Rapids.Length > 0) Line(output, $"<path class=\"rapid\" d=\"{thinned.Rapids}\"/>");
-        Line(output, $"<g stroke-width=\"{StrokeWidth(plot)}\">");
-        foreach (var (colour, path) in thinned.Strokes) Line(output, $"<path class=\"cut {colour}\" d=\"{path}\"/>");
+        foreach (var (colour, path) in strokes) Line(output, $"<path class=\"cut {colour}\" d=\"{path}\"/>");
         Line(output, "</g>");
     }
 

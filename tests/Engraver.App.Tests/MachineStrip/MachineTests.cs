@@ -4,6 +4,7 @@ using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.MachineStrip;
 using Engraver.App.Tabs;
+using Engraver.App.Terminals;
 using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.TestKit;
@@ -463,7 +464,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     {
         here.Enter("CNCCONNECT", "sim:");
         here.Show("Terminal");
-        here.Click(here.Find<TextBox>("LineBox"));
+        here.Click(here.Window.GetVisualDescendants().OfType<TerminalView>().Single().FindControl<TextBox>("LineBox")!);
         here.Hands.Type("MG 2+3");
         here.Hands.Press(Key.Enter);
         here.Until(() => here.Commands.Machine.Terminal.Lines.Count > 1);
