@@ -23,7 +23,7 @@ public class ReportInBrowserTests
 
         Assert.InRange(new FileInfo(page).Length, 10_000, 5_000_000);
         var sheets = await browser.PrintAsync(page, Path.Combine(kept, name + ".pdf"));
-        Assert.InRange(sheets.Count, 2, 6);
+        Assert.InRange(sheets.Count, 2, isRun ? 6 : 12); // of many lines there are many findings: at most 500 are listed
         Assert.All(sheets, sheet => Assert.Equal((A4Width, A4Height), (Math.Round(sheet.Width), Math.Round(sheet.Height))));
         foreach (int? width in new int?[] { 1280, 600, null })
         {

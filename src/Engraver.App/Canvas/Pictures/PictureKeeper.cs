@@ -54,7 +54,8 @@ internal sealed class PictureKeeper
         var (content, view) = (Content, View);
         try
         {
-            var picture = await Task.Run(() => Draw(content, view, drawing.Token), drawing.Token);
+            // Also a picture that is done at once is taken later: who has asked for it may still abandon it.
+            var picture = await Task.Run(() => Draw(content, view, drawing.Token), drawing.Token).ConfigureAwait(ConfigureAwaitOptions.ContinueOnCapturedContext | ConfigureAwaitOptions.ForceYielding);
             if (_stopDrawing != stop) return false;
             _stopDrawing = null;
             Take(picture, content);

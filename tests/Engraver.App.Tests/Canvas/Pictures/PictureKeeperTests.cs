@@ -76,8 +76,10 @@ public class PictureKeeperTests
         var before = Shown(keeper);
         keeper.View = s_view.PannedBy(new Vector2D(100.0, 0.0));
 
-        var refining = keeper.RefineAsync();
+        var window = new BusyWindow();
+        var refining = window.Run(keeper.RefineAsync);
         keeper.Abandon();
+        window.ComeToRest();
 
         Assert.False(await refining);
         Assert.False(keeper.IsFresh);
@@ -95,6 +97,47 @@ public class PictureKeeperTests
         Assert.False(keeper.IsFresh);
         keeper.Refine(CancellationToken.None);
         Assert.All(Shown(keeper), pixel => Assert.Equal(CanvasTheme.Dark.Background, pixel));
+    }
+
+    /// <summary>The thread of a window that is at work: what is to go on there waits until it comes to rest, however early the picture is done.</summary>
+    private sealed class BusyWindow : SynchronizationContext
+    {
+        private readonly List<Action> _waiting = [];
+        private bool _atRest;
+
+        public T Run<T>(Func<T> work)
+        {
+            var before = Current;
+            SetSynchronizationContext(this);
+            try
+            {
+                return work();
+            }
+            finally
+            {
+                SetSynchronizationContext(before);
+            }
+        }
+
+        public override void Post(SendOrPostCallback d, object? state)
+        {
+            lock (_waiting)
+            {
+                if (!_atRest)
+                {
+                    _waiting.Add(() => d(state));
+                    return;
+                }
+            }
+
+            d(state);
+        }
+
+        public void ComeToRest()
+        {
+            lock (_waiting) _atRest = true;
+            foreach (var action in _waiting) action();
+        }
     }
 
     private static PictureKeeper Refined(CanvasView view)
