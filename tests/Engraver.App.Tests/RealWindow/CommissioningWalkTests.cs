@@ -27,7 +27,7 @@ public sealed class CommissioningWalkTests(DesktopFixture fixture)
         Click("Yes"), Type("new-machine.json"), Click("No"), // the profile is written, nothing burned
     ];
 
-    [XServerFact]
+    [FullRunXServerFact]
     public async Task A_new_machine_from_the_first_question_to_its_profile()
     {
         using var files = new TemporaryDesktopFolder();
