@@ -98,20 +98,21 @@ internal static class BenchVerb
     /// <summary><c>engraver bench posts</c>: every target of real drawings, posted and verified.</summary>
     private static Command Posts(VerbHost host)
     {
-        var folders = new Argument<string[]>("FOLDER") { Description = Wording.Get("Bench.PostFolders"), Arity = ArgumentArity.OneOrMore };
-        folders.Validators.Add(result =>
+        var places = new Argument<string[]>("PLACE") { Description = Wording.Get("Bench.PostPlaces"), Arity = ArgumentArity.OneOrMore };
+        places.Validators.Add(result =>
         {
-            foreach (var folder in result.Tokens.Where(token => !Directory.Exists(token.Value))) result.AddError(Wording.Get("Bench.NoFolder", folder.Value));
+            foreach (var place in result.Tokens.Where(token => !Path.Exists(token.Value))) result.AddError(Wording.Get("Bench.NoPlace", place.Value));
         });
         var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMost"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 60.0 };
         var target = new Option<string?>("--target") { HelpName = "NAME", Description = Wording.Get("Bench.PostTarget") };
         target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
-        var command = new Command("posts", Wording.Get("Bench.Posts")) { folders, most, target };
+        var each = new Option<bool>("--each") { Description = Wording.Get("Bench.PostEach") };
+        var command = new Command("posts", Wording.Get("Bench.Posts")) { places, most, target, each };
         command.SetAction(async (parsed, stop) =>
         {
-            var files = PostBenchmark.Choose(parsed.GetRequiredValue(folders), (int)parsed.GetValue(most), LargestPosted, PostSeed);
+            var files = PostBenchmark.Choose(parsed.GetRequiredValue(places), (int)parsed.GetValue(most), LargestPosted, PostSeed);
             await SayAsync(host, PostBenchmark.Head, stop).ConfigureAwait(false);
-            await foreach (var row in PostBenchmark.RowsAsync(files, parsed.GetValue(target), stop).ConfigureAwait(false)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            await foreach (var row in PostBenchmark.RowsAsync(files, parsed.GetValue(target), parsed.GetValue(each), stop).ConfigureAwait(false)) await SayAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;

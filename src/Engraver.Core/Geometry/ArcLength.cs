@@ -1,6 +1,6 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Length of a span by adaptive Gauss quadrature of its speed: a part is halved until the sum of its halves agrees with the whole to a relative 1e-12.</summary>
+/// <summary>Lengths of curves by adaptive Gauss quadrature of their speed: a part is halved until the sum of its halves agrees with the whole to a relative 1e-12.</summary>
 public static class ArcLength
 {
     private const double RelativeTolerance = 1e-12;
@@ -20,9 +20,17 @@ public static class ArcLength
     public static double Measure(BezierSpan span, bool inPlan)
     {
         var local = FromItsStart(span);
-        var whole = Gauss(local, inPlan, 0.0, 1.0);
+        return Measure(parameter => Speed(local, inPlan, parameter), 0.0, 1.0);
+    }
+
+    /// <summary>Length between two parameters of a curve whose speed is known.</summary>
+    /// <param name="speed">Length of the derivative at a parameter.</param>
+    public static double Measure(Func<double, double> speed, double from, double to)
+    {
+        ArgumentNullException.ThrowIfNull(speed);
+        var whole = Gauss(speed, from, to);
         var parts = MostParts;
-        return Refined(local, inPlan, 0.0, 1.0, whole, RelativeTolerance * whole, MostHalvings, ref parts);
+        return Refined(speed, from, to, whole, RelativeTolerance * whole, MostHalvings, ref parts);
     }
 
     /// <summary>The span moved so that it starts at the origin: rounding of large coordinates would disturb the speed of a very short span, as between two knots 1e-8 apart.</summary>
@@ -39,22 +47,22 @@ public static class ArcLength
         return new BezierSpan(points);
     }
 
-    private static double Refined(BezierSpan span, bool inPlan, double from, double to, double whole, double tolerance, int halvings, ref int parts)
+    private static double Refined(Func<double, double> speed, double from, double to, double whole, double tolerance, int halvings, ref int parts)
     {
         var middle = (from + to) / 2.0;
-        var first = Gauss(span, inPlan, from, middle);
-        var second = Gauss(span, inPlan, middle, to);
+        var first = Gauss(speed, from, middle);
+        var second = Gauss(speed, middle, to);
         if (!(Math.Abs(first + second - whole) > tolerance) || halvings == 0 || --parts < 0) return first + second;
-        return Refined(span, inPlan, from, middle, first, tolerance, halvings - 1, ref parts) + Refined(span, inPlan, middle, to, second, tolerance, halvings - 1, ref parts);
+        return Refined(speed, from, middle, first, tolerance, halvings - 1, ref parts) + Refined(speed, middle, to, second, tolerance, halvings - 1, ref parts);
     }
 
-    private static double Gauss(BezierSpan span, bool inPlan, double from, double to)
+    private static double Gauss(Func<double, double> speed, double from, double to)
     {
         var (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
         var sum = 0.0;
         for (var i = 0; i < Nodes.Length; i++)
         {
-            sum += Weights[i] * (Speed(span, inPlan, middle - (half * Nodes[i])) + Speed(span, inPlan, middle + (half * Nodes[i])));
+            sum += Weights[i] * (speed(middle - (half * Nodes[i])) + speed(middle + (half * Nodes[i])));
         }
 
         return sum * half;

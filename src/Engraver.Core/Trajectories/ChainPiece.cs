@@ -30,7 +30,8 @@ internal sealed class ChainPiece
         {
             _span = segment.Curve.Spans[0];
             _powers = new PowerBasis(_span);
-            _lengths = LengthTable(_powers);
+            _lengths = new double[TableSteps + 1];
+            for (var i = 0; i < TableSteps; i++) _lengths[i + 1] = _lengths[i] + ArcLength.Measure(_powers.Speed, (double)i / TableSteps, (i + 1.0) / TableSteps);
             Length = _lengths[^1];
         }
         else
@@ -118,8 +119,7 @@ internal sealed class ChainPiece
     {
         if (_span is null) return LengthAt(fraction);
         fraction = Math.Clamp(fraction, 0.0, 1.0);
-        var cell = Math.Min((int)(fraction * TableSteps), TableSteps - 1);
-        return Start + _lengths[cell] + Gauss(_powers!, (double)cell / TableSteps, fraction);
+        return Start + FreeLength(Math.Min((int)(fraction * TableSteps), TableSteps - 1), fraction);
     }
 
     /// <summary>The inverse of <see cref="ArcLengthAt"/>.</summary>
@@ -127,7 +127,7 @@ internal sealed class ChainPiece
     {
         if (_span is null || length <= Start || length >= End) return FractionAt(length);
         var cell = Array.BinarySearch(_lengths, length - Start);
-        return InCell(Math.Clamp(cell < 0 ? ~cell - 1 : cell, 0, TableSteps - 1), length);
+        return InCell(Math.Clamp(cell < 0 ? ~cell - 1 : cell, 0, TableSteps - 1), length - Start, FractionAt(length));
     }
 
     /// <summary>The fraction at which a place lies abeam, beginning the search at a guess; below 0 or above 1 when that is beyond an end.</summary>
@@ -156,17 +156,20 @@ internal sealed class ChainPiece
         return new BezierSpan([start.X, start.Y, 0.0, 1.0, shoulder.X * weight, shoulder.Y * weight, 0.0, weight, end.X, end.Y, 0.0, 1.0]);
     }
 
+    /// <summary>Length of a free piece from its start to a fraction within a step of the table.</summary>
+    private double FreeLength(int cell, double fraction) => _lengths[cell] + ArcLength.Measure(_powers!.Speed, (double)cell / TableSteps, fraction);
+
     /// <summary>Newton's steps on the length; where the curve nearly stands still, halves of what is left.</summary>
-    private double InCell(int cell, double length)
+    /// <param name="along">Length from the start of the piece: beside that of a long chain its last digits would be rounded away.</param>
+    private double InCell(int cell, double along, double fraction)
     {
         var (low, high) = ((double)cell / TableSteps, (cell + 1.0) / TableSteps);
-        var fraction = FractionAt(length);
         for (var step = 0; step < MostLengthSteps; step++)
         {
-            var off = ArcLengthAt(fraction) - length;
+            var off = FreeLength(cell, fraction) - along;
             if (Math.Abs(off) <= LengthShare * Length) return fraction;
             (low, high) = off > 0.0 ? (low, fraction) : (fraction, high);
-            var next = fraction - (off / Speed(_powers!, fraction));
+            var next = fraction - (off / _powers!.Speed(fraction));
             fraction = next > low && next < high ? next : (low + high) / 2.0;
         }
 
@@ -219,26 +222,6 @@ internal sealed class ChainPiece
         }
 
         return true;
-    }
-
-    private static double[] LengthTable(PowerBasis span)
-    {
-        var lengths = new double[TableSteps + 1];
-        for (var i = 0; i < TableSteps; i++) lengths[i + 1] = lengths[i] + (Gauss(span, (double)i / TableSteps, (i + 1.0) / TableSteps));
-        return lengths;
-    }
-
-    private static double Gauss(PowerBasis span, double from, double to)
-    {
-        var (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
-        var off = half * 0.7745966692414834;
-        return half * (((Speed(span, middle - off) + Speed(span, middle + off)) * (5.0 / 9.0)) + (Speed(span, middle) * (8.0 / 9.0)));
-    }
-
-    private static double Speed(PowerBasis span, double parameter)
-    {
-        span.Evaluate(parameter, out var slope);
-        return slope.Length;
     }
 }
 

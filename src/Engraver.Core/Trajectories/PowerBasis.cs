@@ -39,6 +39,13 @@ internal sealed class PowerBasis
         return new Point2D(_origin.X + x, _origin.Y + y);
     }
 
+    /// <summary>Length of the derivative.</summary>
+    public double Speed(double parameter)
+    {
+        Evaluate(parameter, out var slope);
+        return slope.Length;
+    }
+
     /// <summary>Coefficients of the powers: differences of the Bernstein coefficients times binomials.</summary>
     private static double[] Powers(double[] bernstein)
     {

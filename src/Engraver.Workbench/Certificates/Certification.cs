@@ -117,7 +117,7 @@ public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, 
     internal IProgramReader? Reader => Dialect is null ? Target.Reader : Target.Dialects[Dialect];
 
     /// <summary>Of the post: those that decide what is read back.</summary>
-    internal IReadOnlyDictionary<string, string> Options => Dialect is null ? PostedProgram.NoOptions : new Dictionary<string, string> { ["dialect"] = Dialect };
+    public IReadOnlyDictionary<string, string> Options => Dialect is null ? PostedProgram.NoOptions : new Dictionary<string, string> { ["dialect"] = Dialect };
 
     /// <summary>The link that the machine's own program is sent over, which may have to be cut slower there; null for none.</summary>
     public ControllerAddress? Address { get; init; }

@@ -24,12 +24,15 @@ public static class PostTable
         new(GalilPost.Calls, "galil-Calls", new DmcReader()),
         new(new ClDataPost(), "cLdata", new ClDataReader()),
         new(new AgiePost(), "Agie", new AgieReader()),
-        new(new GcodePost(), "gcoDe", new GcodeReader()) { Dialects = new Dictionary<string, IProgramReader> { ["linuxcnc"] = new GcodeReader(GcodeController.LinuxCnc), ["grbl"] = new GcodeReader(GcodeController.Grbl) } },
+        new(new GcodePost(), "gcoDe", new GcodeReader()) { Dialects = new Dictionary<string, IProgramReader> { ["linuxcnc"] = new GcodeReader(GcodeController.LinuxCnc), ["grbl"] = new GcodeReader(GcodeController.Grbl) }, OtherDialects = new Dictionary<string, string> { ["gcode-gRbl"] = "grbl" } },
         new(new HpglPost(), "Hpgl", new HpglReader()),
         new(new XpsPost(TrajectoryFormat.XpsLineArc, "xps-linearc", ".xpslinearc"), "Xps-linearc", new TrajectoryReader(ControllerLanguage.LineArc)),
         new(new XpsPost(TrajectoryFormat.XpsSpline, "xps-spline", ".xpsspline"), "xps-Spline", new TrajectoryReader(ControllerLanguage.RelativeSpline)),
         new(new XpsPost(TrajectoryFormat.XpsPvt, "xps-pvt", ".xpspvt"), "xps-Pvt", new TrajectoryReader(ControllerLanguage.Pvt)),
     ];
+
+    /// <summary>Every entry, once for each kind of controller that it is written for.</summary>
+    public static IReadOnlyList<PostChoice> Choices { get; } = [.. All.SelectMany(entry => entry.OtherDialects.Select(other => new PostChoice(other.Key, entry, other.Value)).Prepend(new PostChoice(entry.Keyword, entry, null)))];
 
     /// <summary>Every option of every post, each once.</summary>
     public static IReadOnlyList<PostOption> Options => [.. All.SelectMany(entry => entry.Post.Options).DistinctBy(option => option.Name)];
@@ -82,4 +85,16 @@ public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reade
 {
     /// <summary>Readers by the rules of one kind of controller, by its name; empty where there is only one kind.</summary>
     public IReadOnlyDictionary<string, IProgramReader> Dialects { get; init; } = new Dictionary<string, IProgramReader>();
+
+    /// <summary>The dialects that the post writes only when asked, by the keywords under which prompts offer them.</summary>
+    public IReadOnlyDictionary<string, string> OtherDialects { get; init; } = new Dictionary<string, string>();
+}
+
+/// <summary>A format and the kind of controller that it is written for.</summary>
+/// <param name="Keyword">As prompts offer it; the capitals are its short form.</param>
+/// <param name="Dialect">Null for the usual one of the entry.</param>
+public sealed record PostChoice(string Keyword, PostEntry Entry, string? Dialect)
+{
+    /// <summary>As tables name it.</summary>
+    public string Name => $"{Entry.Post.Name} {Dialect ?? Entry.Dialects.Keys.Except(Entry.OtherDialects.Values).FirstOrDefault()}".TrimEnd();
 }

@@ -36,8 +36,18 @@ internal sealed partial class Browser(TemporaryFolder folder)
             }
             pictures.push({ section: svg.closest('section').id, width: s.width, height: s.height, ink, inkedWidth: right - left, inkedHeight: bottom - top });
         }
+        const broken = [];
+        for (const cell of document.querySelectorAll('th, td:not(:last-child)')) {
+            for (const text of cell.childNodes) {
+                if (text.nodeType !== Node.TEXT_NODE) continue;
+                for (const word of text.data.matchAll(/[\p{L}\p{N}]{1,20}/gu)) {
+                    const range = document.createRange(); range.setStart(text, word.index); range.setEnd(text, word.index + word[0].length);
+                    if (new Set([...range.getClientRects()].map(r => Math.round(r.top))).size > 1) broken.push(word[0] + ' in ' + name(cell));
+                }
+            }
+        }
         const found = document.createElement('pre'); found.id = 'found';
-        found.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({ beyond, pictures })))); document.body.append(found);
+        found.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({ beyond, broken, pictures })))); document.body.append(found);
         """;
 
     /// <summary>The program; null where it is not installed.</summary>
@@ -94,7 +104,8 @@ internal sealed partial class Browser(TemporaryFolder folder)
 
 /// <summary>How a page lies.</summary>
 /// <param name="Beyond">Elements that reach beyond the sheet, their frame or their picture.</param>
-internal sealed record PageLayout(IReadOnlyList<string> Beyond, IReadOnlyList<PagePicture> Pictures);
+/// <param name="Broken">Words that are broken within, of every column but the last, which takes what is long.</param>
+internal sealed record PageLayout(IReadOnlyList<string> Beyond, IReadOnlyList<string> Broken, IReadOnlyList<PagePicture> Pictures);
 
 /// <summary>A picture of a page, in pixels.</summary>
 /// <param name="Section">Its key.</param>

@@ -29,6 +29,7 @@ public class ReportInBrowserTests
         {
             var layout = await browser.LayOutAsync(page, width);
             Assert.True(layout.Beyond.Count == 0, $"{(width is { } pixels ? FormattableString.Invariant($"{pixels} pixels") : "paper")}: {string.Join("; ", layout.Beyond)}");
+            Assert.True(layout.Broken.Count == 0, $"{width}: {string.Join("; ", layout.Broken.Take(5))}");
             Assert.Equal(isRun ? ["path", "speed", "deviation"] : ["path", "speed"], layout.Pictures.Select(picture => picture.Section));
             Assert.All(layout.Pictures, picture => Assert.True(picture.Ink > 0 && picture.InkedWidth > 0.3 * picture.Width && picture.InkedHeight > 0.1 * picture.Height, picture.ToString()));
         }

@@ -43,10 +43,27 @@ public class BenchVerbTests
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
         Assert.Equal(rows.Count, lines.Count(line => line.Contains(": slowest ", StringComparison.Ordinal) && line.Contains(" part.dxf ", StringComparison.Ordinal)));
         Assert.Equal(["galil", "galil-calls", "cldata", "agie", "gcode linuxcnc", "gcode grbl", "hpgl", "xps-linearc", "xps-spline", "xps-pvt"], rows.Select(row => row[1]));
-        Assert.All(rows, row => Assert.Equal(("1", "0", "1"), (row[2], row[3], row[7])));
+        Assert.All(rows, row => Assert.Equal(("1", "0", "1", "1"), (row[2], row[3], row[7], row[8])));
+        Assert.Equal("certificate stands", run.Out.Split('\n')[0].Split('|', StringSplitOptions.TrimEntries)[8]);
         Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "posts", folder.PathOf("nowhere"))).ExitCode);
         var one = await CliRun.RunAsync("bench", "posts", Path.GetDirectoryName(folder.PathOf("part.dxf"))!, "--target", "hpgl");
         Assert.Equal("hpgl", Assert.Single(one.Out.TrimEnd('\n').Split('\n')[2..], line => line.StartsWith('|')).Split('|', StringSplitOptions.TrimEntries)[1]);
+    }
+
+    /// <summary>A drawing that ends in the middle is damaged: its program is written, no certificate of it stands, and the line below says so.</summary>
+    [Fact]
+    public async Task A_program_without_a_certificate_is_named_with_the_reason()
+    {
+        using var folder = new TemporaryFolder();
+        var text = await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001"));
+        var part = folder.WithFile("part.dxf", text[..text.LastIndexOf("ENDSEC", StringComparison.Ordinal)]);
+        var run = await CliRun.RunAsync("bench", "posts", Path.GetDirectoryName(part)!, "--target", "hpgl", "--each");
+        var lines = run.Out.TrimEnd('\n').Split('\n')[2..];
+
+        Assert.Equal(("1", "0", "0", "0"), lines[^3].Split('|', StringSplitOptions.TrimEntries) is var row ? (row[2], row[3], row[7], row[8]) : default);
+        Assert.StartsWith("| hpgl part.dxf | 1 | 0 |", lines[0], StringComparison.Ordinal);
+        Assert.Contains("no certificate", lines[^2], StringComparison.Ordinal);
+        Assert.Contains("damaged drawing", lines[^2], StringComparison.Ordinal);
     }
 
     /// <summary>No time is looked at: every fault has its row, and where the link stands the stop was heard on the wire.</summary>

@@ -22,6 +22,8 @@ public class PostTableTests
         Assert.All(PostTable.All, entry => Assert.Equal(entry.Post.Name, entry.Keyword, ignoreCase: true));
         Assert.Equal(PostTable.All.Count, PostTable.All.Select(entry => entry.Post.Name).Distinct().Count());
         Assert.Equal(PostTable.All.Count, PostTable.All.Select(entry => new Keyword(entry.Keyword).Short).Distinct().Count());
+        Assert.Equal(PostTable.Choices.Count, PostTable.Choices.Select(choice => new Keyword(choice.Keyword).Short).Distinct().Count());
+        Assert.Equal(PostTable.All.Sum(entry => Math.Max(1, entry.Dialects.Count)), PostTable.Choices.Count);
         Assert.All(PostTable.All, entry => Assert.Matches(@"^\.[a-z]+$", entry.Post.Ending));
         Assert.All(PostTable.All, entry => Assert.DoesNotMatch(@"[.|]$", entry.Post.Summary));
     }

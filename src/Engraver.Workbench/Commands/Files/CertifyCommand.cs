@@ -11,8 +11,8 @@ internal sealed class CertifyCommand : ICommand
 {
     private const string Name = "CERTIFY";
 
-    private static readonly IReadOnlyList<PostEntry> s_readable = [.. PostTable.All.Where(entry => entry.Reader is not null)];
-    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. s_readable.Select(entry => entry.Keyword)]);
+    private static readonly IReadOnlyList<PostChoice> s_readable = [.. PostTable.Choices.Where(choice => choice.Entry.Reader is not null)];
+    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. s_readable.Select(choice => choice.Keyword)]);
 
     public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
 
@@ -24,22 +24,22 @@ internal sealed class CertifyCommand : ICommand
         var usual = PostTable.ForMotion(JobPlan.StyleOf(context.Derivation.Mode)).Keyword;
         var keyword = await context.ChoiceAsync(Wording.Get("Certify.EnterTarget"), s_targets, context.Remembered(Name, usual)).ConfigureAwait(false);
         context.Remember(Name, keyword);
-        var made = await ReadBackProgress.ShowAsync(context.Progress, progress => Certification.CertifyAsync(Request(context, file, s_readable.First(entry => entry.Keyword == keyword), cancellation), progress, cancellation), cancellation).ConfigureAwait(false);
+        var made = await ReadBackProgress.ShowAsync(context.Progress, progress => Certification.CertifyAsync(Request(context, file, s_readable.First(choice => choice.Keyword == keyword), cancellation), progress, cancellation), cancellation).ConfigureAwait(false);
         FindingMessages.Say(context, file, made.Diagnostics, Severity.Warning);
         if (made.Certificate is not { } certificate) throw new CommandException(CommandFailure.Drawing, $"{made.WithoutProgram}.");
         if (!certificate.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Certify.NotOk", Path.GetFileName(file), certificate.MissingLength, certificate.ExtraLength));
-        var place = CertificateFile.PathOf(file, certificate.Program.Target);
+        var place = CertificateFile.PathOf(file, certificate.Program.Target, certificate.Program.Dialect);
         CertificateFile.Write(place, certificate);
         context.Say(Wording.Get("Certify.Written", Path.GetFileName(place), certificate.MaxDeviation ?? 0.0, certificate.Tolerance), MessageKind.Result);
         await LookAsync(context, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>The drawing is read anew: what is certified is the file.</summary>
-    private static CertificationRequest Request(CommandContext context, string file, PostEntry target, CancellationToken cancellation)
+    private static CertificationRequest Request(CommandContext context, string file, PostChoice target, CancellationToken cancellation)
     {
         var (settings, hash) = (context.Document.Current.Settings, ContentHash.OfFile(file));
         var drawing = DrawingFile.Open(file, settings, cancellation);
-        return new CertificationRequest(drawing, hash, settings, target, context.Time.GetUtcNow()) { Address = context.Machine.Line, Mode = context.Derivation.Mode };
+        return new CertificationRequest(drawing, hash, settings, target.Entry, context.Time.GetUtcNow()) { Dialect = target.Dialect, Address = context.Machine.Line, Mode = context.Derivation.Mode };
     }
 
     /// <summary>The list before a start shows it at once.</summary>

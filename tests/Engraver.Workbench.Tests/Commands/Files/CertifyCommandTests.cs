@@ -24,6 +24,21 @@ public class CertifyCommandTests
         Assert.Contains("is of another job: CNCMAXERR changed since", talk.Said, StringComparison.Ordinal);
     }
 
+    /// <summary>As `certify --dialect grbl` of the console: the same file, read back by the rules of grbl.</summary>
+    [Theory]
+    [InlineData("gcode-grbl", "grbl", "part.gcode-grbl.certificate.json")]
+    [InlineData("R", "grbl", "part.gcode-grbl.certificate.json")]
+    [InlineData("gcode", null, "part.gcode.certificate.json")]
+    public async Task A_kind_of_controller_is_chosen_with_the_target(string typed, string? dialect, string file)
+    {
+        await using var talk = new CommandTalk();
+        File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("OPEN", "part.dxf", "CERTIFY", typed));
+        var program = CertificateFile.Read(talk.PathOf(file)).Certificate!.Program;
+        Assert.Equal(("gcode", dialect), (program.Target, program.Dialect));
+    }
+
     [Fact]
     public async Task Edits_that_no_file_holds_are_not_certified()
     {
