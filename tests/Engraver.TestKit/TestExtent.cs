@@ -3,7 +3,7 @@ using System.Globalization;
 namespace Engraver.TestKit;
 
 /// <summary>How much one run of the tests tries: what every commit is tried with, or everything. <c>./test --full</c> sets ENGRAVER_FULL=1; nothing else reads it.</summary>
-/// <remarks>No test is left out of the smaller run: it takes fewer seeds, or each pair of choices once instead of every combination.</remarks>
+/// <remarks>No test is left out of the smaller run: it takes fewer seeds, or each subject with one pair of choices instead of every combination.</remarks>
 public static class TestExtent
 {
     /// <summary>Whether everything is tried: every combination and the large numbers of seeds.</summary>
@@ -26,22 +26,7 @@ public static class TestExtent
         throw new FormatException($"{variable} is '{text}', which is no whole number.");
     }
 
-    /// <summary>Every pair of (subject, first choice), (subject, second choice) and (first choice, second choice) at least once; in the full run every combination.</summary>
-    /// <remarks>The smaller run has as many combinations as subjects times first choices: no fewer can hold all pairs when there are no more second choices than first ones.</remarks>
-    public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Combinations<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second) =>
-        IsFull ? Crossed(subjects, first, second) : Pairwise(subjects, first, second);
-
-    /// <summary>The combinations of the smaller run.</summary>
-    public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Pairwise<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second)
-    {
-        for (var i = 0; i < subjects.Count; i++)
-        {
-            for (var j = 0; j < first.Count; j++) yield return (subjects[i], first[j], second[(i + j) % second.Count]);
-        }
-    }
-
     /// <summary>Each subject with one pair of choices, so that with enough subjects every pair of choices occurs; in the full run every combination.</summary>
-    /// <remarks>For a way whose pairs of subject and choice another test already tries.</remarks>
     public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> InTurn<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second) =>
         IsFull ? Crossed(subjects, first, second) : Rotated(subjects, first, second);
 

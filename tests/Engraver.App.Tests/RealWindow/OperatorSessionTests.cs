@@ -68,7 +68,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         Keep(desktop, "day-4-armed");
         var began = (int)machine.Controller.Record.Count;
         desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
-        await machine.GoUntilAsync(status => (status.Outputs & ToolOn) != 0 && Cut(machine, began) > 30 * RealMachine.Scale);
+        using (var way = new CutWay(machine, ToolOn)) await machine.GoUntilAsync(status => (status.Outputs & ToolOn) != 0 && way.Counts > 30 * RealMachine.Scale);
         Keep(desktop, "day-5-running");
         desktop.Press("Escape");
         machine.Go();
@@ -79,7 +79,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         Keep(desktop, "day-6-held");
         desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
         var resumed = (int)machine.Controller.Record.Count;
-        await machine.GoUntilAsync(_ => Cut(machine, resumed) > 60 * RealMachine.Scale);
+        using (var way = new CutWay(machine, ToolOn)) await machine.GoUntilAsync(_ => way.Counts > 60 * RealMachine.Scale);
         Assert.InRange(FastestCut(machine, resumed), 0.5, 0.95); // slower than the feed of the profile
         desktop.Press("Pause");
         machine.Go();
@@ -125,13 +125,6 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
     }
 
     private static IEnumerable<MotionSample> Rows(RealMachine machine, int from) => machine.Controller.Record.Snapshot().Skip(from);
-
-    /// <summary>Counts that were gone with the tool on.</summary>
-    private static double Cut(RealMachine machine, int from)
-    {
-        var rows = Rows(machine, from).ToList();
-        return rows.Zip(rows.Skip(1)).Where(pair => (pair.Second.Outputs & ToolOn) != 0).Sum(pair => double.Hypot(pair.Second.A - pair.First.A, pair.Second.B - pair.First.B));
-    }
 
     /// <summary>The fastest sample with the tool on, as a part of the profile's feed.</summary>
     private static double FastestCut(RealMachine machine, int from)

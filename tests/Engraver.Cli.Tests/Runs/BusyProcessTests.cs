@@ -1,4 +1,5 @@
 using Engraver.Simulator;
+using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
@@ -6,9 +7,11 @@ namespace Engraver.Cli.Tests.Runs;
 [Collection(nameof(BusyProcess))]
 public class BusyProcessTests
 {
+    /// <summary>A commit tries the strategy that needs the host at every moment.</summary>
+    public static TheoryData<string> Modes => TestExtent.IsFull ? ["stream", "program"] : ["stream"];
+
     [Theory]
-    [InlineData("stream")]
-    [InlineData("program")]
+    [MemberData(nameof(Modes))]
     public async Task A_job_reaches_its_end_while_more_work_waits_than_the_machine_has_cores(string mode)
     {
         using var folder = new TemporaryFolder();

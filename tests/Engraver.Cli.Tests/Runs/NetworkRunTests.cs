@@ -20,7 +20,7 @@ public class NetworkRunTests
         Segment.FromLine(new Point2D(50, 150), new Point2D(50, 50)),
     ];
 
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
     [Theory]
     [InlineData("stream")]

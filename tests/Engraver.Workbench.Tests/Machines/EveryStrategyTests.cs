@@ -4,7 +4,7 @@ using Engraver.TestKit;
 namespace Engraver.Workbench.Tests.Machines;
 
 /// <summary>The main job three ways over each kind of link, judged by every motor sample of the simulated controller.</summary>
-/// <remarks>A commit tries each pair of a foreign drawing, strategy and link, and each sample in one strategy over one link (on <c>sim:</c> the console's <c>SampleRunTests</c> try each in every strategy); <c>./test --full</c> every combination.</remarks>
+/// <remarks>A commit tries each foreign drawing and each sample in one strategy over one link, so that every strategy is tried over every link (on <c>sim:</c> the console's <c>SampleRunTests</c> try each sample in every strategy); <c>./test --full</c> every combination.</remarks>
 public class EveryStrategyTests
 {
     /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
@@ -30,7 +30,7 @@ public class EveryStrategyTests
     public static TheoryData<string, JobMode, string> Samples =>
         Listed(TestExtent.InTurn([.. Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal)], Enum.GetValues<JobMode>(), s_links));
 
-    public static TheoryData<string, JobMode, string> Corpus => Listed(TestExtent.Combinations(s_corpus, Enum.GetValues<JobMode>(), s_links));
+    public static TheoryData<string, JobMode, string> Corpus => Listed(TestExtent.InTurn(s_corpus, Enum.GetValues<JobMode>(), s_links));
 
     [Theory]
     [MemberData(nameof(Samples))]

@@ -10,6 +10,10 @@ internal sealed class Backdrop
     private const byte Major = 2;
     private const byte Axis = 3;
     private const byte AxisY = 4;
+
+    /// <summary>2^53: beyond it a double that is counted up by one stays as it is.</summary>
+    private const double LargestLine = 9_007_199_254_740_992.0;
+
     private readonly uint[] _colours;
     private readonly byte[] _columns;
     private readonly byte[] _rows;
@@ -41,10 +45,12 @@ internal sealed class Backdrop
         }
     }
 
+    /// <summary>Marks the lines between two places. Where lines lie closer than numbers of that size can tell apart (zoomed in far from zero), there are none.</summary>
     private static void Mark(byte[] levels, double from, double to, GridStep step, Func<double, double> toPixel)
     {
-        var last = Math.Floor(to / step.Minor);
-        for (var line = Math.Ceiling(from / step.Minor); line <= last; line++)
+        var (first, last) = (Math.Ceiling(from / step.Minor), Math.Floor(to / step.Minor));
+        if (!(Math.Max(Math.Abs(first), Math.Abs(last)) < LargestLine)) return;
+        for (var line = first; line <= last; line++)
         {
             var pixel = (int)Math.Floor(toPixel(line * step.Minor));
             if ((uint)pixel >= (uint)levels.Length) continue;

@@ -36,6 +36,23 @@ public class BackdropTests
         Assert.Equal(CanvasTheme.Dark.Background, picture.Pixels[(5 * 301) + 5]);
     }
 
+    /// <summary>As it was found: lines were counted in a double that one more does not change, on every core and for ever.</summary>
+    [Theory]
+    [InlineData(5e6, 1e-12)]
+    [InlineData(-5e6, 1e-12)]
+    [InlineData(1e300, 1.0)]
+    [InlineData(double.PositiveInfinity, 1.0)]
+    [InlineData(0.0, double.PositiveInfinity)]
+    public void Where_numbers_cannot_tell_grid_lines_apart_there_are_none(double centre, double unitsPerPixel)
+    {
+        var view = new CanvasView(new Point2D(centre, centre), unitsPerPixel, new PixelSize(50, 50));
+        var picture = new Picture(view);
+
+        Backdrop.For(view, CanvasTheme.Light, grid: true).Fill(picture, 0, 0, 50, 50);
+
+        Assert.All(picture.Pixels, pixel => Assert.Equal(0xFFFFFFFF, pixel));
+    }
+
     [Fact]
     public void A_grid_that_is_off_leaves_the_background()
     {

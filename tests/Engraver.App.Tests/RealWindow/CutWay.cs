@@ -1,0 +1,36 @@
+using Engraver.Simulator;
+
+namespace Engraver.App.Tests.RealWindow;
+
+/// <summary>How far the machine went with its tool on since this was made.</summary>
+internal sealed class CutWay : IMotionListener, IDisposable
+{
+    private readonly byte _tool;
+    private readonly IDisposable _subscription;
+    private MotionSample? _last;
+    private double _counts;
+
+    /// <param name="tool">The output bits that are on while the machine cuts.</param>
+    public CutWay(RealMachine machine, byte tool)
+    {
+        _tool = tool;
+        _subscription = machine.Controller.Record.Subscribe(this);
+    }
+
+    /// <summary>Length of the way in A and B, counts.</summary>
+    public double Counts => Volatile.Read(ref _counts);
+
+    public void Add(in MotionSample sample)
+    {
+        if (_last is { } last && (sample.Outputs & _tool) != 0) Volatile.Write(ref _counts, _counts + double.Hypot(sample.A - last.A, sample.B - last.B));
+        _last = sample;
+    }
+
+    public void Add(MotionSpan span)
+    {
+        Add(span.First);
+        Add(span.Last); // the chord of at most a quarter of an ellipse: near enough to meet a job in the middle
+    }
+
+    public void Dispose() => _subscription.Dispose();
+}
