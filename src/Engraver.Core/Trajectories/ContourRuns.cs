@@ -8,12 +8,15 @@ internal static class ContourRuns
     /// <summary>Part of the allowed error that a gap between two segments may be without a line that bridges it.</summary>
     private const double GapShare = 0.1;
 
+    /// <summary>Largest value of t (1 - t)^2, the cubic with slope 1 at one end of a unit length and 0 at the other.</summary>
+    private const double LargestBulge = 4.0 / 27.0;
+
     /// <summary>Runs in the order of travel; of a closed contour with corners the first begins at one.</summary>
     public static IEnumerable<(IReadOnlyList<Segment> Segments, bool Closed)> Split(IReadOnlyList<Segment> contour, bool closed, CornerMode mode, double maxError)
     {
         var segments = Joined(contour, closed, GapShare * maxError);
         if (segments.Count == 0) return [];
-        var corners = mode == CornerMode.Stop ? Corners(segments, closed) : [];
+        var corners = mode == CornerMode.Stop ? Corners(segments, closed, maxError) : [];
         if (corners.Count == 0) return [(segments, closed)];
         var runs = new List<(IReadOnlyList<Segment>, bool)>();
         if (!closed) corners = [0, .. corners, segments.Count];
@@ -50,15 +53,23 @@ internal static class ContourRuns
         return parts;
     }
 
-    private static List<int> Corners(List<Segment> segments, bool closed)
+    private static List<int> Corners(List<Segment> segments, bool closed, double maxError)
     {
         var corners = new List<int>();
         for (var i = closed ? 0 : 1; i < segments.Count; i++)
         {
-            if (IsCorner(segments[(i + segments.Count - 1) % segments.Count].EndTangent, segments[i].StartTangent)) corners.Add(i);
+            var (before, after) = (segments[(i + segments.Count - 1) % segments.Count], segments[i]);
+            if (IsCorner(before.EndTangent, after.StartTangent) || Bulge(before, after) > maxError) corners.Add(i);
         }
 
         return corners;
+    }
+
+    /// <summary>How far a line would be bent out when it is gone through without a stop at a bend of this turn, mm: a cubic element as long as the line, at one end turned from it. Lines are not divided.</summary>
+    private static double Bulge(Segment before, Segment after)
+    {
+        var line = Math.Max(before.Kind == SegmentKind.Line ? before.Length : 0.0, after.Kind == SegmentKind.Line ? after.Length : 0.0);
+        return line * before.EndTangent.TurnTo(after.StartTangent).Abs().Radians * LargestBulge;
     }
 
     private static bool IsCorner(Vector2D arriving, Vector2D leaving) => arriving.TurnTo(leaving).Abs().Degrees > ChainJoint.CornerDegrees;

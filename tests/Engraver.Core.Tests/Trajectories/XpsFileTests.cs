@@ -72,6 +72,22 @@ public class XpsFileTests
         Assert.Empty(file.BrokenLimits);
     }
 
+    /// <summary>A bend below 0.05 degrees is gone through where the error allows; between long lines, which no file divides, it does not, and the machine stops there.</summary>
+    [Theory]
+    [InlineData(TrajectoryFormat.Sace, 120.0)]
+    [InlineData(TrajectoryFormat.XpsSpline, 120.0)]
+    [InlineData(TrajectoryFormat.XpsPvt, 120.0)]
+    [InlineData(TrajectoryFormat.XpsPvt, 1.0)]
+    public void A_small_bend_between_lines_keeps_the_error(TrajectoryFormat format, double length)
+    {
+        var bend = Angle.FromDegrees(0.04);
+        Segment[] path = [Shapes.Line(0.0, 0.0, length, 0.0), Shapes.Line(length, 0.0, length * (1.0 + bend.Cos()), length * bend.Sin())];
+        var files = TrajectoryFiles.Write(path, closed: false, new TrajectoryOptions(0.001), format, s_motion).Files;
+
+        Assert.Equal(length > 100.0 ? 2 : 1, files.Count);
+        Assert.All(files, file => Assert.InRange(file.VerifiedBound, 0.0, 0.001));
+    }
+
     /// <summary>Control points that are one, or nearly, at an end or inside; slow and fast machines.</summary>
     [Fact]
     public void Splines_of_uneven_speed_keep_the_limits_of_the_machine()
