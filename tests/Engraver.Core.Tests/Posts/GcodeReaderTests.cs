@@ -73,6 +73,37 @@ public class GcodeReaderTests
         Assert.Equal(most == 0.0 ? 0 : text.Split('\n').ToList().IndexOf(cut) + 1, told.Blends.Line);
     }
 
+    /// <summary>As they were found: programs that plunge, or that cut with nothing on, were called the same as the drawing.</summary>
+    [Theory]
+    [InlineData("G1 X9 Z-5")]
+    [InlineData("G1 Z-5")]
+    [InlineData("G0 Z5")]
+    [InlineData("G2 X2 Y0 I1 Z-1")]
+    public async Task A_program_that_moves_Z_is_refused_for_a_machine_without_a_tool_axis(string move) =>
+        Assert.Equal("PST0001@4", (await TellingJudge.ReadAsync(new GcodeReader(), $"G0 X0 Y0\nM3\nF600\n{move}\nM5\nM2\n")).Findings);
+
+    [Fact]
+    public async Task A_beam_of_no_power_cuts_nothing()
+    {
+        var (found, told) = await TellingJudge.ReadAsync(new GcodeReader(), "G0 X0 Y0\nM3 S0\nF600\nG1 X9\nS500\nG1 X12\nM5\nM2\n");
+
+        Assert.Equal("", found);
+        var cut = Assert.Single(told.Cuts);
+        Assert.Equal((new Point2D(9.0, 0.0), new Point2D(12.0, 0.0)), (cut.Start, cut.End));
+    }
+
+    [Theory]
+    [InlineData("M3 S1000", "")]
+    [InlineData("M3", "")]
+    [InlineData("M3 S0", "PST0001@4")]
+    [InlineData("M5", "PST0001@4")]
+    public async Task A_cutter_goes_down_only_with_its_spindle_turning(string spindle, string expected)
+    {
+        var mill = MachineProfile.Default with { Height = new HeightDrive(), Spindle = new Spindle() };
+
+        Assert.Equal(expected, (await TellingJudge.ReadAsync(new GcodeReader(), $"G0 Z{mill.Height.RetractHeight}\nG0 X0 Y0\n{spindle}\nG1 Z-1 F300\nG1 X9\nG0 Z{mill.Height.RetractHeight}\nM5\nM2\n", mill)).Findings);
+    }
+
     [Fact]
     public async Task Grbl_runs_every_path_exactly() => Assert.Equal(0.0, (await TellingJudge.ReadAsync(new GcodeReader(GcodeController.Grbl), "G0 X0 Y0\nM3\nG1 X9 F600\nM5\nM2\n")).Told.Blends.Largest);
 

@@ -22,6 +22,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private GcodeBlend _blend = controller == GcodeController.Grbl ? GcodeBlend.Exact : GcodeBlend.Unbounded;
     private double _feed;
     private bool _spindle;
+    private double? _speed;
     private bool _coolant;
     private bool _output;
 
@@ -30,7 +31,10 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     /// <summary>M2 or M30 was done.</summary>
     public bool HasEnded { get; private set; }
 
-    private bool IsOn => (_profile.Spindle is null && _spindle) || _coolant || _output;
+    private bool IsOn => (_profile.Spindle is null && Turns) || _coolant || _output;
+
+    /// <summary>Switched on, at a speed (of a laser: a power) that is not said to be none.</summary>
+    private bool Turns => _spindle && _speed != 0.0;
 
     /// <summary>Does a line that the rules let pass.</summary>
     /// <returns>Why it cannot be done; null when it was.</returns>
@@ -51,6 +55,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private void Switch(GcodeBlock block)
     {
         var was = IsOn;
+        _speed = block['S'] ?? _speed;
         foreach (var code in block.Codes('M'))
         {
             if (code is 30 or 40 or 50) _spindle = code != 50;
@@ -89,8 +94,10 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     {
         if (_motion is null or GcodeCodes.NoMotion) return Wording.Get("GcodeReader.NoMotion");
         if (_motion != 0 && !(_feed > 0.0)) return Wording.Get("GcodeReader.NoFeed");
+        if (_motion != 0 && _profile.Spindle is not null && !Turns) return Wording.Get("GcodeReader.SpindleStands");
         if (!_isAbsolute && !(Knows('X', block) && Knows('Y', block) && Knows('Z', block))) return Wording.Get("GcodeReader.WhereFrom");
         var to = new Vector3D(Coordinate(block['X'], _place.X), Coordinate(block['Y'], _place.Y), Coordinate(block['Z'], _place.Z));
+        if (_profile.Height is null && to.Z != 0.0) return Wording.Get("GcodeReader.NoToolAxis");
         if (_motion is 20 or 30) return Turn(block, to, line);
         if (_motion != 0 && !Learn(block)) return Wording.Get("GcodeReader.WhereFrom");
         if (_motion == 0 && !_knowsZ && !block.Has("Z")) return Wording.Get("GcodeReader.HeightFirst");
