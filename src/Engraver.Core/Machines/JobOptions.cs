@@ -26,6 +26,9 @@ public sealed record JobOptions
     /// <summary>What lies before it is cut already; the job goes on from there.</summary>
     public JobPlace From { get; init; }
 
+    /// <summary>Journal of the interrupted job that this one goes on with; null for none. It is told so when the job begins.</summary>
+    public string? ResumedJournal { get; init; }
+
     /// <summary>Counts of the path before <see cref="From"/> that are cut again.</summary>
     public double LeadIn { get; init; }
 

@@ -32,6 +32,22 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
             FromSegments = options.From.Segments,
             FromAlong = options.From.Along,
         });
+        TellResumed(options);
+    }
+
+    /// <summary>An interrupted job that is gone on with is not gone on with a second time from its own place. A dry run cuts nothing.</summary>
+    private static void TellResumed(JobOptions options)
+    {
+        if (options is not { ResumedJournal: { } earlier, JournalPath: { } own, DryRun: false } || Path.GetFullPath(earlier) == Path.GetFullPath(own)) return;
+        try
+        {
+            using var told = new JobJournal(earlier);
+            told.Write(new JournalResumed(Path.GetFullPath(own)));
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            // A journal on a medium that cannot be written is read all the same: the operator sees what is cut before it is armed.
+        }
     }
 
     /// <summary>Written before anything in the controller is changed.</summary>

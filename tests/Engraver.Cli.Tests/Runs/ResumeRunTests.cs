@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.Json;
+using Engraver.Simulator;
 using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
@@ -57,7 +58,45 @@ public sealed class ResumeRunTests : IDisposable
         Assert.Contains("no lead-in", run.Error, StringComparison.Ordinal);
     }
 
+    /// <summary>As it was found: after a dry run in between nothing told any more where the job had been begun, and the rest was cut 33 mm beside it and called complete; and what was left could be cut again and again.</summary>
+    [Fact]
+    public async Task A_job_goes_on_once_and_nowhere_else_whatever_was_run_in_between()
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var address = $"tcp://127.0.0.1:{(await controller.ListenTcpAsync(0, CancellationToken.None)).Port}?clock={(await controller.ListenClockAsync(CancellationToken.None)).Port}";
+        var journal = _folder.PathOf("first.jsonl");
+        string[] run = ["run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--json"], resume = [.. run, "--resume", journal, "--journal", _folder.PathOf("second.jsonl")];
+        await DoneAsync("zero", "--connect", address);
+        Assert.Equal(5, (await StoppedAsync(60, [.. run, "--journal", journal])).ExitCode);
+        await DoneAsync("origin", "G54", "--at", "33,0", "--connect", address);
+        await RefusedAsync("33,0", resume);
+        await DoneAsync([.. run, "--resume", journal, "--journal", _folder.PathOf("dry.jsonl"), "--origin", "work", "--dry-run"]);
+
+        await RefusedAsync("33,0", resume);
+        await RefusedAsync("another place", [.. resume, "--origin", "20,0"]);
+        await RefusedAsync("another place", [.. resume, "--origin", "here"]);
+        await DoneAsync("origin", "G54", "--at", "0,0", "--connect", address);
+        await DoneAsync(resume);
+        await RefusedAsync("gone on with already", resume);
+        var cut = controller.Record.Snapshot().Where(row => (row.Outputs & 1) != 0).ToList();
+        Assert.Equal((50_000, 150_000), (cut.Min(row => row.A), cut.Max(row => row.A)));
+    }
+
     public void Dispose() => _folder.Dispose();
+
+    private static async Task DoneAsync(params string[] words)
+    {
+        var done = await CliRun.RunAsync(words);
+        Assert.True(done.ExitCode == ExitCode.Done, $"{string.Join(' ', words)}: {done.Error}");
+    }
+
+    private static async Task RefusedAsync(string reason, params string[] words)
+    {
+        var refused = await CliRun.RunAsync(words);
+        Assert.True(refused.ExitCode == ExitCode.Usage, $"{string.Join(' ', words)}: {refused.Out}{refused.Error}");
+        Assert.Contains("JOB0040", refused.Error, StringComparison.Ordinal);
+        Assert.Contains(reason, refused.Error, StringComparison.Ordinal);
+    }
 
     private static string? Text(CliRun run, string name) => JsonText.Of(run).GetProperty(name).GetString();
 

@@ -10,6 +10,9 @@ namespace Engraver.Galil.Jobs.Journal;
 /// <param name="End">Null where the job did not end properly.</param>
 public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, JournalOpened? Opened, JournalEnd? End)
 {
+    /// <summary>Journal of the job that has gone on with this one; null for none.</summary>
+    public string? ResumedBy { get; init; }
+
     /// <returns>Null when no job is told of.</returns>
     /// <exception cref="IOException">It cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
@@ -31,6 +34,7 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
             return (job, kind) switch
             {
                 (_, "job") when JobJournal.Read<JournalHeader>(line) is { } header => new InterruptedJob(header, new JobPlace(header.FromSegments, header.FromAlong), null, null),
+                (not null, "resumed") => job with { ResumedBy = JobJournal.Read<JournalResumed>(line)?.By },
                 (not null, "opened") => job with { Opened = JobJournal.Read<JournalOpened>(line) },
                 (not null, "progress") when JobJournal.Read<JournalProgress>(line) is { } now => job with { Place = JobPlace.Later(job.Place, new JobPlace(now.Cut, now.Along)) },
                 (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => job with { End = end, Place = JobPlace.Later(job.Place, new JobPlace(end.Cut, end.Along)) },

@@ -77,6 +77,13 @@ public sealed record JournalGivenBack(string By)
     public string Kind { get; } = "givenBack";
 }
 
+/// <summary>A later job has gone on with this one, and has a journal of its own.</summary>
+/// <param name="By">Path of that journal.</param>
+public sealed record JournalResumed(string By)
+{
+    public string Kind { get; } = "resumed";
+}
+
 /// <summary>The operator held the job or let it go on, or changed an override.</summary>
 /// <param name="Feed">Factor of the programmed feed.</param>
 /// <param name="Rapid">Factor of the rapid speed.</param>
@@ -94,6 +101,7 @@ public sealed record JournalControl(JobPhase Phase, double Feed, double Rapid, i
 [JsonSerializable(typeof(JournalEnd))]
 [JsonSerializable(typeof(JournalFound))]
 [JsonSerializable(typeof(JournalGivenBack))]
+[JsonSerializable(typeof(JournalResumed))]
 [JsonSerializable(typeof(JournalControl))]
 [JsonSerializable(typeof(JournalOpened))]
 internal sealed partial class JournalJson : JsonSerializerContext;

@@ -69,6 +69,7 @@ internal static class ResumeFinder
     private static string Unfit(InterruptedJob job, MotionProgram program, JobMode mode) => job switch
     {
         { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
+        { ResumedBy: { } later } when File.Exists(later) => Wording.Get("Resume.GoneOn", later),
         { End.Outcome: JobOutcome.Complete } => Wording.Get("Resume.Complete"),
         { Header.Mode: var other } when other != mode => Wording.Get("Resume.OtherMode", Word(other), Word(mode)),
         { Header.Program: var print } when print != ProgramFingerprint.Of(program) => Wording.Get("Resume.OtherProgram", job.Header.Drawing),

@@ -132,6 +132,7 @@ public static class MachineRun
             DryRun = options.DryRun,
             Control = options.Control,
             From = beginning.Place,
+            ResumedJournal = options.Resume?.Journal,
             LeadIn = beginning.LeadIn,
             HeightOfCut = beginning.HeightOfCut,
             SourceOf = job.Drawing.SourceOf,

@@ -52,7 +52,8 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
     public Diagnostic? Refusal { get; private init; }
 
     /// <summary>Asks the machine what it has kept of an interrupted job, and finds where it is to go on: at the active work origin where the operator has set one, which must be where the job was
-    /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another origin that is asked for is taken, and then, or where the origin was set anew, the height is the operator's too.</summary>
+    /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another place is refused, also where nothing tells whether the counts of then are those of now, unless the operator
+    /// asks for the work origin by name; then, or where the origin was set anew, the height is the operator's too.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public static async Task<JobBeginning> FindAsync(IMachineConnection machine, MotionProgram program, MachineRunOptions options, MachineMemory memory, CancellationToken cancellation)
     {
@@ -62,12 +63,19 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
         var found = await machine.FindResumeAsync(program, options.Mode, journal, cancellation).ConfigureAwait(false);
         if (found.Refusal is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
         var resumed = new JobBeginning(found.Place, leadIn + found.Doubt, options.Origin);
-        if (options.Origin is not OriginRequest.Work || request.AtOrigin) return resumed;
+        if (request.AtOrigin) return resumed;
+        var then = Shown(Millimetres(program, found.Frame));
+        if (options.Origin is not OriginRequest.Work)
+        {
+            var asked = options.Origin is OriginRequest.Given given ? program.Profile.Scale.ToCounts(given.Machine) : (CountsPoint?)null;
+            return asked is { } place && (place.X, place.Y) == (found.Frame.X, found.Frame.Y) ? resumed : Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherPlace", then)));
+        }
+
         if (found.IsSameZero || (program.Profile.Axes.Z?.Homing is not null && memory.HomedAs == program.Profile.HomedAs)) resumed = resumed with { HeightOfCut = found.HeightOfCut };
-        if (memory.ActiveOrigin is not { IsAssumed: false } origin) return found.IsSameZero ? resumed with { Origin = new OriginRequest.Given(Millimetres(program, found.Frame)) } : resumed;
-        if (origin.Plane is not { } set || (set.X, set.Y) == (found.Frame.X, found.Frame.Y) || !(found.IsSameZero || memory.HomedAs.Length > 0)) return resumed;
-        var (then, now) = (Millimetres(program, found.Frame), Millimetres(program, set));
-        return Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherOrigin", Shown(then), memory.Active, Shown(now))));
+        var isSet = memory.ActiveOrigin is { IsAssumed: false };
+        if (!isSet && found.IsSameZero) return resumed with { Origin = new OriginRequest.Given(Millimetres(program, found.Frame)) };
+        if ((isSet ? memory.ActiveOrigin!.Plane : default(CountsPoint)) is not { } set || (set.X, set.Y) == (found.Frame.X, found.Frame.Y)) return resumed;
+        return Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherOrigin", then, memory.Active, Shown(Millimetres(program, set)))));
     }
 
     private static JobBeginning Refused(MachineRunOptions options, Diagnostic why) => new(default, 0.0, options.Origin) { Refusal = why };
