@@ -35,7 +35,7 @@ internal static class SimulateVerb
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudRateSerialPort"));
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine) is { } path ? ProfileOption.Load(parsed, path) : null, parsed.GetValue(faults), parsed.GetValue(numbers) == Column), stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine) is { } path ? ProfileOption.Load(parsed, path) : null, parsed.GetValue(faults), parsed.GetValue(numbers) == Column, parsed.GetValue(number)), stop));
         return command;
     }
 
@@ -128,12 +128,12 @@ internal static class SimulateVerb
     }
 
     /// <exception cref="UsageException">The plan of faults cannot be read or is none.</exception>
-    private static ServedSimulator Simulator(double speed, MachineProfile? profile, string? faults, bool signColumn)
+    private static ServedSimulator Simulator(double speed, MachineProfile? profile, string? faults, bool signColumn, int? number)
     {
-        if (faults is null) return ServedSimulator.Create(speed, profile, faults: null, signColumn);
+        if (faults is null) return ServedSimulator.Create(speed, profile, faults: null, signColumn, number);
         try
         {
-            return ServedSimulator.Create(speed, profile, File.ReadAllText(faults), signColumn);
+            return ServedSimulator.Create(speed, profile, File.ReadAllText(faults), signColumn, number);
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or JsonException)
         {

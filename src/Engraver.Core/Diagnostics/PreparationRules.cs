@@ -43,6 +43,8 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule NotResumed = new("JOB0040", Severity.Error, "journal", "reason");
 
+    public static readonly DiagnosticRule OtherProfile = new("JOB0041", Severity.Error);
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile];
 }

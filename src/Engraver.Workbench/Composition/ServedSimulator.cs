@@ -26,7 +26,7 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <param name="faults">What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md); null for nothing.</param>
     /// <param name="signColumn">Only the column of the sign divides a negative number in a message from the one before it.</param>
     /// <exception cref="JsonException">The text is no plan of faults.</exception>
-    public static ServedSimulator Create(double speed, MachineProfile? profile, string? faults, bool signColumn)
+    public static ServedSimulator Create(double speed, MachineProfile? profile, string? faults, bool signColumn, int? serialNumber = null)
     {
         var options = new SimulatorOptions
         {
@@ -35,6 +35,7 @@ public sealed class ServedSimulator : IAsyncDisposable
             Faults = faults is null ? null : FaultPlan.Parse(faults),
             NumberSpacing = signColumn ? NumberSpacing.SignColumn : NumberSpacing.Blank,
         };
+        if (serialNumber is { } number) options = options with { SerialNumber = number };
         return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = Burned(profile), Switches = SimulatedMachine.Switches(profile) });
     }
 

@@ -63,6 +63,19 @@ public class NetworkRunTests
         Assert.InRange(controller.Record.Snapshot().Max(row => row.A), 150_000, 160_000); // stopped, not cut to its end
     }
 
+    [Fact]
+    public async Task Simulate_has_the_serial_number_that_it_is_given()
+    {
+        using var patience = new CancellationTokenSource(s_patience);
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--serial-number", "4711");
+        var address = await simulate.LineAsync("listening ", patience.Token);
+        var found = await CliRun.RunAsync("discover", address["listening ".Length..]);
+        simulate.Signal(PosixSignal.SIGINT);
+        await simulate.WaitAsync(patience.Token);
+
+        Assert.Contains("4711", found.Out, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("column")]
     [InlineData("blank")]

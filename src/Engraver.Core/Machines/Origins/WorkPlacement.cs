@@ -46,8 +46,12 @@ public static class WorkPlacement
         return NotHomed(memory, place, profile) ?? LossOf(memory, place);
     }
 
-    private static Diagnostic? NotHomed(MachineMemory memory, ControllerPlace place, MachineProfile profile) =>
-        !profile.HasHoming || memory.IsHomedAt(profile, place) ? null : place.Doubt.Length > 0 ? PreparationRules.PositionDoubted.At(default, place.Doubt) : PreparationRules.NotHomed.At(default);
+    /// <remarks>A machine that was homed is known by its own profile: with another one its counts would be other millimetres, its travel and its tool another's.</remarks>
+    private static Diagnostic? NotHomed(MachineMemory memory, ControllerPlace place, MachineProfile profile)
+    {
+        if (!profile.HasHoming) return memory.HomedAs.Length > 0 && memory.IsSameZero(place) ? PreparationRules.OtherProfile.At(default) : null;
+        return memory.IsHomedAt(profile, place) ? null : place.Doubt.Length > 0 ? PreparationRules.PositionDoubted.At(default, place.Doubt) : PreparationRules.NotHomed.At(default);
+    }
 
     /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
     public static Diagnostic? LossOf(MachineMemory memory, ControllerPlace place)

@@ -32,6 +32,14 @@ public class WorkPlacementTests
         }
     }
 
+    /// <summary>As it was found: a machine of 800 counts for a millimetre, driven with the default profile of 1000, cut its part a quarter too large, and the run was called perfect.</summary>
+    [Fact]
+    public void A_machine_that_was_homed_is_not_driven_with_a_profile_that_knows_no_homing()
+    {
+        Assert.Equal("JOB0041", Work(s_set with { HomedAs = "A-Switch@0 B-Switch@0" }, At(0, 0) with { Mark = 77, Clock = 1000 }).Refusal!.Id);
+        Assert.Equal("JOB0009", Work(s_set with { HomedAs = "A-Switch@0 B-Switch@0" }, At(0, 0)).Refusal!.Id);
+    }
+
     [Fact]
     public void A_machine_that_nobody_zeroed_has_its_origin_where_it_counts_0_and_only_there()
     {
