@@ -20,10 +20,10 @@ internal sealed class ShownDesktop : IDisposable
     /// <summary>Two frames of the screen: looking more often takes the time of the processor from what is waited for.</summary>
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(33);
 
-    /// <summary>A window that looks the same so often has nothing left to paint.</summary>
-    private const int LooksAtRest = 9;
+    /// <summary>A window that looks the same so often has nothing left to paint; the caret blinks every half second.</summary>
+    private const int LooksAtRest = 14;
 
-    private const int MostLooks = 90;
+    private const int MostLooks = 150;
 
     private readonly XServer _server;
     private readonly ToldProcess _desktop;
@@ -96,6 +96,9 @@ internal sealed class ShownDesktop : IDisposable
 
         WaitForTitle(beginning);
     }
+
+    /// <summary>Whether the window is called so within some seconds.</summary>
+    public bool IsCalledSoon(string beginning) => _titles.HearsWithin(Title(beginning), s_untilTypedAgain);
 
     /// <summary>Presses the mouse button and keeps it down.</summary>
     public void HoldDown(Point place) => _server.Run("xdotool", "mousemove", "--window", Id, Whole(place.X), Whole(place.Y), "mousedown", "1");

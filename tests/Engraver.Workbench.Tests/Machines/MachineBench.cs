@@ -11,6 +11,7 @@ namespace Engraver.Workbench.Tests.Machines;
 /// <summary>A machine session connected over TCP to a simulated controller that the test holds in its hands; the session's clock moves only when the test says so.</summary>
 internal sealed class MachineBench : IAsyncDisposable
 {
+    private static readonly TimeSpan s_untilNextStep = TimeSpan.FromSeconds(1); // of the wall
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
 
     /// <summary>A drawing whose zero lies where the controller counts 0.</summary>
@@ -55,9 +56,25 @@ internal sealed class MachineBench : IAsyncDisposable
             Machine.Changed += OnChanged;
             var status = Machine.Status;
             if (wanted(status)) return status;
-            Time.Advance(TimeSpan.FromMilliseconds(100));
-            await changed.Task.WaitAsync(Limit);
+            await PassAsync(changed.Task);
             Machine.Changed -= OnChanged;
+        }
+    }
+
+    /// <summary>Moves the clock on until there is something to see: a step may come before the next look is set.</summary>
+    private async Task PassAsync(Task changed)
+    {
+        while (true)
+        {
+            Time.Advance(TimeSpan.FromMilliseconds(100));
+            try
+            {
+                await changed.WaitAsync(s_untilNextStep, Limit);
+                return;
+            }
+            catch (TimeoutException)
+            {
+            }
         }
     }
 
