@@ -46,7 +46,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            // A journal on a medium that cannot be written is read all the same: the operator sees what is cut before it is armed.
+            // A journal on a medium that cannot be written can be resumed all the same, then also a second time.
         }
     }
 

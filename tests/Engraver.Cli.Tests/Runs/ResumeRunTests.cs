@@ -74,6 +74,7 @@ public sealed class ResumeRunTests : IDisposable
 
         await RefusedAsync("33,0", resume);
         await RefusedAsync("another place", [.. resume, "--origin", "20,0"]);
+        await RefusedAsync("another place", [.. resume, "--origin", "1e12,0"]);
         await RefusedAsync("another place", [.. resume, "--origin", "here"]);
         await DoneAsync("origin", "G54", "--at", "0,0", "--connect", address);
         await DoneAsync(resume);

@@ -67,8 +67,7 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
         var then = Shown(Millimetres(program, found.Frame));
         if (options.Origin is not OriginRequest.Work)
         {
-            var asked = options.Origin is OriginRequest.Given given ? program.Profile.Scale.ToCounts(given.Machine) : (CountsPoint?)null;
-            return asked is { } place && (place.X, place.Y) == (found.Frame.X, found.Frame.Y) ? resumed : Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherPlace", then)));
+            return IsAt(options.Origin, found.Frame, program.Profile.Scale) ? resumed : Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherPlace", then)));
         }
 
         if (found.IsSameZero || (program.Profile.Axes.Z?.Homing is not null && memory.HomedAs == program.Profile.HomedAs)) resumed = resumed with { HeightOfCut = found.HeightOfCut };
@@ -77,6 +76,9 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
         if ((isSet ? memory.ActiveOrigin!.Plane : default(CountsPoint)) is not { } set || (set.X, set.Y) == (found.Frame.X, found.Frame.Y)) return resumed;
         return Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherOrigin", then, memory.Active, Shown(Millimetres(program, set)))));
     }
+
+    private static bool IsAt(OriginRequest origin, CountsPoint frame, CountsScale scale) =>
+        origin is OriginRequest.Given { Machine: var at } && scale.Holds(Bounds2D.FromCorners(at, at), default) && scale.ToCounts(at) is var place && (place.X, place.Y) == (frame.X, frame.Y);
 
     private static JobBeginning Refused(MachineRunOptions options, Diagnostic why) => new(default, 0.0, options.Origin) { Refusal = why };
 
