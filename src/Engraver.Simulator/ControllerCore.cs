@@ -80,13 +80,15 @@ internal sealed class ControllerCore : IDisposable
     }
 
     /// <summary>Takes bytes that a client sent. A bug that shows here breaks the controller, not the thread that carries the bytes.</summary>
-    public void Receive(Handle handle, ReadOnlySpan<byte> bytes)
+    /// <param name="taken">Told the controller's clock, before the bytes are executed; null for nobody.</param>
+    public void Receive(Handle handle, ReadOnlySpan<byte> bytes, Action<long>? taken = null)
     {
         lock (_gate)
         {
             try
             {
                 _clock.Pace();
+                taken?.Invoke(Machine.ClockTicks);
                 handle.Receive(bytes);
                 _clock.Heard();
                 Happened();

@@ -31,16 +31,24 @@ public sealed class SimulatedController : IAsyncDisposable
 
     public ControllerStatus Status => _core.Status;
 
+    /// <summary>Controller time since it was switched on, ticks of 100 ns.</summary>
+    public long ClockTicks => _core.Hosts.Now;
+
     /// <summary>The error (a full disk) that ended the writing of the record's file; null while it is written.</summary>
     public IOException? RecordFailure => _core.RecordFailure;
 
     /// <summary>The client end of a new handle, without a socket but with the same bytes. Disposing it frees the handle.</summary>
     /// <exception cref="IOException">All handles are busy.</exception>
-    public Stream OpenConnection()
+    public Stream OpenConnection() => OpenConnection(taken: null);
+
+    /// <summary>The same with somebody who is told when bytes are taken.</summary>
+    /// <param name="taken">Called for each write before it is executed, with <see cref="ClockTicks"/> at that moment; under the controller's lock. Null for nobody.</param>
+    /// <exception cref="IOException">All handles are busy.</exception>
+    public Stream OpenConnection(Action<long>? taken)
     {
         const int ConventionalPort = 23;
         var handle = _core.Open(ConventionalPort, 0, null) ?? throw new IOException("All handles of the controller are busy.");
-        return new MemoryConnection(_core, handle);
+        return new MemoryConnection(_core, handle, taken);
     }
 
     /// <summary>Listens on loopback until the controller is disposed; may be called for several ports.</summary>

@@ -5,23 +5,29 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>With what a program was posted that is read back: <c>--origin</c> and <c>--blend</c>, for a target whose post has them.</summary>
+/// <summary>With what a program was posted that is read back, for a target whose post has it: <c>--origin</c>, <c>--blend</c> and what it says beside the way.</summary>
 internal sealed class PostedOptions
 {
-    private readonly Option<string?> _origin = new("--origin") { HelpName = "here|X,Y[,Z]", Description = Wording.Get("Verify.Origin") };
-    private readonly Option<string?> _blend = new("--blend") { HelpName = "MM", Description = Wording.Get("Verify.Blend") };
+    private readonly IReadOnlyList<Option<string?>> _options = [.. PostedWith.OptionNames.Select(New)];
 
     /// <param name="target">The name of the target by what was typed; also one that posts nothing.</param>
     public void AddTo(Command command, Func<CommandResult, string> target)
     {
-        foreach (var option in (Option<string?>[])[_origin, _blend])
+        foreach (var option in _options)
         {
             command.Options.Add(option);
             command.Validators.Add(result => Check(result, option, target(result)));
         }
     }
 
-    public PostedWith Of(ParseResult parsed) => PostedWith.Parse(parsed.GetValue(_origin), parsed.GetValue(_blend));
+    public PostedWith Of(ParseResult parsed) => PostedWith.Parse(name => parsed.GetValue(_options.First(option => option.Name == "--" + name)));
+
+    private static Option<string?> New(string name)
+    {
+        var choice = PostTable.Options.First(option => option.Name == name);
+        var meaning = name switch { "origin" => Wording.Get("Verify.Origin"), "blend" => Wording.Get("Verify.Blend"), _ => Wording.Get("Verify.Posted", choice.Summary, choice.Default) };
+        return new Option<string?>("--" + name) { HelpName = name == "origin" ? "here|X,Y[,Z]" : choice.Argument, Description = meaning };
+    }
 
     /// <summary>Refuses what the target's post does not have, and a value that it would refuse.</summary>
     private static void Check(CommandResult result, Option<string?> option, string target)

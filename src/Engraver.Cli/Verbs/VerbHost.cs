@@ -51,6 +51,12 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         if (new JobHistory(JobHistory.FolderIn(null)).Add(entry).Failure is { } failure) SayNotKept(failure);
     }
 
+    /// <summary>Notes in the history how a program was read back, where the history knows it.</summary>
+    public void NoteReadBack(string program, HistoryReadBack found)
+    {
+        if (new JobHistory(JobHistory.FolderIn(null)).NoteReadBack(program, found) is { } failure) SayNotKept(failure);
+    }
+
     /// <summary>A run that begins is in the history from now on.</summary>
     public OpenJob Begin(HistoryEntry entry) => new(new JobHistory(JobHistory.FolderIn(null)), entry, SayNotKept);
 

@@ -5,6 +5,7 @@ using Engraver.Cli.Output;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Verification;
 
@@ -16,7 +17,7 @@ internal sealed class VerifyVerb
     private readonly VerbHost _host;
     private readonly Argument<string> _program = new("PROGRAM") { Description = Wording.Get("Verify.ProgramPostedAllChunks") };
     private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.DrawingMadeFromDxf") };
-    private readonly Option<string> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram"), DefaultValueFactory = _ => PostTable.All[0].Post.Name };
+    private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram") };
     private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Verify.Dialect") };
     private readonly PostedOptions _posted = new();
     private readonly Option<bool> _json = JsonOption.New();
@@ -46,14 +47,18 @@ internal sealed class VerifyVerb
     {
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
-        var (program, reader) = ReadBack(parsed.GetRequiredValue(_program), parsed.GetRequiredValue(_target), parsed.GetValue(_dialect));
+        var file = parsed.GetRequiredValue(_program);
+        var (target, dialect) = parsed.GetValue(_target) is { } named ? (named, parsed.GetValue(_dialect)) : Found(file, parsed.GetValue(_dialect));
+        var (program, reader) = ReadBack(file, target, dialect);
+        if (parsed.GetValue(_target) is null && ProgramForm.Of(file) is null && !_host.Quiet(parsed)) await _host.Error.WriteLineAsync(Wording.Get("Verify.ReadAs", file, $"{target} {dialect}".TrimEnd())).ConfigureAwait(false);
         var posted = _posted.Of(parsed);
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report, target), ContractJson.Default.VerifyJson);
         else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);
-        _host.Report(parsed, parsed.GetRequiredValue(_program), report.Diagnostics);
+        _host.Report(parsed, file, report.Diagnostics);
+        _host.NoteReadBack(file, new HistoryReadBack(report.Ok, TimeProvider.System.GetUtcNow(), report.MaxDeviationMm, Certificate: null));
         return report.Ok ? ExitCode.Done : ExitCode.DrawingError;
     }
 
@@ -68,7 +73,12 @@ internal sealed class VerifyVerb
         if (Entry(result)?.Dialects.ContainsKey(dialect.Value) != true) result.AddError(Wording.Get("Post.NoOptionTarget", _dialect.Name, Target(result)));
     }
 
-    private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.All[0].Post.Name;
+    private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value
+        : result.GetResult(_program) is { Tokens: [var file] } ? Found(file.Value, null).Target : PostTable.All[0].Post.Name;
+
+    /// <summary>What the file looks like, and the first entry of the table where it looks like nothing.</summary>
+    /// <param name="asked">The dialect that was typed; null: as the file says.</param>
+    private static (string Target, string? Dialect) Found(string file, string? asked) => ProgramForm.Of(file) is { } found ? (found.Entry.Post.Name, asked ?? found.Dialect) : (PostTable.All[0].Post.Name, asked);
 
     /// <summary>Null for a target of trajectories.</summary>
     private PostEntry? Entry(CommandResult result) => PostTable.All.FirstOrDefault(entry => entry.Post.Name == Target(result));

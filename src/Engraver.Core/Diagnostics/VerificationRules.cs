@@ -27,6 +27,12 @@ public static class VerificationRules
 
     public static readonly DiagnosticRule BlendsWithoutBound = new("VER0012", Severity.Error, "line");
 
+    public static readonly DiagnosticRule OtherThanAsked = new("VER0013", Severity.Error, "said", "line", "expected");
+
+    public static readonly DiagnosticRule CutTwice = new("VER0014", Severity.Error, "length", "expected");
+
+    public static readonly DiagnosticRule OtherPace = new("VER0015", Severity.Error, "x", "y", "seconds", "wait", "expected", "expectedWait");
+
     public static readonly DiagnosticRule ToolpathBeside = new("VER0020", Severity.Error, "deviation", "x", "y", "tolerance");
 
     public static readonly DiagnosticRule ToolpathMissing = new("VER0021", Severity.Error, "length", "x", "y");
@@ -35,5 +41,5 @@ public static class VerificationRules
 
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, OtherFeed, BlendsTooFar, BlendsWithoutBound, ToolpathBeside, ToolpathMissing, ToolpathExtra];
+        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, OtherFeed, BlendsTooFar, BlendsWithoutBound, OtherThanAsked, CutTwice, OtherPace, ToolpathBeside, ToolpathMissing, ToolpathExtra];
 }

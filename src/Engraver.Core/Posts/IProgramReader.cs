@@ -11,6 +11,9 @@ public interface IProgramReader
     /// <summary>False for a form without heights: what it cuts is compared in plan, whatever drives the tool of the machine.</summary>
     bool TellsHeights => true;
 
+    /// <summary>The times that are told are those of the machine, not only an order.</summary>
+    bool TellsTimes => false;
+
     /// <summary>How far the form itself may move a place by rounding it, millimetres: what is allowed grows by it.</summary>
     double Rounding => 0.0;
 
@@ -38,6 +41,12 @@ public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, Ti
 
     /// <summary>Told how far the controller itself may leave the path, by a reader of a language with path control; null: nobody asks.</summary>
     public BlendJudge? Blends { get; init; }
+
+    /// <summary>What the job asks for beside the way, and where what the program does otherwise is told; null: nobody asks.</summary>
+    public TermsJudge? Terms { get; init; }
+
+    /// <summary>Everything that is cut lies at one height: a form with a third coordinate must not leave it.</summary>
+    public bool IsLevel { get; init; }
 }
 
 /// <summary>How far a replay has come.</summary>

@@ -14,5 +14,5 @@ public sealed record PostForecast(Point2D Start, IReadOnlyList<ForecastBlock> Bl
 /// <param name="Number">In its program, from 1.</param>
 /// <param name="End">Where the machine stands after it, drawing millimetres.</param>
 /// <param name="Error">Largest distance of its run from the path; null for positioning.</param>
-/// <param name="Closure">At the end of a contour that comes back to where it was: how far the machine is from there; null elsewhere.</param>
+/// <param name="Closure">Where a contour comes back to where it was: how far the machine is from there; null elsewhere.</param>
 public sealed record ForecastBlock(int Part, int Number, bool Cutting, Point2D End, double? Error, double? Closure);

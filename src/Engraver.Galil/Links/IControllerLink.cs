@@ -12,6 +12,12 @@ public interface IControllerLink : IAsyncDisposable
     /// <summary>The serial line under the link; null where the link is fast and can be opened twice.</summary>
     SerialLine? Line => null;
 
+    /// <summary>When the controller took what was written last, by its own clock: ticks of 100 ns since it was switched on. Null where nobody knows.</summary>
+    long? TakenTicks => null;
+
+    /// <summary>The controller's own clock now, in the same ticks; null where nobody knows.</summary>
+    long? NowTicks => null;
+
     ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation);
 
     /// <returns>The number of bytes read; 0 when the other side has closed.</returns>

@@ -10,6 +10,16 @@ public sealed class StreamLink(Stream stream, string description) : IControllerL
     /// <summary>The serial line that the stream represents; null for none.</summary>
     public SerialLine? Line { get; init; }
 
+    /// <summary>As <see cref="IControllerLink.TakenTicks"/>; null where nobody knows.</summary>
+    public Func<long>? Taken { get; init; }
+
+    /// <summary>As <see cref="IControllerLink.NowTicks"/>; null where nobody knows.</summary>
+    public Func<long>? Now { get; init; }
+
+    public long? TakenTicks => Taken?.Invoke();
+
+    public long? NowTicks => Now?.Invoke();
+
     public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         await stream.WriteAsync(bytes, cancellation).ConfigureAwait(false);

@@ -4,17 +4,19 @@ using System.Text;
 namespace Engraver.Galil.Protocol;
 
 /// <summary>What a host said to a controller over all its links: every byte, in order, with the time. Said again at the same times it moves a machine as it did.</summary>
-/// <param name="IsControllersClock">True: the times are those of a simulated controller that gave its clock, exact. False: those of the host's wall, from the beginning of the conversation.</param>
+/// <param name="Clock">Whose times they are.</param>
 /// <param name="Steps">In the order in which they were done.</param>
 /// <param name="IsWhole">False where the host did not come to the end of it.</param>
-public sealed record Conversation(bool IsControllersClock, IReadOnlyList<ConversationStep> Steps, bool IsWhole)
+public sealed record Conversation(ConversationClock Clock, IReadOnlyList<ConversationStep> Steps, bool IsWhole)
 {
     internal const string Title = "#wire;1;";
     internal const string End = "#end";
-    private const string Controllers = "controller";
 
     /// <summary>The first line of the file.</summary>
-    internal static string Header(bool isControllersClock) => Title + (isControllersClock ? Controllers : "wall");
+    internal static string Header(ConversationClock clock) => Title + Word(clock);
+
+    /// <summary>The times are exact: those of the controller itself.</summary>
+    public bool IsControllersClock => Clock != ConversationClock.Wall;
 
     /// <summary>The command by which a controller counts an axis as standing at a place, before a conversation that began there.</summary>
     public static byte[] Placing(char axis, int place) => Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"DP{axis}={place}\r"));
@@ -35,8 +37,24 @@ public sealed record Conversation(bool IsControllersClock, IReadOnlyList<Convers
             else torn = line;
         }
 
-        return new Conversation(first[Title.Length..] == Controllers, steps, whole);
+        var clock = Enum.GetValues<ConversationClock>().Where(one => Word(one) == first[Title.Length..]).DefaultIfEmpty(ConversationClock.Wall).First();
+        return new Conversation(clock, clock == ConversationClock.Wall ? steps : [.. steps.OrderBy(step => step.Ticks)], whole); // two threads note what they said after they said it
     }
+
+    private static string Word(ConversationClock clock) => clock switch { ConversationClock.Controller => "controller", ConversationClock.RealTime => "realtime", _ => "wall" };
+}
+
+/// <summary>Whose times a conversation has.</summary>
+public enum ConversationClock
+{
+    /// <summary>Those of the host's wall, from the beginning of the conversation.</summary>
+    Wall,
+
+    /// <summary>Those of a simulated controller that gave its clock, exact: time passed by the commands, and while the host waited.</summary>
+    Controller,
+
+    /// <summary>Those of a simulated controller in real time, exact: commands took none of it.</summary>
+    RealTime,
 }
 
 /// <summary>What is done on a link.</summary>

@@ -14,13 +14,13 @@ public sealed class ConversationRecorder
 
     /// <param name="writer">Owned: closed at the end.</param>
     /// <param name="time">The clock of the conversation.</param>
-    /// <param name="isControllersClock">Whether it is that of a simulated controller, whose times are kept as they are.</param>
+    /// <param name="kind">Whose clock it is: times of a simulated controller are kept as they are, and those that a link tells as it tells them.</param>
     /// <param name="wall">The wall clock, for the waits at the end.</param>
-    public ConversationRecorder(TextWriter writer, TimeProvider time, bool isControllersClock, TimeProvider wall)
+    public ConversationRecorder(TextWriter writer, TimeProvider time, ConversationClock kind, TimeProvider wall)
     {
         ArgumentNullException.ThrowIfNull(time);
-        (_time, _start, _file) = (time, isControllersClock ? 0 : time.GetTimestamp(), new LineFile(writer, wall, flushes: true));
-        _file.Write(Conversation.Header(isControllersClock));
+        (_time, _start, _file) = (time, kind == ConversationClock.Controller ? 0 : time.GetTimestamp(), new LineFile(writer, wall, flushes: true));
+        _file.Write(Conversation.Header(kind));
     }
 
     /// <summary>Why it was not kept whole; null while it is.</summary>
@@ -30,7 +30,7 @@ public sealed class ConversationRecorder
     public IControllerLink Over(IControllerLink link)
     {
         var number = Interlocked.Increment(ref _links) - 1;
-        Add(number, ConversationAct.Opened, default);
+        Add(number, ConversationAct.Opened, default, link.NowTicks);
         return new RecordedLink(link, number, this);
     }
 
@@ -42,11 +42,11 @@ public sealed class ConversationRecorder
         return _file.CloseAsync(stop);
     }
 
-    private void Add(int link, ConversationAct act, ReadOnlySpan<byte> bytes)
+    private void Add(int link, ConversationAct act, ReadOnlySpan<byte> bytes, long? ticks)
     {
         if (_file.Failure is not null) return;
         var said = bytes.ToArray();
-        lock (_guard) _file.Write(new ConversationStep((long)((Int128)(_time.GetTimestamp() - _start) * TimeSpan.TicksPerSecond / _time.TimestampFrequency), link, act, said).ToString());
+        lock (_guard) _file.Write(new ConversationStep(ticks ?? (long)((Int128)(_time.GetTimestamp() - _start) * TimeSpan.TicksPerSecond / _time.TimestampFrequency), link, act, said).ToString());
     }
 
     private sealed class RecordedLink(IControllerLink link, int number, ConversationRecorder recorder) : IControllerLink
@@ -57,17 +57,20 @@ public sealed class ConversationRecorder
 
         public SerialLine? Line => link.Line;
 
-        public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+        /// <summary>Another thread may let time pass before the bytes are taken: where the controller tells when it took them, that is when they were said.</summary>
+        public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
         {
-            recorder.Add(number, ConversationAct.Said, bytes.Span);
-            return link.WriteAsync(bytes, cancellation);
+            var isTold = link.NowTicks is not null;
+            if (!isTold) recorder.Add(number, ConversationAct.Said, bytes.Span, ticks: null);
+            await link.WriteAsync(bytes, cancellation).ConfigureAwait(false);
+            if (isTold) recorder.Add(number, ConversationAct.Said, bytes.Span, link.TakenTicks);
         }
 
         public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => link.ReadAsync(buffer, cancellation);
 
         public ValueTask DisposeAsync()
         {
-            if (Interlocked.Exchange(ref _closed, 1) == 0) recorder.Add(number, ConversationAct.Closed, default);
+            if (Interlocked.Exchange(ref _closed, 1) == 0) recorder.Add(number, ConversationAct.Closed, default, link.NowTicks);
             return link.DisposeAsync();
         }
     }

@@ -1,7 +1,8 @@
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>The client end of a handle without a socket: a write executes its commands in the caller's thread, the replies are then already there.</summary>
-internal sealed class MemoryConnection(ControllerCore core, Handle handle) : Stream
+/// <param name="taken">Told when bytes are taken, by the controller's clock, before they are executed; under its lock. Null for nobody.</param>
+internal sealed class MemoryConnection(ControllerCore core, Handle handle, Action<long>? taken = null) : Stream
 {
     public override bool CanRead => true;
 
@@ -21,7 +22,7 @@ internal sealed class MemoryConnection(ControllerCore core, Handle handle) : Str
     {
         if (handle.IsClosed) throw new IOException("The controller closed the connection.");
 
-        core.Receive(handle, buffer);
+        core.Receive(handle, buffer, taken);
         if (core.Broken is { IsFaulted: true, Exception: { } bug }) throw new InvalidOperationException(bug.InnerException!.Message, bug.InnerException);
     }
 

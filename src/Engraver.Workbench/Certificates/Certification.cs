@@ -28,7 +28,7 @@ public static class Certification
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, post.Motion ?? MotionStyle.Continuous, cancellation);
         var (posted, fitted) = Posted(request, job);
         if (posted.Text is not { } text) return new Certified(null, posted.Diagnostics) { WithoutProgram = posted.WithoutProgram };
-        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation, request.Posted).ConfigureAwait(false);
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation, (request.Posted ?? PostedWith.Defaults) with { Fitted = fitted }).ConfigureAwait(false);
         IReadOnlyList<Diagnostic> findings = [.. posted.Diagnostics, .. report.Diagnostics];
         return new Certified(Certificate(request, job, fitted, text, report, findings), findings);
     }

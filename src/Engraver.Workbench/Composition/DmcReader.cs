@@ -20,6 +20,8 @@ public sealed class DmcReader : IProgramReader
     private static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(LongestRest);
     private static readonly TimeSpan s_replyTimeout = TimeSpan.FromSeconds(60);
 
+    public bool TellsTimes => true;
+
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
     public async Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {

@@ -17,10 +17,15 @@ public sealed class IncidentReplay : IAsyncDisposable
     /// <summary>Steps of the simulator between two looks at the cancellation.</summary>
     private const int SliceSteps = 20_000;
 
-    private readonly SimulatedController _controller = new(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), SerialNumber = MachineConnection.SimulatedSerialNumber });
+    private readonly SimulatedController _controller;
     private readonly Dictionary<int, Stream> _links = [];
 
-    private IncidentReplay(Conversation conversation, InterruptedJob? told) => (Conversation, Told) = (conversation, told);
+    private IncidentReplay(Conversation conversation, InterruptedJob? told)
+    {
+        (Conversation, Told) = (conversation, told);
+        var options = new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), SerialNumber = MachineConnection.SimulatedSerialNumber };
+        _controller = new SimulatedController(conversation.Clock == ConversationClock.RealTime ? options with { CommandCost = TimeSpan.Zero } : options);
+    }
 
     /// <summary>What the journal tells of the run: its header and, where it ended in order, how; null where it tells of no job.</summary>
     public InterruptedJob? Told { get; }

@@ -82,8 +82,14 @@ public sealed class MachineConnection : IAsyncDisposable
         return new MachineConnection(
             double.IsPositiveInfinity(address.Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={address.Speed}"),
             controller,
-            _ => Task.FromResult<IControllerLink>(new StreamLink(controller.OpenConnection(), "sim:")),
-            () => address.Speed == 1.0 ? MachineClock.FromWall(time) : MachineClock.FromSimulator(controller.JoinClock()));
+            _ => Task.FromResult<IControllerLink>(LinkTo(controller)),
+            () => address.Speed == 1.0 ? MachineClock.FromWallOfSimulator(time) : MachineClock.FromSimulator(controller.JoinClock()));
+    }
+
+    private static StreamLink LinkTo(SimulatedController controller)
+    {
+        var taken = 0L;
+        return new StreamLink(controller.OpenConnection(ticks => Volatile.Write(ref taken, ticks)), "sim:") { Taken = () => Volatile.Read(ref taken), Now = () => controller.ClockTicks };
     }
 
     private static MachineClock Offered(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromOffer(OfferedClock.Take(port)) : MachineClock.FromWall(wall);

@@ -48,13 +48,6 @@ public static class PostTable
     /// <summary>The first entry whose files end like this; null for none.</summary>
     public static PostEntry? ForEnding(string ending) => All.FirstOrDefault(entry => entry.Post.Ending == ending);
 
-    /// <summary>The reader for a posted file, found by the ending of its name; for an unknown ending the reader of the first entry.</summary>
-    public static IProgramReader ReaderFor(string fileName)
-    {
-        var readable = All.Where(entry => entry.Reader is not null).ToList();
-        return (readable.FirstOrDefault(entry => fileName.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) ?? readable[0]).Reader!;
-    }
-
     /// <summary>Endings of the files that can be read back.</summary>
     public static IReadOnlyList<string> ReadEndings => [.. All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Ending).Distinct()];
 
@@ -95,6 +88,12 @@ public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reade
 /// <param name="Dialect">Null for the usual one of the entry.</param>
 public sealed record PostChoice(string Keyword, PostEntry Entry, string? Dialect)
 {
+    /// <summary>What reads it back; null where nothing does.</summary>
+    public IProgramReader? Reader => Dialect is null ? Entry.Reader : Entry.Dialects[Dialect];
+
+    /// <summary>What the post has to be told to write it.</summary>
+    public IReadOnlyDictionary<string, string> Options => Dialect is null ? new Dictionary<string, string>() : new Dictionary<string, string> { ["dialect"] = Dialect };
+
     /// <summary>As tables name it.</summary>
     public string Name => $"{Entry.Post.Name} {Dialect ?? Entry.Dialects.Keys.Except(Entry.OtherDialects.Values).FirstOrDefault()}".TrimEnd();
 }

@@ -25,4 +25,8 @@ public static class JobPlan
 
     /// <summary>How long the program takes when the host leads it over a network.</summary>
     public static MotionTimes NetworkTimes(MotionProgram program) => MotionTime.Calculate(program, MachineFamilies.Driver.NetworkTimes);
+
+    /// <summary>The moves of the program and its waits for the tool, without the time of commands.</summary>
+    /// <param name="start">Where the machine stands before, counts of the job frame.</param>
+    public static IReadOnlyList<PaceMove> Pace(MotionProgram program, CountsPoint start) => MotionPace.Of(program, start, MachineFamilies.Driver.NetworkTimes);
 }

@@ -42,6 +42,12 @@ public sealed record HistoryEntry
     /// <summary>Name of the post; of a run the one whose program the machine was sent.</summary>
     public required string Target { get; init; }
 
+    /// <summary>What was chosen for the post beside the settings: dialect, style and the others, by name; empty where everything was as usual.</summary>
+    public IReadOnlyDictionary<string, string> Options { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>How <see cref="Program"/> stood to its drawing when it was read back last; null where nobody did.</summary>
+    public HistoryReadBack? ReadBack { get; init; }
+
     /// <summary>stream, calls or program; null for a program that was written.</summary>
     public string? Mode { get; init; }
 
@@ -99,7 +105,14 @@ public sealed record HistoryEntry
 
     /// <summary>Whether a word is found in what people know a job by.</summary>
     public bool Holds(string word) =>
-        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
+        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, .. Options.Select(option => $"{option.Key} {option.Value}"), ReadBack is null ? null : ReadBackWord(ReadBack), string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
+
+    /// <summary>certified, verified or notVerified: as lists show it, and as it is searched for.</summary>
+    public static string ReadBackWord(HistoryReadBack readBack)
+    {
+        ArgumentNullException.ThrowIfNull(readBack);
+        return (readBack.Ok, readBack.Certificate) switch { (true, not null) => "certified", (true, null) => "verified", _ => "notVerified" };
+    }
 
     /// <summary>A run.</summary>
     /// <param name="simulated">A simulated machine of its own ran it (CNCSIM).</param>
@@ -125,14 +138,16 @@ public sealed record HistoryEntry
     public static HistoryEntry OfLost(PreparedJob job, MachineRunOptions options, string sentence, DateTimeOffset date) => Begun(job, options, JobOutcome.LinkLost, date, simulated: false, checks: null) with { Sentence = sentence };
 
     /// <summary>A program.</summary>
+    /// <param name="options">What was chosen for the post.</param>
     /// <param name="file">Where it was written; null for standard output.</param>
-    public static HistoryEntry OfPost(string drawing, DrawingSettings settings, string target, string? file, DateTimeOffset date) => new()
+    public static HistoryEntry OfPost(string drawing, DrawingSettings settings, string target, IReadOnlyDictionary<string, string> options, string? file, DateTimeOffset date) => new()
     {
         Date = date.ToUniversalTime(),
         Kind = "post",
         Drawing = Path.GetFullPath(drawing),
         DrawingSha256 = ContentHash.OfFile(drawing),
         Target = target,
+        Options = options,
         Outcome = "written",
         Program = file is null ? null : Path.GetFullPath(file),
         Settings = SettingWords.Of(settings),
@@ -142,7 +157,7 @@ public sealed record HistoryEntry
     private static HistoryEntry Begun(PreparedJob job, MachineRunOptions options, JobOutcome outcome, DateTimeOffset date, bool simulated, ArmingChecklist? checks)
     {
         ArgumentNullException.ThrowIfNull(options);
-        return OfPost(job.Drawing.FileName, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(JobPlan.StyleOf(options.Mode)).Post.Name, file: null, date) with
+        return OfPost(job.Drawing.FileName, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(JobPlan.StyleOf(options.Mode)).Post.Name, PostedProgram.NoOptions, file: null, date) with
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             RanTrajectories = job.Followed is not null,
@@ -163,6 +178,12 @@ public sealed record HistoryEntry
 
 /// <summary>What every version of an entry has, whatever its form.</summary>
 internal sealed record HistoryVersion(int Version = HistoryEntry.CurrentVersion);
+
+/// <summary>How a program stood to its drawing when it was read back.</summary>
+/// <param name="Date">When, UTC.</param>
+/// <param name="MaxDeviation">Millimetres; null where nothing is known.</param>
+/// <param name="Certificate">Full path of the certificate that was written of it; null for none.</param>
+public sealed record HistoryReadBack(bool Ok, DateTimeOffset Date, double? MaxDeviation, string? Certificate);
 
 /// <summary>A line of the list before a start.</summary>
 public sealed record HistoryCheck(bool Ok, bool Warning, string Sentence);

@@ -61,6 +61,16 @@ public sealed class JobHistory
         return failure;
     }
 
+    /// <summary>Notes with the entry that wrote a program how it was read back; nothing where the history does not know the program.</summary>
+    /// <param name="program">Its file.</param>
+    /// <returns>As for <see cref="Add"/>.</returns>
+    public string? NoteReadBack(string program, HistoryReadBack found)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        var path = Path.GetFullPath(program);
+        return Look().Entries.FirstOrDefault(entry => entry.Program == path) is { } entry ? Keep(entry with { ReadBack = found }) : null;
+    }
+
     /// <summary>Takes an entry out again.</summary>
     /// <returns>Why that failed, without a full stop; null when it is gone.</returns>
     public string? Drop(HistoryEntry entry)

@@ -14,9 +14,23 @@ public static class HistoryText
         ArgumentNullException.ThrowIfNull(entries);
         foreach (var (number, entry) in entries)
         {
-            var what = entry.Mode is { } mode ? $"{entry.Kind} {mode} {entry.Address}" : $"{entry.Kind} {entry.Target}";
-            output.WriteLine(string.Join("  ", new[] { $"{number,4}", Date(entry, here), Path.GetFileName(entry.Drawing), what, entry.Outcome, Figures(entry) }.Where(part => part.Length > 0)));
+            var what = entry.Mode is { } mode ? $"{entry.Kind} {mode} {entry.Address}" : $"{entry.Kind} {Target(entry)}";
+            output.WriteLine(string.Join("  ", new[] { $"{number,4}", Date(entry, here), Path.GetFileName(entry.Drawing), what, entry.Outcome, Figures(entry), ReadBack(entry) }.Where(part => part.Length > 0)));
         }
+    }
+
+    /// <summary>The post with what was chosen for it.</summary>
+    public static string Target(HistoryEntry entry)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        return string.Join(' ', entry.Options.OrderBy(option => option.Key, StringComparer.Ordinal).Select(option => $"{option.Key}={option.Value}").Prepend(entry.Target));
+    }
+
+    /// <summary>How its program was read back; empty where nobody did.</summary>
+    public static string ReadBack(HistoryEntry entry)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        return entry.ReadBack is { } found ? Wording.Get("History.ReadBack." + HistoryEntry.ReadBackWord(found)) : "";
     }
 
     /// <summary>When it began, by the clock here.</summary>

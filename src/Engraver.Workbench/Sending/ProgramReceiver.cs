@@ -32,15 +32,16 @@ public sealed class ProgramReceiver(CharacterFrame frame)
         }
     }
 
-    /// <summary>Listens until nothing more has come for a while after the first character, until the line ends, or until the operator stops it.</summary>
+    /// <summary>Listens until nothing has come for a while (before the first character too), until the line ends, or until the operator stops it.</summary>
     /// <param name="silence">How long nothing has to come.</param>
     /// <param name="progress">Told after every piece, with the number of lines.</param>
+    /// <returns>True when nothing more was coming; false when the operator stopped it before, so that what has come may be torn.</returns>
     /// <exception cref="IOException">The line is gone.</exception>
-    public async Task ListenAsync(IProgramLine line, TimeSpan silence, IProgress<int>? progress, TimeProvider time, CancellationToken stop)
+    public async Task<bool> ListenAsync(IProgramLine line, TimeSpan silence, IProgress<int>? progress, TimeProvider time, CancellationToken stop)
     {
         ArgumentNullException.ThrowIfNull(line);
         var heard = new byte[512];
-        using var quiet = new CancellationTokenSource(Timeout.InfiniteTimeSpan, time);
+        using var quiet = new CancellationTokenSource(silence, time);
         using var either = CancellationTokenSource.CreateLinkedTokenSource(stop, quiet.Token);
         try
         {
@@ -48,12 +49,14 @@ public sealed class ProgramReceiver(CharacterFrame frame)
             {
                 Take(heard.AsSpan(0, count));
                 progress?.Report(Lines);
-                if (_characters.Count > 0) quiet.CancelAfter(silence);
+                quiet.CancelAfter(silence);
             }
+
+            return true;
         }
         catch (OperationCanceledException)
         {
-            return; // what has come is what there is
+            return !stop.IsCancellationRequested;
         }
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Core.Posts;
 
 namespace Engraver.Workbench.Verification;
 
@@ -15,14 +16,38 @@ public sealed record PostedWith
     /// <summary>By how much the controller was allowed to round corners, millimetres. Where no other tolerance is said it joins lines within the same (rs274-hpgl.md 1.4), so that both together are allowed.</summary>
     public double BlendMm { get; init; }
 
+    /// <summary>What it says beside the way.</summary>
+    public ProgramTerms Terms { get; init; } = ProgramTerms.Default;
+
+    /// <summary>The motion that it was posted from, where a slow link made it another than the job's own; null for none.</summary>
+    internal MotionProgram? Fitted { get; init; }
+
     internal double AllowedBlendMm => 2.0 * BlendMm;
 
-    /// <summary>From options that the post would take; null for one that was not given.</summary>
-    public static PostedWith Parse(string? origin, string? blend) => new()
+    /// <summary>The options of posts that decide what a program is compared with; the others say only how it is written.</summary>
+    public static IReadOnlyList<string> OptionNames { get; } = ["origin", "blend", "work-offset", "tool-switch", "spindle-speed", "pen"];
+
+    /// <summary>From options that the post would take.</summary>
+    /// <param name="valueOf">The value of one of <see cref="OptionNames"/>; null for one that was not given.</param>
+    public static PostedWith Parse(Func<string, string?> valueOf)
     {
-        Origin = origin is null ? null : ProgramOrigin.TryParse(origin),
-        BlendMm = blend is null ? 0.0 : double.Parse(blend, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture),
-    };
+        ArgumentNullException.ThrowIfNull(valueOf);
+        var usual = ProgramTerms.Default;
+        return new()
+        {
+            Origin = valueOf("origin") is { } origin ? ProgramOrigin.TryParse(origin) : null,
+            BlendMm = Number(valueOf("blend")) ?? 0.0,
+            Terms = new ProgramTerms
+            {
+                WorkOffset = valueOf("work-offset") ?? usual.WorkOffset,
+                ToolSwitch = valueOf("tool-switch") ?? usual.ToolSwitch,
+                SpindleSpeed = Number(valueOf("spindle-speed")) ?? usual.SpindleSpeed,
+                Pen = (int)(Number(valueOf("pen")) ?? usual.Pen),
+            },
+        };
+    }
+
+    private static double? Number(string? value) => value is null ? null : double.Parse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture);
 }
 
 /// <summary>Where a program takes the drawing's zero to be, mm by the controller's own zero.</summary>

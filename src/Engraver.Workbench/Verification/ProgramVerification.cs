@@ -26,20 +26,17 @@ public static class ProgramVerification
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostedWith? posted = null)
     {
-        var (origin, allowedBlend) = (posted?.Origin, posted?.AllowedBlendMm ?? 0.0);
+        posted ??= PostedWith.Defaults;
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
-        var tolerances = TolerancesOf(job, reader);
+        var (machine, tolerances) = (job.Settings.Machine, TolerancesOf(job, reader));
         var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
-        ITraceJudge JudgeOf(IReadOnlyList<StrokeMove> besides) => reader.TellsHeights && job.Settings.Machine.Height is not null ? RunJudge.JudgeOf(job, besides) : RunJudge.PlanJudgeOf(job, besides, tolerances);
-        ITraceJudge[] judges = bridges.Count == 0 ? [JudgeOf([])] : [JudgeOf([]), JudgeOf(bridges)];
-        var machine = job.Settings.Machine;
-        var feeds = new FeedJudge(machine.FeedMmPerMinute, reader.TellsHeights ? machine.Height?.PlungeMmPerMinute : null);
-        var blends = new BlendJudge();
+        var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
-        var request = new ReplayRequest(machine, origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (origin?.Way(machine) ?? TimeSpan.Zero))), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null, Feeds = feeds, Blends = blends };
+        var request = judges.Request(posted.Origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (posted.Origin?.Way(machine) ?? TimeSpan.Zero))));
         var faults = await program.ReadAsync(text => reader.ReplayAsync(text, request, progress, cancellation)).ConfigureAwait(false);
-        var report = Report(job, tolerances, faults.Count > 0 || feeds.Finding is not { } other ? faults : [other], [.. judges.Select(judge => judge.Verdict())], bridges);
-        return Blended(report, blends, allowedBlend) with { SlowestMmPerMinute = feeds.Slowest, FastestMmPerMinute = feeds.Fastest, LowestZMm = feeds.Lowest };
+        var report = Report(job, tolerances, faults.Count > 0 ? faults : judges.Findings(), judges.Verdicts(), bridges);
+        if (report.Ok && judges.Behind(request.Start, cancellation) is { } behind) report = report with { Ok = false, Diagnostics = [behind] };
+        return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest };
     }
 
     /// <summary>Wherever the program leads the controller may leave it by its path control: both distances count together. Without a bound nothing is known of them.</summary>

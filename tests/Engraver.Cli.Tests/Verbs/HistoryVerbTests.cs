@@ -19,7 +19,7 @@ public class HistoryVerbTests
         Assert.Equal((ExitCode.Done, ""), (listed.ExitCode, listed.Error));
         Assert.Equal(["entries", "findings"], JsonText.Of(listed).EnumerateObject().Select(field => field.Name));
         Assert.Equal(
-            ["id", "date", "kind", "drawing", "drawingSha256", "target", "mode", "address", "outcome", "sentence", "seconds", "plannedSeconds", "maxDeviation", "missingLength", "openLoop", "journal", "program", "report", "settings"],
+            ["id", "date", "kind", "drawing", "drawingSha256", "target", "mode", "address", "outcome", "sentence", "seconds", "plannedSeconds", "maxDeviation", "missingLength", "openLoop", "journal", "program", "report", "settings", "options", "readBack"],
             entries[0].EnumerateObject().Select(field => field.Name));
         Assert.Equal(["linkLost", "written", "complete"], entries.Select(entry => Word(entry, "outcome")));
         Assert.Equal((drawing, "run", "stream", "galil", folder.PathOf("a.jsonl")), (Word(entries[2], "drawing"), Word(entries[2], "kind"), Word(entries[2], "mode"), Word(entries[2], "target"), Word(entries[2], "journal")));
@@ -46,4 +46,21 @@ public class HistoryVerbTests
     }
 
     private static string? Word(JsonElement entry, string field) => entry.GetProperty(field).GetString();
+
+    /// <summary>As it was found: nothing was known of the dialect of a program, nor that it had been read back.</summary>
+    [Fact]
+    public async Task What_was_chosen_for_a_program_and_how_it_was_read_back_stand_with_it_and_are_found()
+    {
+        using var folder = new TemporaryFolder();
+        var (drawing, program) = (SampleDrawing.PathOf("paper-001"), folder.PathOf("histories-of-grbl.ngc"));
+        await CliRun.RunAsync("post", drawing, "--target", "gcode", "--dialect", "grbl", "--work-offset", "G57", "-o", program);
+        await CliRun.RunAsync("verify", program, "--against", drawing, "--work-offset", "G57");
+        var verified = await CliRun.RunAsync("history", "--search", "work-offset G57");
+        var certify = await CliRun.RunAsync("certify", drawing, "--target", "gcode", "--dialect", "grbl", "--program", program, "--work-offset", "G57", "-o", folder.PathOf("c.json"));
+        var certified = JsonText.Of(await CliRun.RunAsync("history", "--search", "dialect grbl", "--json")).GetProperty("entries").EnumerateArray().First(entry => entry.GetProperty("program").GetString() == program);
+
+        Assert.Contains("post gcode dialect=grbl work-offset=G57  written  read back", verified.Out, StringComparison.Ordinal);
+        Assert.Equal(ExitCode.Done, certify.ExitCode);
+        Assert.Equal(("grbl", true, folder.PathOf("c.json")), (certified.GetProperty("options").GetProperty("dialect").GetString(), certified.GetProperty("readBack").GetProperty("ok").GetBoolean(), certified.GetProperty("readBack").GetProperty("certificate").GetString()));
+    }
 }

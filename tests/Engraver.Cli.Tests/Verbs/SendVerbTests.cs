@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.Json;
 using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Verbs;
@@ -30,8 +31,44 @@ public class SendVerbTests
         Assert.Equal(["outcome", "lines", "ofLines", "characters", "holds", "heard", "seconds", "reason"], json.EnumerateObject().Select(field => field.Name));
         Assert.Equal(("complete", posted.Count(letter => letter == '\n')), (json.GetProperty("outcome").GetString(), json.GetProperty("lines").GetInt32()));
         Assert.Equal(posted.Length + json.GetProperty("lines").GetInt32() + 61, json.GetProperty("characters").GetInt32());
-        Assert.Equal(["file", "lines", "characters", "damaged", "findings"], heard.EnumerateObject().Select(field => field.Name));
-        Assert.Equal(0, heard.GetProperty("damaged").GetInt32());
+        Assert.Equal(["outcome", "file", "lines", "characters", "damaged", "findings"], heard.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(("complete", folder.PathOf("heard.agie"), 0), (heard.GetProperty("outcome").GetString(), heard.GetProperty("file").GetString(), heard.GetProperty("damaged").GetInt32()));
+    }
+
+    [Fact]
+    public async Task A_line_on_which_nothing_comes_ends_with_4_and_names_no_file()
+    {
+        using var folder = new TemporaryFolder();
+        using var cable = new PseudoTerminalPair();
+        var run = await CliRun.RunAsync("receive", "--from", $"serial://{cable.Device}?baud=115200", "-o", folder.PathOf("heard.nc"), "--silence", "0.2", "--json").WaitAsync(s_patience);
+
+        Assert.Equal(ExitCode.LinkLost, run.ExitCode);
+        Assert.Equal(("silent", JsonValueKind.Null), (JsonText.Of(run).GetProperty("outcome").GetString(), JsonText.Of(run).GetProperty("file").ValueKind));
+        Assert.Contains("Nothing has come for 0.2 seconds", run.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(folder.PathOf("")));
+    }
+
+    /// <summary>What was stopped in the middle never stands where a whole program is expected, and is not lost.</summary>
+    [Fact]
+    public async Task A_stop_in_the_middle_of_a_program_ends_with_5_and_keeps_the_part_under_another_name()
+    {
+        using var folder = new TemporaryFolder();
+        using var cable = new PseudoTerminalPair();
+        using var stop = new CancellationTokenSource();
+        using var told = new FirstLine();
+        using var output = new MemoryStream();
+        using var streams = new ConsoleStreams(output, told, TextReader.Null);
+        File.WriteAllText(folder.PathOf("heard.nc"), "an older program");
+        var receiving = EngraverProgram.RunAsync(["receive", "--from", $"serial://{cable.Device}?baud=115200", "-o", folder.PathOf("heard.nc"), "--silence", "600", "--json", "--verbose"], streams, stop.Token);
+        await told.Written.WaitAsync(s_patience);
+        cable.Say("G1 X1\r\n");
+        await told.Second.WaitAsync(s_patience); // the line has come
+        await stop.CancelAsync();
+        var code = await receiving.WaitAsync(s_patience);
+
+        var json = JsonText.Of(new CliRun(code, Encoding.UTF8.GetString(output.ToArray()), ""));
+        Assert.Equal((ExitCode.StoppedByOperator, "stopped", folder.PathOf("heard.nc.part")), (code, json.GetProperty("outcome").GetString(), json.GetProperty("file").GetString()));
+        Assert.Equal(("an older program", "G1 X1\n"), (File.ReadAllText(folder.PathOf("heard.nc")), File.ReadAllText(folder.PathOf("heard.nc.part"))));
     }
 
     [Fact]
@@ -113,24 +150,30 @@ public class SendVerbTests
         }
     }
 
-    /// <summary>Tells when the first line was written.</summary>
+    /// <summary>Tells when the first line was written, and the second.</summary>
     private sealed class FirstLine : StringWriter
     {
         private readonly TaskCompletionSource _written = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        private readonly TaskCompletionSource _second = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
         public Task Written => _written.Task;
 
-        public override void WriteLine(string? value) => _written.TrySetResult();
+        public Task Second => _second.Task;
+
+        public override void WriteLine(string? value)
+        {
+            if (!_written.TrySetResult()) _second.TrySetResult();
+        }
 
         public override Task WriteLineAsync(string? value)
         {
-            _written.TrySetResult();
+            WriteLine(value);
             return Task.CompletedTask;
         }
 
         public override Task WriteLineAsync(ReadOnlyMemory<char> buffer, CancellationToken cancellationToken = default)
         {
-            _written.TrySetResult();
+            WriteLine("");
             return Task.CompletedTask;
         }
     }

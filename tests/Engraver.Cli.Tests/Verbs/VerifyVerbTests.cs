@@ -13,7 +13,7 @@ public class VerifyVerbTests
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok", "minFeed", "maxFeed", "lowestZ", "blend"], report.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok", "minFeed", "maxFeed", "lowestZ", "blend", "target"], report.EnumerateObject().Select(field => field.Name));
         Assert.True(report.GetProperty("ok").GetBoolean());
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("tolerance").GetDouble());
     }
@@ -121,7 +121,8 @@ public class VerifyVerbTests
 
     [Theory]
     [InlineData("", "VER0001")]
-    [InlineData("G0 X1\n", "VER0002")]
+    [InlineData("G0 X1\n", "PST0001")] // G-code by how it begins, whatever its name
+    [InlineData("MG 1\n", "VER0002")]
     [InlineData("#JOB\nJP#JOB\n", "VER0007")]
     public async Task A_file_that_is_no_program_is_exit_1_with_one_sentence_and_the_object(string text, string id)
     {
@@ -131,6 +132,35 @@ public class VerifyVerbTests
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.False(JsonText.Of(run).GetProperty("ok").GetBoolean());
         Assert.Contains($": error {id}", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
+    }
+
+    /// <summary>As it was found: G-code without --target was said to lack #JOB.</summary>
+    [Fact]
+    public async Task Without_a_target_the_file_itself_says_in_which_form_it_is_and_otherwise_it_is_told_what_was_tried()
+    {
+        using var folder = new TemporaryFolder();
+        await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "gcode", "--dialect", "grbl", "-o", folder.PathOf("job.txt"));
+        var known = await CliRun.RunAsync("verify", folder.PathOf("job.txt"), "--against", SampleDrawing.PathOf("paper-001"), "--blend", "0", "--json");
+        var unknown = await CliRun.RunAsync("verify", folder.WithFile("words.txt", "hello\n"), "--against", SampleDrawing.PathOf("paper-001"));
+
+        Assert.Equal((ExitCode.Done, "gcode"), (known.ExitCode, JsonText.Of(known).GetProperty("target").GetString()));
+        Assert.Equal(ExitCode.DrawingError, unknown.ExitCode);
+        Assert.Contains("does not say in which form it is; it is read as galil", unknown.Error, StringComparison.Ordinal);
+    }
+
+    /// <summary>What was chosen for the post is said to the verification; otherwise the program is not what the job asks for.</summary>
+    [Fact]
+    public async Task A_program_in_another_frame_is_ok_only_where_the_frame_is_named()
+    {
+        using var folder = new TemporaryFolder();
+        await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "gcode", "--work-offset", "G55", "-o", folder.PathOf("job.ngc"));
+        string[] verify = ["verify", folder.PathOf("job.ngc"), "--against", SampleDrawing.PathOf("paper-001")];
+        var unsaid = await CliRun.RunAsync(verify);
+        var said = await CliRun.RunAsync([.. verify, "--work-offset", "G55"]);
+        var wrong = await CliRun.RunAsync([.. verify, "--pen", "2"]);
+
+        Assert.Equal((ExitCode.DrawingError, ExitCode.Done, ExitCode.Usage), (unsaid.ExitCode, said.ExitCode, wrong.ExitCode));
+        Assert.Contains("VER0013: The program says G55 in line", unsaid.Error, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -10,6 +10,22 @@ public class MachineProfileFileTests
     /// <summary>As of the DMC-21x3.</summary>
     private static readonly MachineLimits s_limits = new(SlowestSpeed: 2, FastestSpeed: 12_000_000, AccelerationStep: 1024, LargestAcceleration: 67_107_840, Outputs: 8, "ABCDEFGH");
 
+    /// <summary>One look at the file is enough: a misspelt name hides nothing of the others, and what only follows from other fields is no finding beside theirs.</summary>
+    [Fact]
+    public void Everything_that_is_wrong_is_told_at_once_and_nothing_that_nobody_wrote()
+    {
+        var both = MachineProfileFile.Read("{\n \"feedMmPerMinut\": 600,\n \"toolOutput\": 9,\n \"accelerationCounts\": 3 }", s_limits);
+        var unread = MachineProfileFile.Read("{\n \"feedMmPerMinut\": 600,\n \"toolOutput\": \"nine\" }", s_limits);
+        var slow = MachineProfileFile.Read("{\n \"rapidMmPerMinute\": 0 }", s_limits);
+        var drive = MachineProfileFile.Read("{\n \"toolDriv\": \"axis\",\n \"cutDepth\": 1 }", s_limits);
+
+        Assert.Null(both.Profile);
+        Assert.Equal([(2L, "feedMmPerMinut"), (4L, "accelerationCounts"), (3L, "toolOutput")], both.Diagnostics.Select(finding => (finding.Source.Line, finding.Facts[0])));
+        Assert.Equal([(2L, "feedMmPerMinut"), (3L, "toolOutput")], unread.Diagnostics.Select(finding => (finding.Source.Line, finding.Facts[0])));
+        Assert.Equal(["rapidMmPerMinute"], slow.Diagnostics.Select(finding => finding.Facts[0]));
+        Assert.Equal(["toolDriv"], drive.Diagnostics.Select(finding => finding.Facts[0]));
+    }
+
     [Fact]
     public void An_empty_object_is_the_default_machine_profile() => Assert.Equal(MachineProfile.Default, MachineProfileFile.Read("{}", s_limits).Profile);
 

@@ -94,6 +94,28 @@ public class AgiePostTests
         Assert.Equal("PST0004", Assert.Single(written.Diagnostics).Id);
     }
 
+    /// <summary>As it was found: a belt that is cut first and then left by its entering line was told to be closed, and was not.</summary>
+    [Fact]
+    public void A_contour_that_is_left_by_a_line_is_held_against_where_it_came_back()
+    {
+        Segment[] left = [.. Belt().Skip(1), Segment.FromLine(Belt()[0].End, Belt()[0].Start)];
+        var written = Written(Path(left), "paper");
+
+        Assert.InRange(1000.0 * written.Forecast!.MaxClosure!.Value, 100.0, 1000.0);
+        Assert.Null(written.Forecast.Blocks[^1].Closure);
+        Assert.NotNull(written.Forecast.Blocks[^2].Closure);
+        Assert.Contains("left open by 0.", Assert.Single(written.Diagnostics).Sentence, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Where_nothing_comes_back_no_closure_is_told()
+    {
+        var written = Written(Path(new[] { Arc(0, 0, 31, 0.5, 60) }), "paper");
+
+        Assert.Null(written.Forecast!.MaxClosure);
+        Assert.Contains("no contour comes back to where it was", Assert.Single(written.Diagnostics).Sentence, StringComparison.Ordinal);
+    }
+
     /// <summary>Contours of arcs of any radius and angle, each begun where the one before ends; the machine is followed by the test's own arithmetic.</summary>
     [Fact]
     public void The_exact_style_never_leaves_the_path_by_more_than_it_promises()

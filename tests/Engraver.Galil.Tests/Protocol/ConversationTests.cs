@@ -11,7 +11,7 @@ public class ConversationTests
     public async Task Every_byte_comes_back_with_its_time_and_its_link()
     {
         var (time, text) = (new ManualTimeProvider(), new StringWriter { NewLine = "\n" });
-        var recorder = new ConversationRecorder(text, time, isControllersClock: false, time);
+        var recorder = new ConversationRecorder(text, time, ConversationClock.Wall, time);
         await using var first = recorder.Over(new SilentLink());
         time.Advance(TimeSpan.FromTicks(12_345));
         var second = recorder.Over(new SilentLink());

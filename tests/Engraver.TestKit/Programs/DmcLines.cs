@@ -18,9 +18,18 @@ public sealed class DmcLines
     private double? _toX;
     private double? _toY;
     private bool _isOn;
+    private readonly List<(string Name, double Value)> _acts = [];
+    /// <summary>Speeds and accelerations; until a program says them those of power-on (galil-dmc.md C).</summary>
+    private readonly Dictionary<string, double> _set = new() { ["VS"] = 25000, ["VA"] = 256000, ["VD"] = 256000, ["SPA"] = 25000, ["SPB"] = 25000, ["ACA"] = 256000, ["ACB"] = 256000, ["DCA"] = 256000, ["DCB"] = 256000 };
+    private double _waited;
 
     /// <summary>What is cut, millimetres by 1000 counts; null when a number cannot be read or the program does not end.</summary>
-    public static IReadOnlyList<Segment>? Cuts(string text)
+    public static IReadOnlyList<Segment>? Cuts(string text) => Read(text)?._cuts;
+
+    /// <summary>Every move with its seconds by the speeds and accelerations in force, and the waits of the program before it; a wait behind the last move keeps nothing. Null as above.</summary>
+    public static IReadOnlyList<(string Name, double Value)>? Acts(string text) => Read(text)?._acts;
+
+    private static DmcLines? Read(string text)
     {
         var run = new DmcLines();
         foreach (var line in text.Split('\n').Where(line => !line.StartsWith('\'')))
@@ -29,7 +38,7 @@ public sealed class DmcLines
             else foreach (var one in line.Split(';')) run._statements.Add(("", one.Trim()));
         }
 
-        return run.Run() ? run._cuts : null;
+        return run.Run() ? run : null;
     }
 
     private bool Run()
@@ -57,10 +66,14 @@ public sealed class DmcLines
 
     private bool Do(string text)
     {
+        if (text.Length > 2 && text[..2] is "VP" or "CR" or "VS" or "VA" or "VD" or "WT" && text[2] is not (' ' or '=')) text = text.Insert(2, " "); // the blank means nothing
         if (text is "SB1" or "CB1") _isOn = text == "SB1";
         else if (text == "VMAB") (_from, _vector) = (_place, default);
         else if (text.StartsWith("VP ", StringComparison.Ordinal) && Values(text[3..]) is [var x, var y]) Add(Segment.FromLine(_vector, new Point2D(x, y)));
         else if (text.StartsWith("CR ", StringComparison.Ordinal) && Values(text[3..]) is [var radius, var theta, var sweep]) Add(Segment.FromArc(new ArcSegment(_vector - Vector2D.FromPolar(radius, Angle.FromDegrees(theta)), radius, Angle.FromDegrees(theta), Angle.FromDegrees(sweep))));
+        else if (text.StartsWith("WT ", StringComparison.Ordinal)) return Value(text[3..]) is { } wait && Wait(wait);
+        else if (text.Length > 3 && text[..3] is "VS " or "VA " or "VD ") return Value(text[3..]) is { } speed && Keep(text[..2], speed);
+        else if (text.Length > 4 && text[3] == '=' && text[..2] is "SP" or "AC" or "DC") return Value(text[4..]) is { } rate && Keep(text[..3], rate);
         else if (text.StartsWith("BG", StringComparison.Ordinal)) Begin(text[2..]);
         else if (text.StartsWith("PAA=", StringComparison.Ordinal)) _toX = Value(text[4..]);
         else if (text.StartsWith("PAB=", StringComparison.Ordinal)) _toY = Value(text[4..]);
@@ -69,8 +82,39 @@ public sealed class DmcLines
         return true;
     }
 
+    private bool Wait(double milliseconds)
+    {
+        _waited += milliseconds / 1000.0;
+        return true;
+    }
+
+    private bool Keep(string name, double value)
+    {
+        _set[name] = value;
+        return true;
+    }
+
+    private void Move(double seconds)
+    {
+        if (!(seconds > 0.0)) return;
+        _acts.Add(("rest", _waited));
+        _acts.Add(("move", seconds));
+        _waited = 0.0;
+    }
+
+    /// <summary>Up to the speed and down again, or as far up as the length lets it.</summary>
+    private double Seconds(double length, string speed, string up, string down)
+    {
+        var (v, a, d) = (_set.GetValueOrDefault(speed, double.NaN), _set.GetValueOrDefault(up, double.NaN), _set.GetValueOrDefault(down, double.NaN));
+        if (length == 0.0) return 0.0;
+        var top = Math.Min(v, Math.Sqrt(2.0 * length * a * d / (a + d)));
+        return (top / a) + (top / d) + ((length - (top * top / 2.0 * ((1.0 / a) + (1.0 / d)))) / top);
+    }
+
     private void Begin(string axes)
     {
+        if (axes.Contains('S', StringComparison.Ordinal)) Move(Seconds(_sequence.Sum(run => run.Length), "VS", "VA", "VD"));
+        else Move(Math.Max(axes.Contains('A', StringComparison.Ordinal) && _toX is { } alongX ? Seconds(Math.Abs(alongX - _place.X), "SPA", "ACA", "DCA") : 0.0, axes.Contains('B', StringComparison.Ordinal) && _toY is { } alongY ? Seconds(Math.Abs(alongY - _place.Y), "SPB", "ACB", "DCB") : 0.0));
         if (axes.Contains('S', StringComparison.Ordinal)) Go();
         _place = new Point2D(axes.Contains('A', StringComparison.Ordinal) && _toX is { } x ? x : _place.X, axes.Contains('B', StringComparison.Ordinal) && _toY is { } y ? y : _place.Y);
     }

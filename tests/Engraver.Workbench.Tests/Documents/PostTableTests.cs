@@ -60,12 +60,26 @@ public class PostTableTests
         Assert.All(chunks, chunk => Assert.InRange(chunk.Count(c => c == '\n'), 10, 100));
     }
 
+    /// <summary>A file that was saved under any name is read as what it is, also where endings say nothing or something else.</summary>
     [Fact]
-    public void A_posted_file_is_read_back_by_its_ending()
+    public void A_posted_file_is_known_by_how_it_begins_and_otherwise_by_its_ending()
     {
-        Assert.Same(PostTable.Find("galil").Reader, PostTable.ReaderFor("PLATE.DMC"));
-        Assert.Same(PostTable.Find("galil").Reader, PostTable.ReaderFor("plate.txt"));
-        Assert.Same(PostTable.Find("gcode").Reader, PostTable.ReaderFor("plate.ngc"));
+        var folder = Directory.CreateTempSubdirectory("engraver-forms-");
+        string PathOf(string name) => Path.Combine(folder.FullName, name);
+        foreach (var choice in PostTable.Choices)
+        {
+            var file = PathOf("program.txt");
+            File.WriteAllText(file, PostedProgram.Create(Open("paper-001"), new DrawingSettings(), choice.Entry.Post, choice.Options).Text);
+            var found = ProgramForm.Of(file);
+            Assert.Equal(choice.Name == "galil-calls" ? "galil" : choice.Name, found?.Name);
+            Assert.Same(choice.Dialect is null ? PostTable.Find(found!.Entry.Post.Name).Reader : choice.Entry.Dialects[choice.Dialect], found!.Reader);
+        }
+
+        File.WriteAllText(PathOf("empty.NGC"), "\n");
+        Assert.Equal("gcode linuxcnc", ProgramForm.Of(PathOf("empty.NGC"))?.Name);
+        Assert.Equal("galil", ProgramForm.Of(PathOf("none.DMC"))?.Name);
+        Assert.Null(ProgramForm.Of(PathOf("none.txt")));
+        folder.Delete(recursive: true);
         Assert.All(PostTable.All, entry => Assert.NotNull(entry.Reader));
         Assert.Throws<KeyNotFoundException>(() => PostTable.Find("punched-tape"));
         Assert.Equal(MotionStyle.Calls, PostTable.ForMotion(MotionStyle.Calls).Post.Motion);

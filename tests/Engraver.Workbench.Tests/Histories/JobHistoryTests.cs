@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.TestKit;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Settings;
 
@@ -25,7 +26,7 @@ public sealed class JobHistoryTests : IDisposable
         Assert.Null(failure);
         Assert.Equal(kept.Id, back.Id);
         Assert.Equal(entry.Checks, back.Checks);
-        Assert.Equal(entry with { Id = kept.Id, Checks = null, Settings = back.Settings, Profile = back.Profile }, back with { Checks = null });
+        Assert.Equal(entry with { Id = kept.Id, Checks = null, Settings = back.Settings, Profile = back.Profile, Options = back.Options }, back with { Checks = null });
         Assert.Equal((321.0, 0.003, "A"), (back.ToSettings().Machine.FeedMmPerMinute, back.ToSettings().MaxErrorMm, Assert.Single(back.ToSettings().Layers!)));
         Assert.Equal(SettingWords.Of(settings), SettingWords.Of(back.ToSettings()));
     }
@@ -179,5 +180,5 @@ public sealed class JobHistoryTests : IDisposable
 
     public void Dispose() => _folder.Delete(recursive: true);
 
-    private static HistoryEntry Entry(string name, DateTimeOffset date, DrawingSettings? settings = null) => HistoryEntry.OfPost(Path.Combine(RepositoryFolder.Samples, name), settings ?? new DrawingSettings(), "galil", null, date);
+    private static HistoryEntry Entry(string name, DateTimeOffset date, DrawingSettings? settings = null) => HistoryEntry.OfPost(Path.Combine(RepositoryFolder.Samples, name), settings ?? new DrawingSettings(), "galil", PostedProgram.NoOptions, null, date);
 }

@@ -10,7 +10,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Of every target's program, seeded corruptions of one character or one number are noticed by the verification, or do no harm: a path that a test reads from the text in its own way cuts the drawing and nothing else.</summary>
+/// <summary>Of every target's program, seeded corruptions of one character or one number are noticed by the verification, or do no harm: what a test reads from the text in its own way cuts the drawing and nothing else, and does everything else (tool, frame, speeds, waits, pen, heights, times) as the program does that was posted.</summary>
 public sealed class TargetCorruptionTests : IDisposable
 {
     /// <summary>The curves of these two are read as many chords, which takes a second each time.</summary>
@@ -36,13 +36,15 @@ public sealed class TargetCorruptionTests : IDisposable
         var text = PostedProgram.Create(drawing, new DrawingSettings(), entry.Post, options).Text!;
         var drawn = JobPreparation.Analyse(drawing, new DrawingSettings()).ToSegments();
         Assert.True((await VerifyAsync(drawing, text, reader)).Ok);
-        Assert.True(DoesNoHarm(text, target, drawn, reader));
+        var acts = ProgramActs.Of(text, target)!;
+        Assert.Equal(target != "cldata", acts.Count > 0);
+        Assert.True(DoesNoHarm(text, target, drawn, reader, acts));
         for (var number = 0; number < CasesOf(target); number++)
         {
             var bad = Corruption.Of(random, text, number);
             var report = await VerifyAsync(drawing, bad, reader);
             Assert.Equal(report.Ok, report.Diagnostics.Count == 0 && report.ExtraLengthMm == 0.0);
-            if (report.Ok && bad != text) Assert.True(DoesNoHarm(bad, target, drawn, reader), $"corruption {number} of {target} was not noticed: {Difference(text, bad)}");
+            if (report.Ok && bad != text) Assert.True(DoesNoHarm(bad, target, drawn, reader, acts), $"corruption {number} of {target} was not noticed: {Difference(text, bad)}; {ProgramActs.FirstOther(acts, ProgramActs.Of(bad, target))}");
         }
     }
 
@@ -52,7 +54,7 @@ public sealed class TargetCorruptionTests : IDisposable
         ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, new DrawingSettings(), progress: null, CancellationToken.None);
 
     /// <summary>Cuts lie on the drawing and the drawing on cuts, within what the form may round.</summary>
-    private bool DoesNoHarm(string text, string target, IReadOnlyList<Segment> drawn, IProgramReader reader)
+    private bool DoesNoHarm(string text, string target, IReadOnlyList<Segment> drawn, IProgramReader reader, IReadOnlyList<(string Name, double Value)> acts)
     {
         var cuts = target switch
         {
@@ -63,6 +65,7 @@ public sealed class TargetCorruptionTests : IDisposable
             _ => TrajectoryLines.Cuts(text, target),
         };
         var allowed = Math.Max(0.0036, reader.Rounding + 0.0011);
+        if (!ProgramActs.AreSame(acts, ProgramActs.Of(text, target))) return false;
         return cuts is { Count: > 0 } && TabProgram.Farthest(cuts, drawn, 0.1) <= allowed && TabProgram.Farthest(drawn, cuts, 0.05) <= allowed + 0.002;
     }
 

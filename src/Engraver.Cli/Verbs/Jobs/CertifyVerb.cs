@@ -7,6 +7,7 @@ using Engraver.Core.Machines;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Verification;
 
@@ -75,6 +76,7 @@ internal sealed class CertifyVerb
         }
 
         if (certificate.Ok) _host.Write(place, output => output.WriteLine(CertificateFile.Text(certificate)));
+        if (request.Program is { } given) _host.NoteReadBack(given.File, new HistoryReadBack(certificate.Ok, request.Now, certificate.MaxDeviation, certificate.Ok ? Path.GetFullPath(place) : null));
         if (parsed.GetValue(_json)) _host.Out.WriteLine(CertificateFile.Text(certificate));
         else _host.Out.WriteLine(Wording.Get(certificate.Ok ? "Certify.Ok" : "Certify.NotOk", place, certificate.MaxDeviation ?? 0.0, certificate.Tolerance, certificate.MissingLength, certificate.ExtraLength));
         return certificate.Ok ? code : ExitCode.DrawingError;

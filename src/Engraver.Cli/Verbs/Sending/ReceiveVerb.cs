@@ -13,6 +13,9 @@ namespace Engraver.Cli.Verbs.Sending;
 /// <summary><c>engraver receive</c>: takes a program from a serial line into a file, and says where its parity was wrong.</summary>
 internal sealed class ReceiveVerb(VerbHost host)
 {
+    /// <summary>Behind the name of a program that may not be whole: it never stands where a whole one is expected.</summary>
+    private const string TornEnding = ".part";
+
     private readonly Option<SendAddress?> _from = LineOption.New("--from", Wording.Get("Receive.From"));
     private readonly Option<string> _output = new("-o", "--output") { Required = true, HelpName = "OUT", Description = Wording.Get("Receive.Output") };
     private readonly Option<double> _silence = new("--silence") { HelpName = "SECONDS", Description = Wording.Get("Receive.Silence"), CustomParser = OptionValue.SecondsOfADay, DefaultValueFactory = _ => 5.0 };
@@ -31,30 +34,34 @@ internal sealed class ReceiveVerb(VerbHost host)
         var (address, path) = (parsed.GetRequiredValue(_from)!, parsed.GetRequiredValue(_output));
         VerbHost.CheckPlace(path);
         var receiver = new ProgramReceiver(address.Frame);
-        var reason = await ListenAsync(receiver, address, TimeSpan.FromSeconds(parsed.GetValue(_silence)), host.Quiet(parsed), stop).ConfigureAwait(false);
-        var (characters, lines) = (receiver.Characters.ToArray(), SendText.Lines(receiver.Characters.ToArray()));
+        var (end, reason) = await ListenAsync(receiver, address, TimeSpan.FromSeconds(parsed.GetValue(_silence)), parsed, stop).ConfigureAwait(false);
+        var characters = receiver.Characters.ToArray();
+        var lines = SendText.Lines(characters);
+        var file = characters.Length == 0 ? null : end == ReceiveEnd.Complete ? path : path + TornEnding;
         IReadOnlyList<Diagnostic> findings = receiver.Damaged == 0 ? [] : [SendingRules.ParityWrong.At(new SourceRef(receiver.FirstDamagedLine), Text(receiver.Damaged), Text(receiver.FirstDamagedLine), address.Frame.Name())];
-        if (characters.Length > 0) host.Write(path, writer => writer.Write(string.Concat(lines.Select(line => Encoding.Latin1.GetString(line.Span) + "\n"))));
-        if (parsed.GetValue(_json)) ContractJson.Write(host.Out, new ReceiveJson(path, lines.Count, characters.Length, receiver.Damaged, [.. findings.Select(DiagnosticJson.From)]), SendContract.Default.ReceiveJson);
+        if (file is not null) host.Write(file, writer => writer.Write(string.Concat(lines.Select(line => Encoding.Latin1.GetString(line.Span) + "\n"))));
+        if (parsed.GetValue(_json)) ContractJson.Write(host.Out, new ReceiveJson(Word(end), file, lines.Count, characters.Length, receiver.Damaged, [.. findings.Select(DiagnosticJson.From)]), SendContract.Default.ReceiveJson);
         else await host.Out.WriteLineAsync(Wording.Get("Receive.Received", lines.Count, characters.Length)).ConfigureAwait(false);
         var code = host.Report(parsed, path, findings);
         if (reason is not null) await host.Error.WriteLineAsync($"engraver: {reason}").ConfigureAwait(false);
-        return (reason, characters.Length) switch { (not null, _) => ExitCode.LinkLost, (_, 0) => stop.IsCancellationRequested ? ExitCode.StoppedByOperator : ExitCode.LinkLost, _ => code };
+        if (file is not null && end != ReceiveEnd.Complete) await host.Error.WriteLineAsync(Wording.Get("Receive.Torn", file)).ConfigureAwait(false);
+        return end switch { ReceiveEnd.Complete => code, ReceiveEnd.Stopped => ExitCode.StoppedByOperator, _ => ExitCode.LinkLost };
     }
 
-    /// <returns>Why the line ended; null when the sender was silent or the operator had enough.</returns>
-    private async Task<string?> ListenAsync(ProgramReceiver receiver, SendAddress address, TimeSpan silence, bool quiet, CancellationToken stop)
+    /// <returns>How it ended, and in a sentence why, where the line or the other side was the reason.</returns>
+    private async Task<(ReceiveEnd End, string? Reason)> ListenAsync(ProgramReceiver receiver, SendAddress address, TimeSpan silence, ParseResult parsed, CancellationToken stop)
     {
         try
         {
             await using var line = ProgramLine.Open(address, silence, TimeProvider.System);
-            if (!quiet) await host.Error.WriteLineAsync(Wording.Get("Receive.Listening", address)).ConfigureAwait(false);
-            await receiver.ListenAsync(line, silence, progress: null, TimeProvider.System, stop).ConfigureAwait(false);
-            return null;
+            if (!host.Quiet(parsed)) await host.Error.WriteLineAsync(Wording.Get("Receive.Listening", address)).ConfigureAwait(false);
+            var isWhole = await receiver.ListenAsync(line, silence, host.Verbose(parsed) ? new Told(host.Error) : null, TimeProvider.System, stop).ConfigureAwait(false);
+            if (!isWhole) return (ReceiveEnd.Stopped, null);
+            return receiver.Characters.Count > 0 ? (ReceiveEnd.Complete, null) : (ReceiveEnd.Silent, Wording.Get("Receive.Silent", silence.TotalSeconds));
         }
         catch (IOException gone)
         {
-            return gone.Message;
+            return (ReceiveEnd.LinkLost, gone.Message);
         }
         catch (PlatformNotSupportedException unbuilt)
         {
@@ -62,5 +69,34 @@ internal sealed class ReceiveVerb(VerbHost host)
         }
     }
 
+    private static string Word(ReceiveEnd end) => end switch { ReceiveEnd.Complete => "complete", ReceiveEnd.Stopped => "stopped", ReceiveEnd.Silent => "silent", _ => "linkLost" };
+
     private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>A line for every line that has come, as it comes.</summary>
+    private sealed class Told(TextWriter error) : IProgress<int>
+    {
+        private int _lines;
+
+        public void Report(int value)
+        {
+            if (value <= _lines) return;
+            _lines = value;
+            error.WriteLine(Wording.Get("Receive.Lines", value));
+        }
+    }
+
+    private enum ReceiveEnd : byte
+    {
+        /// <summary>Something came, and then nothing more.</summary>
+        Complete,
+
+        /// <summary>By the operator.</summary>
+        Stopped,
+
+        /// <summary>Nothing came at all.</summary>
+        Silent,
+
+        LinkLost,
+    }
 }

@@ -18,9 +18,11 @@ internal sealed record SendJson(string Outcome, int Lines, int OfLines, long Cha
 }
 
 /// <summary>What <c>engraver receive --json</c> prints.</summary>
+/// <param name="Outcome">complete, stopped, silent or linkLost.</param>
+/// <param name="File">What was written; null where nothing was.</param>
 /// <param name="Damaged">Characters whose parity was wrong.</param>
 /// <param name="Findings">The parity, where it was wrong.</param>
-internal sealed record ReceiveJson(string File, int Lines, int Characters, int Damaged, IReadOnlyList<DiagnosticJson> Findings);
+internal sealed record ReceiveJson(string Outcome, string? File, int Lines, int Characters, int Damaged, IReadOnlyList<DiagnosticJson> Findings);
 
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", GenerationMode = JsonSourceGenerationMode.Metadata)]
 [JsonSerializable(typeof(SendJson))]

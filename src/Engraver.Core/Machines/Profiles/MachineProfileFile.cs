@@ -7,31 +7,41 @@ namespace Engraver.Core.Machines.Profiles;
 /// <summary>A machine profile as JSON: an object of the profile's properties in camel case; comments and trailing commas are allowed, fields that are missing (or null) keep their default.</summary>
 public static class MachineProfileFile
 {
+    private const string Jog = "jogMmPerMinute";
+
     /// <summary>Reads a profile and checks it against what the controller accepts. Whatever is wrong is a diagnostic, with the line where the text itself is wrong.</summary>
     public static MachineProfileReading Read(string json, MachineLimits limits)
     {
         var fields = ProfileFields.Read(json);
         IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown()];
-        if (unknown.Count > 0) return new MachineProfileReading(null, unknown);
         try
         {
-            var read = Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits);
-            return read with { Diagnostics = [.. read.Diagnostics.Select(finding => finding.Source == default ? finding with { Source = new SourceRef(fields.LineOf(finding.Facts[0])) } : finding)] };
+            var read = Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits, isWhole: unknown.Count == 0);
+            IReadOnlyList<Diagnostic> findings = [.. Written(read.Diagnostics, fields, isWhole: unknown.Count == 0).Select(finding => finding.Source == default ? finding with { Source = new SourceRef(fields.LineOf(finding.Facts[0])) } : finding)];
+            return unknown.Count == 0 ? read with { Diagnostics = findings } : new MachineProfileReading(null, [.. unknown, .. findings]);
         }
         catch (JsonException trouble)
         {
-            return new MachineProfileReading(null, [Finding(trouble)]);
+            return new MachineProfileReading(null, [.. unknown, Finding(trouble)]);
         }
+    }
+
+    /// <summary>What is said of fields that stand in the file. The jog speed that follows from the rapid speed is told only where nothing else is wrong; beside a field that is not known, what is missing may be that field.</summary>
+    private static IEnumerable<Diagnostic> Written(IReadOnlyList<Diagnostic> findings, ProfileFields fields, bool isWhole)
+    {
+        bool IsWritten(Diagnostic finding) => finding.Facts.Count == 0 || fields.LineOf(finding.Facts[0]) > 0;
+        if (!isWhole) return findings.Where(finding => finding.Severity == Severity.Error && IsWritten(finding));
+        return findings.Count > 1 ? findings.Where(finding => finding.Facts.Count == 0 || finding.Facts[0] != Jog || IsWritten(finding)) : findings;
     }
 
     /// <summary>The profile with every field, ready to be edited.</summary>
     public static string Write(MachineProfile profile) => JsonSerializer.Serialize(MachineProfileDocument.From(profile), MachineProfileJson.Default.MachineProfileDocument) + "\n";
 
-    private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits)
+    private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits, bool isWhole)
     {
         if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.HoldsNullInsteadObject"))]);
         var profile = document.Over(MachineProfile.Default);
-        IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.Given"), field.Needs)), .. MachineProfileValidation.Check(profile, limits)];
+        IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Where(field => isWhole || field.Field == "toolDrive").Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.Given"), field.Needs)), .. MachineProfileValidation.Check(profile, limits)];
         if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", "", Wording.Get("MachineProfileValidation.NoAxisZ"))];
         if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
         return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);
@@ -47,13 +57,13 @@ public static class MachineProfileFile
     }
 }
 
-/// <summary>Reads and writes profile files without reflection.</summary>
+/// <summary>Reads and writes profile files without reflection. Fields that are not known are told by <see cref="ProfileFields"/>, with their lines.</summary>
 [JsonSourceGenerationOptions(
     PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase,
     WriteIndented = true,
     AllowTrailingCommas = true,
     ReadCommentHandling = JsonCommentHandling.Skip,
-    UnmappedMemberHandling = JsonUnmappedMemberHandling.Disallow,
+    UnmappedMemberHandling = JsonUnmappedMemberHandling.Skip,
     AllowDuplicateProperties = false)]
 [JsonSerializable(typeof(MachineProfileDocument))]
 internal sealed partial class MachineProfileJson : JsonSerializerContext;

@@ -10,11 +10,20 @@ internal sealed class AgieForecast
     /// <summary>An end that lies as near to the start of a move as this, millimetres, comes back to it.</summary>
     private const double Same = 0.01;
 
+    /// <summary>What comes back has gone so far, millimetres: a short piece alone does not come back.</summary>
+    private const double Away = 10.0 * Same;
+
     private const int FewestPlaces = 32;
 
     private readonly Toolpath _path;
     private readonly Point2D _entry;
     private readonly SegmentIndex _index;
+
+    /// <summary>Starts of the moves of a stroke before the one that is followed, by cells of <see cref="Same"/>.</summary>
+    private readonly Dictionary<(long X, long Y), List<(Point2D Place, double Way)>> _places = [];
+    private double _way;
+    private int _stroke = -1;
+    private int _noted;
 
     private AgieForecast(Toolpath path)
     {
@@ -33,19 +42,56 @@ internal sealed class AgieForecast
             if (number == parts[part]) (part, number) = (part + 1, 0);
             var run = step.Block.PathFrom(place);
             place = run.End;
-            var isEnd = i + 1 == steps.Count || steps[i + 1].Stroke != step.Stroke;
-            blocks.Add(new ForecastBlock(part + 1, ++number, step.Block.Cutting, forecast.Drawing(place), step.Drawn is { } drawn ? forecast.Error(run, drawn) : null, isEnd ? forecast.Closure(step.Stroke, place) : null));
+            var isEnd = step.Move >= 0 && (i + 1 == steps.Count || (steps[i + 1].Stroke, steps[i + 1].Move) != (step.Stroke, step.Move));
+            blocks.Add(new ForecastBlock(part + 1, ++number, step.Block.Cutting, forecast.Drawing(place), step.Drawn is { } drawn ? forecast.Error(run, drawn) : null, isEnd ? forecast.Closure(step, place) : null));
         }
 
         return new PostForecast(forecast._entry, blocks, blocks.Max(block => block.Error ?? 0.0), blocks.Max(block => block.Closure));
     }
 
-    /// <summary>Where the machine stands at the end of a stroke, which lies where one of its moves starts, from where it should.</summary>
-    private double? Closure(int number, Point2D place)
+    /// <summary>Where the machine stands at the end of a move that comes back to where the stroke was before, from where it should: in the middle of a stroke too, where it goes on from there.</summary>
+    private double? Closure(AgieStep step, Point2D place)
     {
-        var stroke = _path.Strokes[number];
-        return stroke.Closed || stroke.Moves.Skip(1).Any(move => move.Segment.Start.DistanceTo(stroke.End) <= Same) ? Drawing(place).DistanceTo(stroke.End) : null;
+        var stroke = _path.Strokes[step.Stroke];
+        if (_stroke != step.Stroke) (_stroke, _noted) = (step.Stroke, 0);
+        if (_noted == 0)
+        {
+            _places.Clear();
+            _way = 0.0;
+        }
+
+        for (; _noted <= step.Move; _noted++)
+        {
+            Note(stroke.Moves[_noted].Segment.Start);
+            _way += stroke.Moves[_noted].Segment.Length;
+        }
+
+        var (drawn, isLast) = (stroke.Moves[step.Move].Segment, step.Move == stroke.Moves.Count - 1);
+        return (isLast && stroke.Closed) || WasAt(drawn.End) ? Drawing(place).DistanceTo(drawn.End) : null;
     }
+
+    private void Note(Point2D place)
+    {
+        var cell = CellOf(place);
+        if (_places.TryGetValue(cell, out var there)) there.Add((place, _way));
+        else _places.Add(cell, [(place, _way)]);
+    }
+
+    private bool WasAt(Point2D place)
+    {
+        var (x, y) = CellOf(place);
+        for (var i = -1; i <= 1; i++)
+        {
+            for (var j = -1; j <= 1; j++)
+            {
+                if (_places.TryGetValue((x + i, y + j), out var there) && there.Exists(one => one.Place.DistanceTo(place) <= Same && _way - one.Way > Away)) return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static (long X, long Y) CellOf(Point2D place) => ((long)Math.Floor(place.X / Same), (long)Math.Floor(place.Y / Same));
 
     /// <summary>At places on the run; between two of them the distance is larger by less than a thousandth of itself. What the run stands for is tried first, then everything that is cut.</summary>
     private double Error(in Segment run, in Segment drawn)

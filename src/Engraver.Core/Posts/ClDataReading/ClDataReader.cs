@@ -15,11 +15,11 @@ public sealed class ClDataReader : IProgramReader
     {
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
-        var fault = new Replay(request.Judges, cancellation).Run(new ProgramRows(text));
+        var fault = new Replay(request, cancellation).Run(new ProgramRows(text));
         return Task.FromResult<IReadOnlyList<Diagnostic>>(fault is null ? [] : [fault]);
     }
 
-    private sealed class Replay(IReadOnlyList<ITraceJudge> judges, CancellationToken cancellation)
+    private sealed class Replay(ReplayRequest request, CancellationToken cancellation)
     {
         private ClEntity? _entity;
         private string _section = "";
@@ -83,6 +83,7 @@ public sealed class ClDataReader : IProgramReader
             _entity = null;
             if (entity.Layer is not ("CUT_CLOSED" or "CUT_OPEN" or "RAPID")) return Fault(entity.Line, Wording.Get("ClDataReader.Layer", Shown(entity.Layer)));
             if (entity.Path(out var reason) is not { } path) return Fault(entity.Line, reason);
+            if (entity.Height is { } height) request.Terms?.Differ(entity.Line, $"z {Shown(height)}", "z 0");
             var isCut = entity.Layer != "RAPID";
             foreach (var segment in path) Tell(segment, isCut);
             _hasCut |= isCut;
@@ -92,7 +93,7 @@ public sealed class ClDataReader : IProgramReader
         private void Tell(in Segment path, bool isCut)
         {
             _seconds += 1.0;
-            foreach (var judge in judges)
+            foreach (var judge in request.Judges)
             {
                 if (!isCut) judge.Add(new TraceSample(_seconds, path.End.X, path.End.Y, Cutting: false));
                 else if (path.Length > 0.0) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));

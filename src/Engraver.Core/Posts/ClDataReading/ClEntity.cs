@@ -12,6 +12,9 @@ internal sealed record ClEntity(string Type, int Line)
 
     public string Layer => _pairs.Where(pair => pair.Code == 8).Select(pair => pair.Value.Trim()).FirstOrDefault() ?? "";
 
+    /// <summary>The first height that is not 0, as it is written; null where everything lies in the plane.</summary>
+    public string? Height => _pairs.Where(pair => pair.Code is 30 or 31 or 38 or 39 && !(double.TryParse(pair.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var height) && height == 0.0)).Select(pair => pair.Value.Trim()).FirstOrDefault();
+
     public void Add(int code, string value) => _pairs.Add((code, value));
 
     /// <summary>Lines and arcs, in the direction of travel; null when a number is missing, double or none, and which.</summary>

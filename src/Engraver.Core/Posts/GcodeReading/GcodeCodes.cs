@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Engraver.Core.Posts.GcodeReading;
 
 /// <summary>Which codes the two controllers know, in tenths, and their groups: of a group one code may stand on a line (rs274-hpgl.md 1.2). Codes that lead where the program does not say (probes, stored places, offsets, canned cycles, cutter compensation, other planes) are not among them.</summary>
@@ -9,6 +11,7 @@ internal static class GcodeCodes
     public const int ExactPath = 610;
     public const int ExactStop = 611;
     public const int Blending = 640;
+    public const int UsualWorkOffset = 540;
     public const int NoMotion = 800;
     public const int Absolute = 900;
     public const int AbsoluteCentre = 901;
@@ -36,6 +39,9 @@ internal static class GcodeCodes
     public static bool IsMotion(int code) => code is 0 or 10 or 20 or 30 or NoMotion;
 
     public static bool IsWorkOffset(int code) => code is >= 540 and <= 593;
+
+    /// <summary>As a program says it: G54, G59.1.</summary>
+    public static string WorkOffsetText(int code) => string.Create(CultureInfo.InvariantCulture, $"G{code / 10.0:0.#}");
 }
 
 /// <summary>By whose rules a program is read.</summary>

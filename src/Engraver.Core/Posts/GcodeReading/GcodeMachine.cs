@@ -10,6 +10,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     private readonly GcodeTeller _teller = new(request);
     private readonly MachineProfile _profile = request.Machine;
+    private readonly GcodeSwitches _switches = new(request.Machine, request.Terms);
     private Vector3D _place = StartOf(request);
     private bool _knowsX;
     private bool _knowsY;
@@ -21,27 +22,18 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private int? _workOffset;
     private GcodeBlend _blend = controller == GcodeController.Grbl ? GcodeBlend.Exact : GcodeBlend.Unbounded;
     private double _feed;
-    private bool _spindle;
-    private double? _speed;
-    private bool _coolant;
-    private bool _output;
 
     public bool HasMoved => _teller.HasMoved;
 
     /// <summary>M2 or M30 was done.</summary>
     public bool HasEnded { get; private set; }
 
-    private bool IsOn => (_profile.Spindle is null && Turns) || _coolant || _output;
-
-    /// <summary>Switched on, at a speed (of a laser: a power) that is not said to be none.</summary>
-    private bool Turns => _spindle && _speed != 0.0;
-
     /// <summary>Does a line that the rules let pass.</summary>
     /// <returns>Why it cannot be done; null when it was.</returns>
     public string? Do(GcodeBlock block, int line)
     {
         if (block['F'] is { } feed) _feed = feed * _unit;
-        Switch(block);
+        Switch(block, line);
         foreach (var code in block.Codes('G')) if (Mode(code) is { } fault) return fault;
         Control(block);
         if (block.Codes('G').Where(GcodeCodes.IsMotion).Select(code => (int?)code).FirstOrDefault() is { } motion) _motion = motion;
@@ -52,25 +44,19 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     private static Vector3D StartOf(ReplayRequest request) => request.Machine.Scale.ToMillimetres(request.Start.X, request.Start.Y) is var start ? new Vector3D(start.X, start.Y, 0.0) : default;
 
-    private void Switch(GcodeBlock block)
+    private void Switch(GcodeBlock block, int line)
     {
-        var was = IsOn;
-        _speed = block['S'] ?? _speed;
-        foreach (var code in block.Codes('M'))
-        {
-            if (code is 30 or 40 or 50) _spindle = code != 50;
-            else if (code is 70 or 80 or 90) _coolant = code != 90;
-            else if (code is >= 620 and <= 650 && block['P'] == _profile.ToolOutput - 1) _output = (code is 620 or 640) != _profile.ToolActiveLow;
-        }
-
-        if (IsOn != was) _teller.Switch(_place, IsOn);
+        var was = _switches.IsOn;
+        _switches.Do(block, line);
+        if (block.Codes('G').Contains(GcodeCodes.Dwell)) _switches.Wait(block['P'] ?? 0.0, line);
+        if (_switches.IsOn != was) _teller.Switch(_place, _switches.IsOn);
     }
 
     private string? Mode(int code)
     {
         if (GcodeCodes.IsWorkOffset(code))
         {
-            if (_teller.HasMoved && code != (_workOffset ?? 540)) return Wording.Get("GcodeReader.OtherOffset");
+            if (_teller.HasMoved && code != (_workOffset ?? GcodeCodes.UsualWorkOffset)) return Wording.Get("GcodeReader.OtherOffset");
             _workOffset = code;
         }
 
@@ -94,18 +80,31 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     {
         if (_motion is null or GcodeCodes.NoMotion) return Wording.Get("GcodeReader.NoMotion");
         if (_motion != 0 && !(_feed > 0.0)) return Wording.Get("GcodeReader.NoFeed");
-        if (_motion != 0 && _profile.Spindle is not null && !Turns) return Wording.Get("GcodeReader.SpindleStands");
+        if (_motion != 0 && _profile.Spindle is not null && !_switches.Turns) return Wording.Get("GcodeReader.SpindleStands");
         if (!_isAbsolute && !(Knows('X', block) && Knows('Y', block) && Knows('Z', block))) return Wording.Get("GcodeReader.WhereFrom");
         var to = new Vector3D(Coordinate(block['X'], _place.X), Coordinate(block['Y'], _place.Y), Coordinate(block['Z'], _place.Z));
         if (_profile.Height is null && to.Z != 0.0) return Wording.Get("GcodeReader.NoToolAxis");
+        Judge(to, line);
         if (_motion is 20 or 30) return Turn(block, to, line);
         if (_motion != 0 && !Learn(block)) return Wording.Get("GcodeReader.WhereFrom");
         if (_motion == 0 && !_knowsZ && !block.Has("Z")) return Wording.Get("GcodeReader.HeightFirst");
         var (from, isKnown) = (_place, _knowsZ);
         Learn(block);
         _place = to;
-        if (isKnown) _teller.Line(from, to, new GcodeMotion(IsOn, _motion == 0 ? double.PositiveInfinity : _feed, _blend, line));
+        if (isKnown) _teller.Line(from, to, new GcodeMotion(_switches.IsOn, _motion == 0 ? double.PositiveInfinity : _feed, _blend, line));
         return null;
+    }
+
+    /// <summary>What a motion is done under: the frame in which its place counts, waits that are over, the tool's speed; with the tool off it is a rapid.</summary>
+    private void Judge(Vector3D to, int line)
+    {
+        _switches.EndWait();
+        if (request.Terms is not { } terms) return;
+        var offset = GcodeCodes.WorkOffsetText(_workOffset ?? GcodeCodes.UsualWorkOffset);
+        if (offset != terms.Asked.WorkOffset) terms.Differ(line, offset, terms.Asked.WorkOffset);
+        if (_motion == 0) return;
+        if (_profile.Height is { } drive ? to.X == _place.X && to.Y == _place.Y && to.Z == drive.ClearanceHeight : !_switches.IsOn) terms.Differ(line, $"G{_motion / 10}", "G0");
+        else _switches.Cut(line);
     }
 
     private string? Turn(GcodeBlock block, Vector3D to, int line)
@@ -121,7 +120,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         if (arc is not { } known) return reason;
         var from = _place;
         _place = to;
-        _teller.Arc(known, from, to, new GcodeMotion(IsOn, _feed, _blend, line));
+        _teller.Arc(known, from, to, new GcodeMotion(_switches.IsOn, _feed, _blend, line));
         return null;
     }
 
@@ -129,7 +128,8 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     private string? End()
     {
         HasEnded = true;
-        if (_output) return Wording.Get("GcodeReader.EndsOn");
+        _switches.EndWait();
+        if (_switches.IsOutputOn) return Wording.Get("GcodeReader.EndsOn");
         return _profile.Height is { } drive && _teller.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsIn") : null;
     }
 

@@ -17,7 +17,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
     private (double X1, double Y1, double X2, double Y2)? _corners;
     private Point2D _place;
     private bool _isInitialised;
-    private bool _hasPen;
+    private int _pen;
     private bool _isAbsolute = true;
     private double? _speed;
     private double _seconds;
@@ -35,11 +35,11 @@ internal sealed class HpglPlotter(ReplayRequest request)
         switch (command.Name, values.Count)
         {
             case ("IN", 0):
-                (_isInitialised, _hasPen, _isAbsolute, IsDown) = (true, false, true, false);
+                (_isInitialised, _pen, _isAbsolute, IsDown) = (true, 0, true, false);
                 (_frame, _corners) = ((PlotterUnit, PlotterUnit, 0.0, 0.0), null);
                 return null;
             case ("SP", 0 or 1): return Select(values.Count == 0 ? 0.0 : values[0]);
-            case ("VS", 1 or 2): return Speed(values[0]);
+            case ("VS", 1 or 2): return Speed(values);
             case ("IP", 4): return Corners(values);
             case ("SC", 4): return Scale(values);
             case ("PU" or "PD" or "PA" or "PR", _): return Plot(command);
@@ -52,14 +52,15 @@ internal sealed class HpglPlotter(ReplayRequest request)
     {
         if (pen is not (>= 0.0 and <= 8.0) || pen != Math.Floor(pen)) return Wording.Get("HpglReader.Pen", pen);
         if (IsDown && pen == 0.0) return Wording.Get("HpglReader.EndsDown");
-        _hasPen = pen > 0.0;
+        _pen = (int)pen;
         return null;
     }
 
-    private string? Speed(double centimetresPerSecond)
+    /// <summary>Of every pen, or of the one that is named behind it.</summary>
+    private string? Speed(IReadOnlyList<double> values)
     {
-        if (!(centimetresPerSecond > 0.0)) return Wording.Get("HpglReader.Speed", centimetresPerSecond);
-        _speed = centimetresPerSecond * 600.0;
+        if (!(values[0] > 0.0)) return Wording.Get("HpglReader.Speed", values[0]);
+        if (values.Count == 1 || values[1] == (request.Terms?.Asked.Pen ?? _pen)) _speed = values[0] * 600.0;
         return null;
     }
 
@@ -86,7 +87,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         {
             var was = IsDown;
             IsDown = command.Name == "PD";
-            if (IsDown && !_hasPen) return Wording.Get("HpglReader.NoPen");
+            if (IsDown && _pen == 0) return Wording.Get("HpglReader.NoPen");
             if (was != IsDown) Stand();
         }
         else
@@ -134,7 +135,22 @@ internal sealed class HpglPlotter(ReplayRequest request)
     {
         foreach (var judge in request.Judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
         _seconds += 1.0;
+        Judge(line);
         if (_speed is { } speed) request.Feeds?.Add(line, speed, path.Length, quantum: SpeedQuantum);
+    }
+
+    /// <summary>With the pen that is asked for, at a speed that was said: the plotter's own may be any.</summary>
+    private void Judge(int line)
+    {
+        if (request.Terms is not { } terms) return;
+        if (_pen != terms.Asked.Pen) terms.Differ(line, $"SP{_pen}", $"SP{terms.Asked.Pen}");
+        if (_speed is null) terms.Differ(line, Wording.Get("HpglReader.NoSpeed"), "VS");
+    }
+
+    /// <summary>The program is over: a pen that stays in the holder dries up.</summary>
+    public void End(int line)
+    {
+        if (_pen != 0) request.Terms?.Differ(line, $"SP{_pen}", "SP0");
     }
 
     private void Stand()

@@ -30,6 +30,7 @@ public sealed class HpglReader : IProgramReader
             if (plotter.Do(command) is { } fault) return Fault(command.Line, fault);
         }
 
+        plotter.End(scanner.Line);
         if (!plotter.HasMoved) return VerificationRules.ProgramEmpty.At(default);
         return plotter.IsDown ? Fault(scanner.Line, Wording.Get("HpglReader.EndsDown")) : null;
     }

@@ -4,11 +4,21 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Trajectories.Reading;
 
 /// <summary>Lines and arcs: a line goes to a place counted from the start; an arc goes on in the direction of the element before.</summary>
+/// <remarks>The head says the direction of the first element and by how much an element may turn away from the one before; what the elements do must agree with both (sace-xps-agie.md 2.2).</remarks>
 internal sealed class LineArcRun : TrajectoryRun
 {
+    /// <summary>Turns below it are roundings, degrees: of a line of a micrometre whose ends are said to a picometre.</summary>
+    private const double Rounding = 0.0001;
+
+    /// <summary>The angle of a file without turns, and the largest turn that is none of a corner, degrees.</summary>
+    private const double UsualAngle = 0.01;
+    private const double CornerAngle = 0.5;
+
     private readonly Point2D _start;
     private Point2D _place;
-    private double _heading;
+    private double? _heading;
+    private (double Degrees, int Line) _allowed = (UsualAngle, 0);
+    private (double Degrees, int Line) _turned;
 
     public LineArcRun(Point2D start, TrajectoryTeller teller)
         : base(teller)
@@ -17,7 +27,12 @@ internal sealed class LineArcRun : TrajectoryRun
         teller.GoTo(start);
     }
 
-    public override Diagnostic? End() => null;
+    public override Diagnostic? End()
+    {
+        if (_turned.Degrees > _allowed.Degrees + Rounding) Differ(Said(_allowed.Degrees), Wording.Get("Xps.AtLeast", Said(_turned.Degrees), _turned.Line), _allowed.Line > 0 ? _allowed.Line : _turned.Line);
+        else if (_allowed.Degrees > CornerAngle || _allowed.Degrees < UsualAngle) Differ(Said(_allowed.Degrees), Wording.Get("Xps.Between", UsualAngle, CornerAngle), _allowed.Line);
+        return null;
+    }
 
     protected override Diagnostic? Run(string words)
     {
@@ -27,9 +42,11 @@ internal sealed class LineArcRun : TrajectoryRun
             case ("FirstTangent", [var degrees]):
                 _heading = degrees * Math.PI / 180.0;
                 return null;
-            case ("DiscontinuityAngle", [_]): return null;
+            case ("DiscontinuityAngle", [var degrees]):
+                _allowed = (degrees, Line);
+                return null;
             case ("Line", [var x, var y]):
-                Line(new Point2D(_start.X + x, _start.Y + y));
+                LineTo(new Point2D(_start.X + x, _start.Y + y));
                 return null;
             case ("Arc", [var radius, var sweep]) when radius > 0.0 && sweep != 0.0:
                 Arc(radius, sweep * Math.PI / 180.0);
@@ -38,20 +55,24 @@ internal sealed class LineArcRun : TrajectoryRun
         }
     }
 
-    private void Line(Point2D end)
+    private void LineTo(Point2D end)
     {
-        _heading = Math.Atan2(end.Y - _place.Y, end.X - _place.X);
+        var heading = Math.Atan2(end.Y - _place.Y, end.X - _place.X);
+        if (_heading is { } before && end != _place && Math.Abs(Math.IEEERemainder(heading - before, 2.0 * Math.PI)) * 180.0 / Math.PI is var turn && turn > _turned.Degrees) _turned = (turn, Line);
+        _heading = heading;
         Teller.LineTo(_place = end);
     }
 
     /// <summary>In quarters of a turn at most, as the judges take arcs.</summary>
     private void Arc(double radius, double sweep)
     {
-        var side = Math.Sign(sweep);
-        var (x, y) = (_place.X - (side * radius * Math.Sin(_heading)), _place.Y + (side * radius * Math.Cos(_heading)));
-        var from = _heading - (side * Math.PI / 2.0);
+        var (side, heading) = (Math.Sign(sweep), _heading ?? 0.0);
+        var (x, y) = (_place.X - (side * radius * Math.Sin(heading)), _place.Y + (side * radius * Math.Cos(heading)));
+        var from = heading - (side * Math.PI / 2.0);
         var parts = (int)Math.Ceiling(Math.Abs(sweep) / (Math.PI / 2.0));
         for (var i = 0; i < parts; i++) Teller.ArcTo(new ArcSegment(new Point2D(x, y), radius, Angle.FromRadians(from + (sweep * i / parts)), Angle.FromRadians(sweep / parts)));
-        (_place, _heading) = (new Point2D(x + (radius * Math.Cos(from + sweep)), y + (radius * Math.Sin(from + sweep))), _heading + sweep);
+        (_place, _heading) = (new Point2D(x + (radius * Math.Cos(from + sweep)), y + (radius * Math.Sin(from + sweep))), heading + sweep);
     }
+
+    private static string Said(double degrees) => $"DiscontinuityAngle = {FactText.Of(degrees)}";
 }

@@ -11,16 +11,19 @@ internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTeller
     private Point2D _before;
     private Point2D _from;
     private Point2D _to;
+    private double _z;
     private long _points;
 
     public override Diagnostic? End() => _points >= 4 ? null : Wrong(Wording.Get("Xps.TooFewLines"));
 
     protected override Diagnostic? Run(string words)
     {
-        if (Numbers(words) is not [var x, var y, _]) return Unreadable(words);
+        if (Numbers(words) is not [var x, var y, var z]) return Unreadable(words);
         var point = new Point2D(start.X + x, start.Y + y);
         _points++;
-        if (_points == 2 && isRelative && point != start) return Wrong(Wording.Get("Xps.StartNotZero"));
+        if (_points == 1) _z = z;
+        if (_points > 1 && z != _z && Teller.Request.IsLevel) Differ($"z {FactText.Of(z)}", $"z {FactText.Of(_z)}");
+        if (_points == 2 && isRelative && (point != start || z != 0.0)) return Wrong(Wording.Get("Xps.StartNotZero"));
         if (_points == 2) Teller.GoTo(point);
         if (_points >= 4) Teller.CurveTo(_from + ((_to - _before) * (1.0 / 6.0)), _to - ((point - _from) * (1.0 / 6.0)), _to);
         (_before, _from, _to) = (_from, _to, point);

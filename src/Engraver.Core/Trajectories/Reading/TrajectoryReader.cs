@@ -22,7 +22,7 @@ public sealed class TrajectoryReader(ControllerLanguage language) : IProgramRead
         ArgumentNullException.ThrowIfNull(text);
         ArgumentNullException.ThrowIfNull(request);
         var start = request.Machine.Scale.ToMillimetres(request.Start.X, request.Start.Y);
-        return Task.FromResult<IReadOnlyList<Diagnostic>>(new Replay(language, new TrajectoryTeller(request.Judges), start).Run(new ProgramRows(text), cancellation));
+        return Task.FromResult<IReadOnlyList<Diagnostic>>(new Replay(language, new TrajectoryTeller(request), start).Run(new ProgramRows(text), cancellation));
     }
 
     /// <summary>The way through a text. What is wrong with a file is one finding: its rows behind are left out, and the next file is read.</summary>
@@ -119,6 +119,12 @@ internal abstract class TrajectoryRun(TrajectoryTeller teller)
     protected abstract Diagnostic? Run(string words);
 
     protected Diagnostic Unreadable(string words) => Unreadable(_line, words);
+
+    /// <summary>The row that was taken last asks the controller for something else than the job does.</summary>
+    protected void Differ(string said, string expected, int? line = null) => Teller.Request.Terms?.Differ(line ?? _line, said, expected);
+
+    /// <summary>The row that was taken last, from 1.</summary>
+    protected int Line => _line;
 
     /// <summary>At the row that was taken last.</summary>
     protected Diagnostic Wrong(string reason) => Wrong(_line, reason);

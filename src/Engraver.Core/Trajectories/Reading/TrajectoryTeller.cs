@@ -1,24 +1,29 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Posts;
 using Engraver.Core.Verification;
 
 namespace Engraver.Core.Trajectories.Reading;
 
 /// <summary>Tells the judges where the tool goes. The time is only an order.</summary>
-internal sealed class TrajectoryTeller(IReadOnlyList<ITraceJudge> judges)
+internal sealed class TrajectoryTeller(ReplayRequest request)
 {
     /// <summary>A chord of a cubic leaves it by no more, millimetres.</summary>
     private const double ChordError = 1e-5;
 
     private const int MostHalvings = 10;
 
+    private readonly IReadOnlyList<ITraceJudge> _judges = request.Judges;
     private Point2D _place;
     private double _seconds;
+
+    /// <summary>What is asked of the program.</summary>
+    public ReplayRequest Request => request;
 
     /// <summary>With the tool off.</summary>
     public void GoTo(Point2D place)
     {
         _place = place;
-        foreach (var judge in judges) judge.Add(new TraceSample(_seconds += 1.0, place.X, place.Y, Cutting: false));
+        foreach (var judge in _judges) judge.Add(new TraceSample(_seconds += 1.0, place.X, place.Y, Cutting: false));
     }
 
     public void LineTo(Point2D place)
@@ -50,7 +55,7 @@ internal sealed class TrajectoryTeller(IReadOnlyList<ITraceJudge> judges)
 
     private void Tell(in Segment path)
     {
-        foreach (var judge in judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
+        foreach (var judge in _judges) judge.Add(new TraceSpan(_seconds, _seconds + 1.0, 2, path, Cutting: true));
         (_place, _seconds) = (path.End, _seconds + 1.0);
     }
 }

@@ -26,7 +26,7 @@ internal sealed class AgiePostCommand : ICommand
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
         var name = await ResultFile.WriteAsync(context, "program", new AgiePost().Ending, output => output.Write(text)).ConfigureAwait(false);
         if (name is not null) Keep(context, name, posted);
-        context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, new AgiePost().Name, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
+        context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, new AgiePost().Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
         if (posted.Forecast is { } forecast) context.SayResult(output => ForecastText.WriteSum(output, forecast));
     }
 

@@ -23,7 +23,7 @@ internal sealed class ExportCommand : ICommand
         var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings)), new FileWanted("export", true, s_endings) { Suggested = context.BesideDrawing(s_endings[0]) }).ConfigureAwait(false);
         var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
-        if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, context.FileToWrite(name), context.Time.GetUtcNow()));
+        if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, PostedProgram.NoOptions, context.FileToWrite(name), context.Time.GetUtcNow()));
         context.Say(Wording.Get("Export.WrittenFrom", name, Path.GetFileName(drawing.FileName)));
     }
 

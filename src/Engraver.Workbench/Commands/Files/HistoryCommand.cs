@@ -1,5 +1,6 @@
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
@@ -33,6 +34,7 @@ internal sealed class HistoryCommand : ICommand
         var entry = reading.Find(name) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoEntry", name));
         if (option == "rePort") await JobPageFile.WriteAsync(context, entry, SettingsOf(entry), cancellation).ConfigureAwait(false);
         else Open(context, entry, option == "Rerun" ? SettingsOf(entry) : null, cancellation);
+        if (option == "Rerun" && entry.Kind == "post") await PostCommand.WriteAsync(context, PostOf(entry), entry.Options).ConfigureAwait(false);
     }
 
     private static void List(CommandContext context, HistoryReading reading, string? word)
@@ -50,6 +52,14 @@ internal sealed class HistoryCommand : ICommand
         if (entry.DrawingSha256 is { } then && ContentHash.OfFile(entry.Drawing) != then) context.Say(Wording.Get("History.DrawingChanged", Path.GetFileName(entry.Drawing)), MessageKind.Warning);
         if (settings is not null) context.Say(Wording.Get("History.SettingsTaken", HistoryText.Date(entry, context.Time.LocalTimeZone)));
         if (entry.RanTrajectories) context.Say(Wording.Get("History.RanTrajectories"), MessageKind.Warning);
+    }
+
+    /// <exception cref="CommandException">It was written in a format, or with an option, that this program does not have.</exception>
+    private static PostEntry PostOf(HistoryEntry entry)
+    {
+        var post = PostTable.All.FirstOrDefault(one => one.Post.Name == entry.Target);
+        var isKnown = post is not null && entry.Options.All(chosen => post.Post.Options.Any(option => option.Name == chosen.Key && option.Takes(chosen.Value)));
+        return isKnown ? post! : throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoSuchPost", HistoryText.Target(entry)));
     }
 
     private static DrawingSettings SettingsOf(HistoryEntry entry)

@@ -11,19 +11,28 @@ internal sealed class PostCommand : ICommand
 {
     public CommandInfo Info { get; } = new("POST", CommandGroup.Output);
 
-    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. PostTable.All.Select(entry => entry.Keyword)]);
+    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. PostTable.Choices.Select(choice => choice.Keyword)]);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var drawing = context.Drawing;
+        _ = context.Drawing;
         var target = await context.ChoiceAsync(Wording.Get("Post.EnterTarget"), s_targets, context.Remembered("POST", PostTable.All[0].Keyword)).ConfigureAwait(false);
         context.Remember("POST", target);
-        var (post, _, reader) = PostTable.Find(target);
-        var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);
+        var choice = PostTable.Choices.First(one => one.Keyword == target);
+        await WriteAsync(context, choice.Entry, choice.Options).ConfigureAwait(false);
+    }
+
+    /// <summary>Writes the job of the open drawing, and remembers it in the history.</summary>
+    /// <param name="options">Of the post, each one that it takes.</param>
+    /// <exception cref="CommandException">There is nothing that the machine can cut.</exception>
+    public static async Task WriteAsync(CommandContext context, PostEntry entry, IReadOnlyDictionary<string, string> options)
+    {
+        var (drawing, settings, post) = (context.Drawing, context.Document.Current.Settings, entry.Post);
+        var posted = PostedProgram.Create(drawing, settings, post, options);
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
         var name = await ResultFile.WriteAsync(context, "program", post.Ending, output => output.Write(text)).ConfigureAwait(false);
-        if (name is not null && reader is not null) context.Remember(VerifyCommand.Name, name);
-        context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
+        if (name is not null && entry.Reader is not null) context.Remember(VerifyCommand.Name, name);
+        context.Remember(HistoryEntry.OfPost(drawing.FileName, settings, post.Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
     }
 }

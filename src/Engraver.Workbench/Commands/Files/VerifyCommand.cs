@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Verification;
 
@@ -14,8 +15,11 @@ internal sealed class VerifyCommand : ICommand
 
     private const string Origin = "Origin";
     private const string Blend = "Blend";
+    private const string Target = "Target";
 
-    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List(Origin, Blend);
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List(Origin, Blend, Target);
+    private static readonly IReadOnlyList<PostChoice> s_readable = [.. PostTable.Choices.Where(choice => choice.Reader is not null)];
+    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. s_readable.Select(choice => choice.Keyword)]);
 
     public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
 
@@ -23,11 +27,13 @@ internal sealed class VerifyCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        var (name, posted) = await AskAsync(context).ConfigureAwait(false);
+        var (name, chosen, posted) = await AskAsync(context).ConfigureAwait(false);
         context.Remember(Name, name);
-        var reader = PostTable.ReaderFor(name);
-        var program = ReadBackFile.Open(context.FileToRead(name));
-        var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, cancellation, posted), cancellation).ConfigureAwait(false);
+        var file = context.FileToRead(name);
+        var (target, program) = (chosen ?? ProgramForm.Of(file) ?? s_readable[0], ReadBackFile.Open(file));
+        if (chosen is null) context.Say(Wording.Get("Verify.ReadAs", name, target.Name));
+        var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, target.Reader!, drawing, settings, progress, cancellation, posted), cancellation).ConfigureAwait(false);
+        if (context.History.NoteReadBack(file, new HistoryReadBack(report.Ok, context.Time.GetUtcNow(), report.MaxDeviationMm, Certificate: null)) is { } failure) context.Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         FindingMessages.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);
@@ -35,18 +41,22 @@ internal sealed class VerifyCommand : ICommand
     }
 
     /// <summary>The program, and before its name what it was posted with beside the settings of the drawing.</summary>
-    private static async Task<(string Name, PostedWith Posted)> AskAsync(CommandContext context)
+    private static async Task<(string Name, PostChoice? Target, PostedWith Posted)> AskAsync(CommandContext context)
     {
-        var posted = PostedWith.Defaults;
+        var (posted, target) = (PostedWith.Defaults, (PostChoice?)null);
         var prompt = new FilePrompt(Wording.Get("Verify.EnterNameProgramVerify"), new FileWanted("program", false, PostTable.ReadEndings) { Suggested = context.Remembered(Name) is { } last ? Path.GetFullPath(context.FileToRead(last)) : null }) { Default = context.Remembered(Name), Options = s_options };
         while (true)
         {
             switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
-                case Answer<string>.Value { Of: var name }: return (name, posted);
+                case Answer<string>.Value { Of: var name }: return (name, target, posted);
                 case Answer<string>.Chosen { Option: Origin }:
                     var place = await context.ValueAsync(new MachinePlacePrompt(Wording.Get("Verify.SpecifyOrigin")) { MayHaveHeight = true }).ConfigureAwait(false);
                     posted = posted with { Origin = new ProgramOrigin(place.X, place.Y, place.Z) };
+                    break;
+                case Answer<string>.Chosen { Option: Target }:
+                    var keyword = await context.ChoiceAsync(Wording.Get("Verify.EnterTarget"), s_targets, s_readable[0].Keyword).ConfigureAwait(false);
+                    target = s_readable.First(choice => choice.Keyword == keyword);
                     break;
                 default:
                     posted = posted with { BlendMm = await context.ValueAsync(new NumberPrompt(Wording.Get("Verify.SpecifyBlend")) { Least = 0.0, Most = 1.0 }).ConfigureAwait(false) };

@@ -40,6 +40,12 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
     /// <summary>The run that the page is about; null for a job that has not been run, or that the history does not know.</summary>
     public HistoryEntry? Run { get; private init; }
 
+    /// <summary>What the journal alone tells of a run that the history does not know; null where it knows it, or there is no journal.</summary>
+    public JournalledRun? Journalled { get; private init; }
+
+    /// <summary>The file of <see cref="Journalled"/>, and whether its job is the one of the page.</summary>
+    public (string File, bool IsThisJob) Journal { get; private init; }
+
     /// <summary>What has changed since that run, as a certificate tells it; empty where the run is of just this job, or there is none.</summary>
     public IReadOnlyList<string> RunDiffers { get; private init; } = [];
 
@@ -72,7 +78,17 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
             Run = request.Run,
             RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing.FileName, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash) : [],
         };
-        return request.Journal is { } journal ? report.WithTrace(journal) : report;
+        if (request.Journal is not { } journal) return report;
+        report = report.WithTrace(journal);
+        return request.Run is null && JournalledRun.Read(journal) is { } told ? report with { Journalled = told, Journal = (Path.GetFullPath(journal), IsOf(told, program, job)) } : report;
+    }
+
+    /// <summary>Whether the journal is of the job; one that was run in the other style had other segments.</summary>
+    private static bool IsOf(JournalledRun told, MotionProgram? program, PreparedJob job)
+    {
+        if (told.Program.Length == 0) return true;
+        if (program is not null && ProgramFingerprint.Of(program) == told.Program) return true;
+        return JobPlan.StyleOf(told.Mode) != program?.Style && JobPreparation.Prepare(job.Drawing, job.Settings, JobPlan.StyleOf(told.Mode)).Motion.Program is { } other && ProgramFingerprint.Of(other) == told.Program;
     }
 
     private static IEnumerable<(string, CertificateStanding)> OthersOf(JobReportRequest request, MotionStyle sent, CancellationToken cancellation)

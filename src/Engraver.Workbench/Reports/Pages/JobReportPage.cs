@@ -5,6 +5,7 @@ using Engraver.Core.Motion;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Certificates;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
@@ -37,6 +38,7 @@ public static class JobReportPage
         Pictures(report, page);
         Sheet(report, page);
         if (report.Run is { } run) Run(report, run, here, page);
+        else if (report.Journalled is { } told) page.Section("run", Wording.Get("JobReport.Run"), () => Journalled(report, told, page));
         page.Section("certificate", Wording.Get("JobReport.Certificate"), () =>
         {
             Certificate(report.Certificate, here, page);
@@ -52,6 +54,7 @@ public static class JobReportPage
         { Run: { RanTrajectories: true } run } => Wording.Get("JobReport.VerdictTrajectories", run.Outcome, run.Kind),
         { Run: { } run, RunDiffers: [_, ..] } => Wording.Get("JobReport.VerdictOtherRun", run.Outcome, run.Kind),
         { Run: { } run } => Wording.Get("JobReport.VerdictRun", run.Outcome, run.Kind),
+        { Journalled: { } told } => Wording.Get(report.Journal.IsThisJob ? "JobReport.VerdictRun" : "JobReport.VerdictOtherRun", Outcome(told), Kind(told)),
         { Motion: null } => Wording.Get("JobReport.VerdictNothing"),
         _ => Wording.Get("JobReport.VerdictPlanned"),
     };
@@ -126,6 +129,22 @@ public static class JobReportPage
             if (run.Checks is not { } checks) page.Paragraph(Wording.Get("JobReport.NoChecks"));
             else page.Table([Wording.Get("JobReport.State"), Wording.Get("JobReport.Looked")], checks.Select(check => (string[])[Wording.Get(!check.Ok ? "JobReport.NotOk" : check.Warning ? "JobReport.Look" : "JobReport.Ok"), check.Sentence]));
         });
+    }
+
+    private static string Outcome(JournalledRun told) => told.Outcome is { } outcome ? OutcomeText.Word(outcome) : "begun";
+
+    private static string Kind(JournalledRun told) => told.IsDryRun ? "dryRun" : "run";
+
+    private static void Journalled(JobReport report, JournalledRun told, PageWriter page)
+    {
+        page.Paragraph(Wording.Get("JobReport.ByJournalAlone"));
+        page.Pairs(
+        [
+            new PagePair(Wording.Get("JobReport.Outcome"), Outcome(told), "outcome"),
+            new PagePair(Wording.Get("JobReport.Sentence"), told.Sentence),
+            PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", told.Seconds, "0.0"),
+            new PagePair(Wording.Get("JobReport.Journal"), report.Journal.File, Style: "code"),
+        ]);
     }
 
     private static IEnumerable<PagePair> RunPairs(JobReport report, Histories.HistoryEntry run, TimeZoneInfo here) =>

@@ -63,6 +63,25 @@ public sealed class ReplayTests : IDisposable
         Assert.Equal((report.Result.FinalPosition!.Value.X, report.Result.FinalPosition.Value.Y, true), (replay.FinalPosition!.Value.X, replay.FinalPosition.Value.Y, replay.Agrees));
     }
 
+    /// <summary>As it was found: stopped from another thread in real time, the replay ended a millimetre and more elsewhere. Commands take no time there, and the stop has the time at which the controller took it.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Program)]
+    public async Task A_run_in_real_time_that_is_stopped_from_elsewhere_moves_as_it_did(JobMode mode)
+    {
+        using var stop = new CancellationTokenSource();
+        await using var connection = MachineConnection.To(new SimulatedAddress(1.0), TimeProvider.System, keepsRecord: true);
+        var stopping = connection.Simulator!.WaitUntilAsync(status => status is { IsMoving: true, SegmentsExecuted: >= 2 }, CancellationToken.None).ContinueWith(_ => stop.Cancel(), TaskScheduler.Default);
+        var (report, record) = await RunAsync(mode, new JobControl(), _ => { }, connection: connection, stop: stop.Token);
+        await stopping;
+        await using var replay = await ReplayAsync();
+
+        Assert.Equal(JobOutcome.Stopped, report.Result.Outcome);
+        Assert.True(record.Split('\n').Length > 200);
+        Assert.Equal(record, Samples(replay));
+        Assert.Equal((true, 0.0), (replay.Agrees, replay.LateSeconds));
+    }
+
     /// <summary>The switch that is hit is the machine's and not said by anybody.</summary>
     [Fact]
     public async Task Where_the_machine_itself_failed_it_is_the_same_up_to_there()

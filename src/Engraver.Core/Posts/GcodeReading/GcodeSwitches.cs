@@ -1,0 +1,102 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+
+namespace Engraver.Core.Posts.GcodeReading;
+
+/// <summary>What the program switches beside the way (spindle, coolant, outputs) and how long it waits behind a switch; held against what the job and the profile ask for, where somebody asks.</summary>
+internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
+{
+    /// <summary>Times and speeds are said with four decimals.</summary>
+    private const double Decimals = 0.0001;
+
+    private const int Clockwise = 30;
+    private const int SpindleOff = 50;
+    private const int CoolantOn = 80;
+    private const int CoolantOff = 90;
+    private const int OutputOn = 640;
+    private const int OutputOff = 650;
+
+    private readonly bool _isSwitched = profile.Height is null;
+    private int? _turning;
+    private double? _speed;
+    private bool _coolant;
+    private double _waited;
+    private double _due;
+    private int _line;
+
+    public bool IsOutputOn { get; private set; }
+
+    /// <summary>The tool is at work, as far as a switch brings it there.</summary>
+    public bool IsOn => (profile.Spindle is null && Turns) || _coolant || IsOutputOn;
+
+    /// <summary>Switched on, at a speed (of a laser: a power) that is not said to be none.</summary>
+    public bool Turns => _turning is not null && _speed != 0.0;
+
+    /// <summary>The codes of a line, in their order.</summary>
+    public void Do(GcodeBlock block, int line)
+    {
+        _speed = block['S'] ?? _speed;
+        foreach (var code in block.Codes('M'))
+        {
+            var (wasOn, turned) = (IsOn, Turns);
+            if (code is Clockwise or 40 or SpindleOff) _turning = code == SpindleOff ? null : code;
+            else if (code is 70 or CoolantOn or CoolantOff) _coolant = code != CoolantOff;
+            else if (code is >= 620 and <= OutputOff && block['P'] == profile.ToolOutput - 1) IsOutputOn = (code is 620 or OutputOn) != profile.ToolActiveLow;
+            if (Unasked(code, block['P']) is { } expected) terms?.Differ(line, Spelled(code, block['P']), expected);
+            if (_isSwitched && IsOn != wasOn) Await(IsOn ? profile.ToolSettleSeconds : profile.OffSettleSeconds, line);
+            else if (profile.Spindle is { } spindle && Turns && !turned) Await(spindle.SpinUpSeconds, line);
+        }
+    }
+
+    /// <summary>G4.</summary>
+    public void Wait(double seconds, int line)
+    {
+        if (_due == 0.0 && _waited == 0.0) _line = line;
+        _waited += seconds;
+    }
+
+    /// <summary>Something moves or the program ends: until then it had to wait for what was switched last, and for nothing else.</summary>
+    public void EndWait()
+    {
+        if (Math.Abs(_waited - _due) > Decimals) terms?.Differ(_line, $"G4 P{Text(_waited)}", $"G4 P{Text(_due)}");
+        (_waited, _due) = (0.0, 0.0);
+    }
+
+    /// <summary>A cut is made: what turns or burns does so at the speed that is asked for.</summary>
+    public void Cut(int line)
+    {
+        if (terms is null || !(profile.Spindle is not null || (_isSwitched && AsksFor("m3")))) return;
+        if (!(Math.Abs((_speed ?? double.NaN) - terms.Asked.SpindleSpeed) <= Decimals)) terms.Differ(line, _speed is { } speed ? $"S{Text(speed)}" : Wording.Get("GcodeReader.NoSpeed"), $"S{Text(terms.Asked.SpindleSpeed)}");
+    }
+
+    private void Await(double seconds, int line)
+    {
+        EndWait();
+        (_due, _line) = (seconds, line);
+    }
+
+    private bool AsksFor(string code) => terms?.Asked.ToolSwitch == code;
+
+    /// <summary>What the job asks for instead of a code; null for what it asks for, and for what only ends something.</summary>
+    private string? Unasked(int code, double? output)
+    {
+        if (terms is null) return null;
+        var isAsked = code switch
+        {
+            20 or 300 or 480 or SpindleOff or CoolantOff => true,
+            Clockwise => profile.Spindle is not null || (_isSwitched && AsksFor("m3")),
+            CoolantOn => _isSwitched && AsksFor("m8"),
+            OutputOn or OutputOff => _isSwitched && AsksFor("m64") && output == profile.ToolOutput - 1,
+            _ => false,
+        };
+        if (isAsked) return null;
+        if (profile.Spindle is not null && code is 40) return "M3";
+        if (!_isSwitched) return Wording.Get("GcodeReader.NoCode");
+        return terms.Asked.ToolSwitch switch { "m8" => "M8, M9", "m64" => string.Create(CultureInfo.InvariantCulture, $"M64 P{profile.ToolOutput - 1}, M65 P{profile.ToolOutput - 1}"), _ => "M3, M5" };
+    }
+
+    private static string Spelled(int code, double? output) => code is >= 620 and <= OutputOff ? $"M{Text(code / 10.0)} P{Text(output ?? 0.0)}" : $"M{Text(code / 10.0)}";
+
+    private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,62 @@
+using System.Text;
+using Engraver.Core.Posts;
+using Engraver.Core.Trajectories.Reading;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>In which language a program file is written, by how it begins; where that says nothing, by the ending of its name.</summary>
+public static class ProgramForm
+{
+    /// <summary>Characters that are looked at.</summary>
+    private const int Looked = 4096;
+
+    /// <summary>The entry whose reader takes the file, and its dialect where the file itself names one.</summary>
+    /// <returns>Null where neither beginning nor ending tells.</returns>
+    public static PostChoice? Of(string path)
+    {
+        ArgumentNullException.ThrowIfNull(path);
+        var name = Named(Beginning(path)) ?? ByEnding(path);
+        return name is null ? null : PostTable.Choices.First(choice => choice.Entry.Post.Name == name.Value.Target && choice.Dialect == name.Value.Dialect);
+    }
+
+    private static (string Target, string? Dialect)? ByEnding(string path) =>
+        PostTable.All.FirstOrDefault(entry => entry.Reader is not null && path.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) is { } entry ? (entry.Post.Name, null) : null;
+
+    /// <summary>Empty where the file cannot be read, which its reader will say.</summary>
+    private static string Beginning(string path)
+    {
+        try
+        {
+            using var text = new StreamReader(path);
+            var (read, characters) = (new char[Looked], 0);
+            characters = text.ReadBlock(read, 0, Looked);
+            return new string(read, 0, characters);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or DecoderFallbackException)
+        {
+            return "";
+        }
+    }
+
+    private static (string Target, string? Dialect)? Named(string text)
+    {
+        var rows = text.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
+        if (rows.Length == 0) return null;
+        if (rows[0].StartsWith(TrajectoryReader.Mark, StringComparison.Ordinal)) return rows.Length > 1 ? Trajectory(rows[1]) : null;
+        if (rows is ["0", "SECTION", ..]) return ("cldata", null);
+        if (rows.Any(row => row is "#JOB") || rows[0].StartsWith("'CHUNK ", StringComparison.Ordinal)) return ("galil", null);
+        if (text.Contains("\t001\t0", StringComparison.Ordinal) && rows[0][0] == '%') return ("agie", null);
+        if (rows[0].StartsWith("IN;", StringComparison.Ordinal) || rows[0] == "IN") return ("hpgl", null);
+        return rows[0] == "%" || rows.Any(IsGcode) ? ("gcode", rows.Take(2).Any(row => row.StartsWith("(CncEngraver, grbl,", StringComparison.Ordinal)) ? "grbl" : null) : null;
+    }
+
+    private static (string Target, string? Dialect)? Trajectory(string row) => row.Split('=')[0].Trim() switch
+    {
+        "FirstTangent" or "DiscontinuityAngle" or "Line" or "Arc" => ("xps-linearc", null),
+        _ when row.Count(sign => sign == ',') == 4 => ("xps-pvt", null),
+        _ when row.Count(sign => sign == ',') == 2 => ("xps-spline", null),
+        _ => null,
+    };
+
+    private static bool IsGcode(string row) => row.Length > 1 && char.ToUpperInvariant(row[0]) is 'G' or 'M' or 'N' && char.IsAsciiDigit(row[1]);
+}
