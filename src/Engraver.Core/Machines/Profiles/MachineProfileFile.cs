@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using System.Text.Json.Serialization.Metadata;
 using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines.Profiles;
@@ -10,8 +11,8 @@ public static class MachineProfileFile
     /// <summary>Reads a profile and checks it against what the controller accepts. Whatever is wrong is a diagnostic, with the line where the text itself is wrong.</summary>
     public static MachineProfileReading Read(string json, MachineLimits limits)
     {
-        var fields = ProfileFields.Read(json);
-        IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown()];
+        var fields = JsonFields.Read(json);
+        IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown(Known).Select(field => MotionRules.ProfileFieldUnknown.At(new SourceRef(field.Line), field.Path, JsonFields.Nearest(field.Name, Known(field.Owner)!)))];
         if (unknown.Count > 0) return new MachineProfileReading(null, unknown);
         try
         {
@@ -36,6 +37,17 @@ public static class MachineProfileFile
         if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
         return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);
     }
+
+    /// <summary>The names that may stand in a field; null where any may: the numbers of inputs and outputs, and inside a field that is told as unknown, or as no value, itself.</summary>
+    private static List<string>? Known(string owner) => owner switch
+    {
+        "" => Names(MachineProfileJson.Default.MachineProfileDocument),
+        "travelX" or "travelY" or "travelZ" => Names(MachineProfileJson.Default.TravelDocument),
+        _ when owner.StartsWith("homing[", StringComparison.Ordinal) && owner.EndsWith(']') => Names(MachineProfileJson.Default.HomingDocument),
+        _ => null,
+    };
+
+    private static List<string> Names(JsonTypeInfo type) => [.. type.Properties.Select(property => property.Name)];
 
     private static Diagnostic Finding(JsonException trouble)
     {
