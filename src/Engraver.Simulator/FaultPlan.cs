@@ -27,11 +27,15 @@ public sealed record FaultPlan
     /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"breakDownAtCommand":120,"replyDelay":"00:00:00.050"}</c>;
     /// with moments, <c>{"faults":[{"kind":"limitSwitch","atSeconds":1.5,"forSeconds":0.2,"axis":"A","forward":true},{"kind":"reset","atSegment":40},{"kind":"delay","atByte":900,"seconds":0.3}]}</c>.
     /// </summary>
-    /// <exception cref="JsonException">The text is not a valid plan.</exception>
+    /// <exception cref="JsonException">The text is not a valid plan; where a fault of it cannot happen, a <see cref="FaultPlanException"/>.</exception>
     public static FaultPlan Parse(string json)
     {
         var plan = JsonSerializer.Deserialize<FaultPlan>(json, FileFormat) ?? throw new JsonException("A fault plan is an object.");
-        foreach (var fault in plan.Faults) fault.Check();
+        for (var i = 0; i < plan.Faults.Count; i++)
+        {
+            if (plan.Faults[i].Flaw() is { } flaw) throw new FaultPlanException(i, flaw);
+        }
+
         return plan;
     }
 
@@ -58,3 +62,29 @@ public readonly record struct CommandRefusal(long Command, int TcCode);
 
 /// <summary>The link of a handle (0 = A) is cut after this many commands on it; the controller lives on.</summary>
 public readonly record struct HandleDrop(int Handle, long AfterCommands);
+
+/// <summary>A fault of a plan cannot happen.</summary>
+public sealed class FaultPlanException : JsonException
+{
+    public FaultPlanException()
+    {
+    }
+
+    public FaultPlanException(string message)
+        : base(message)
+    {
+    }
+
+    public FaultPlanException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+
+    internal FaultPlanException(int fault, FaultFlaw flaw)
+        : base($"faults[{fault}].{flaw.Field}: {flaw.Reason}") => (Fault, Flaw) = (fault, flaw);
+
+    /// <summary>Its place in the list of faults, from 0.</summary>
+    public int Fault { get; }
+
+    public FaultFlaw Flaw { get; }
+}

@@ -1,4 +1,3 @@
-using System.Text.Json;
 using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
@@ -38,17 +37,53 @@ public sealed record ScheduledFault
 
     private bool MayEnd => Kind is FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam;
 
-    /// <exception cref="JsonException">The fault has no moment or more than one, or a value that its kind does not have.</exception>
-    internal void Check()
+    /// <summary>Why it cannot happen, by the field that is wrong; null when it can.</summary>
+    public FaultFlaw? Flaw()
     {
         var moments = (AtSeconds is null ? 0 : 1) + (AtSegment is null ? 0 : 1) + (AtByte is null ? 0 : 1);
-        if (moments != 1) throw new JsonException($"A fault of kind {Kind} needs exactly one of atSeconds, atSegment and atByte.");
-        if (AtSeconds is not null and not (>= 0.0 and < 1e9) || AtSegment < 0 || AtByte < 0) throw new JsonException($"The moment of a fault of kind {Kind} lies before the beginning, or is no number.");
-        if (NeedsAxis != (Axis is not null)) throw new JsonException(NeedsAxis ? $"A fault of kind {Kind} needs an axis." : $"A fault of kind {Kind} has no axis.");
-        if (Axis is not (null or "A" or "B" or "C" or "D")) throw new JsonException($"'{Axis}' is none of the axes A to D.");
-        if (ForSeconds is not null && (!MayEnd || ForSeconds is not (> 0.0 and < 1e9))) throw new JsonException($"forSeconds of a fault of kind {Kind} is not allowed or not above 0.");
-        if (Seconds is not (>= 0.0 and < 1e6) || Count < 1) throw new JsonException($"seconds of a fault of kind {Kind} is below 0, or count below 1.");
+        if (moments != 1) return new FaultFlaw("kind", FlawReason.Moments);
+        if (AtSeconds is not null and not (>= 0.0 and < 1e9)) return new FaultFlaw("atSeconds", FlawReason.BelowZero);
+        if (AtSegment < 0) return new FaultFlaw("atSegment", FlawReason.BelowZero);
+        if (AtByte < 0) return new FaultFlaw("atByte", FlawReason.BelowZero);
+        if (NeedsAxis != (Axis is not null)) return NeedsAxis ? new FaultFlaw("kind", FlawReason.NoAxis) : new FaultFlaw("axis", FlawReason.HasNoAxis);
+        if (Axis is not (null or "A" or "B" or "C" or "D")) return new FaultFlaw("axis", FlawReason.OtherAxis);
+        if (ForSeconds is not null && !MayEnd) return new FaultFlaw("forSeconds", FlawReason.NeverEnds);
+        if (ForSeconds is not null and not (> 0.0 and < 1e9)) return new FaultFlaw("forSeconds", FlawReason.NotAboveZero);
+        if (Seconds is not (>= 0.0 and < 1e6)) return new FaultFlaw("seconds", FlawReason.BelowZero);
+        return Count < 1 ? new FaultFlaw("count", FlawReason.BelowOne) : null;
     }
+}
+
+/// <summary>What is wrong with a fault.</summary>
+/// <param name="Field">As it stands in a faults file.</param>
+public readonly record struct FaultFlaw(string Field, FlawReason Reason);
+
+/// <summary>Why a fault cannot happen.</summary>
+public enum FlawReason
+{
+    /// <summary>It has no moment, or more than one.</summary>
+    Moments,
+
+    /// <summary>A number is below 0, or too large.</summary>
+    BelowZero,
+
+    /// <summary>A time is not above 0, or too large.</summary>
+    NotAboveZero,
+
+    /// <summary>A number is below 1.</summary>
+    BelowOne,
+
+    /// <summary>Its kind needs an axis.</summary>
+    NoAxis,
+
+    /// <summary>Its kind has no axis.</summary>
+    HasNoAxis,
+
+    /// <summary>The axis is none of A to D.</summary>
+    OtherAxis,
+
+    /// <summary>What its kind does lasts no time.</summary>
+    NeverEnds,
 }
 
 /// <summary>What can go wrong at a moment.</summary>

@@ -209,7 +209,7 @@ public sealed class SimulatedController : IAsyncDisposable
     public void Schedule(ScheduledFault fault)
     {
         ArgumentNullException.ThrowIfNull(fault);
-        fault.Check();
+        if (fault.Flaw() is { } flaw) throw new ArgumentException($"{flaw.Field}: {flaw.Reason}", nameof(fault));
         _core.With(m => m.Faults.Add(fault));
     }
 

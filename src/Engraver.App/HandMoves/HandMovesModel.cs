@@ -171,11 +171,12 @@ public sealed class HandMovesModel : Observable, IDisposable
         return _desk.IsMoving && !machine.IsHeld && _before.IsCompleted ? Text.Get("Pad.Busy") : null;
     }
 
-    /// <summary>The rapid speed needs the second control, and a machine that is homed where that can be.</summary>
+    /// <summary>The fastest speed (<see cref="HandSpeed"/>) needs the second control.</summary>
     private double Speed(bool shift)
     {
         var profile = _desk.Session.Machine.Profile;
-        return (IsFast || shift) && _desk.Session.Machine.IsHomed != false ? profile.RapidMmPerMinute : profile.JogMmPerMinute;
+        var fastest = HandSpeed.Fastest(profile, _desk.Session.Machine.IsHomed);
+        return IsFast || shift ? fastest : Math.Min(profile.JogMmPerMinute, fastest);
     }
 
     private void StepBy(JogVelocity way, double step)

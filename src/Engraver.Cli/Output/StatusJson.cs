@@ -1,10 +1,12 @@
 using System.Globalization;
 using System.Text.Json.Serialization;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Output;
 
@@ -30,15 +32,15 @@ internal sealed record StatusJson(
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<StartCheckJson>? Checks { get; init; }
 
-    /// <summary>Why the place of the work is not known, and what to do; empty while it is known.</summary>
+    /// <summary>Why the place of the work is not known, and what to do; null while it is known.</summary>
     [JsonIgnore]
-    public string OriginMissing { get; private init; } = "";
+    public Diagnostic? OriginMissing { get; private init; }
 
     public static StatusJson From(MachineStatus status, MachineMemory? memory, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(status);
         ArgumentNullException.ThrowIfNull(profile);
-        var (active, isKnown) = (memory?.Active ?? WorkOriginNames.First, status.OriginMissing.Length == 0);
+        var (active, isKnown) = (memory?.Active ?? WorkOriginNames.First, status.OriginMissing is null);
         return new StatusJson(
             status.State.Word(),
             Homed: status.IsHomed == true,
@@ -56,7 +58,7 @@ internal sealed record StatusJson(
     {
         yield return $"{State}, {Model}";
         yield return Wording.Get("Status.Machine", Place(Machine.X, Machine.Y, Machine.Z));
-        if (OriginMissing.Length > 0) yield return Wording.Get("Status.WorkMissing", Work.Name, OriginMissing);
+        if (OriginMissing is { } missing) yield return Wording.Get("Status.WorkMissing", Work.Name, SettingWording.OnConsole(missing).Message);
         else yield return Work.X is null ? Wording.Get("Status.WorkNotSet", Work.Name) : Wording.Get("Status.Work", Work.Name, Place(Work.X, Work.Y, Work.Z));
     }
 

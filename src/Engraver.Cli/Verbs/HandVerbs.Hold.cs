@@ -38,6 +38,7 @@ internal sealed partial class HandVerbs
     private async Task<int> HoldAsync(MachineSession machine, JogVelocity way, double? feed, CancellationToken stop)
     {
         if (way.Z != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
+        TellUnhomed(machine);
         using var jog = machine.Presence.Begin(way.At(feed ?? machine.Profile.JogMmPerMinute));
         await using var alive = TimeProvider.System.CreateTimer(_ => machine.Presence.Sign(), null, OperatorPresence.Beat, OperatorPresence.Beat).ConfigureAwait(false); // a console has no window that could hang or be left
         using var ended = CancellationTokenSource.CreateLinkedTokenSource(stop);
@@ -47,6 +48,11 @@ internal sealed partial class HandVerbs
         if (typed.IsCompleted) await typed.ConfigureAwait(false);
         if (jog.Lost.IsCompleted) _host.Error.WriteLine(Wording.Get("Hand.JogNotHeard"));
         return Concluded(result);
+    }
+
+    private void TellUnhomed(MachineSession machine)
+    {
+        if (machine.UnhomedNotice is { } notice) _host.Error.WriteLine($"engraver: {notice}");
     }
 
     private async Task ReleaseAtEnterAsync(HeldJog jog, CancellationToken ended)

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
@@ -57,7 +58,7 @@ internal sealed partial class HandVerbs
         if (place.Z is not null && axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
         if (!place.IsCountable(axes.Scale)) return NotMoved(Wording.Get("Hand.NotCountable"));
         var chosen = name is null ? machine.Hold!.Memory.Active : WorkOriginNames.Find(name)!;
-        return await machine.TypeOriginAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotMoved(SettingWording.OnConsole(refusal).Message) : ExitCode.Done;
+        return await machine.TypeOriginAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }
 
     private async Task<int> ZeroAsync(MachineSession machine, ZeroOptions options, ParseResult parsed, CancellationToken stop)
@@ -65,8 +66,14 @@ internal sealed partial class HandVerbs
         var (profile, (touch, name, z)) = (machine.Profile, options.Read(parsed, machine.Profile.Scale));
         if (z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
         if (touch is null || !touch.IsCountable(profile.Scale)) return NotMoved(Wording.Get("Hand.NotCountable"));
-        await machine.SetOriginAsync((memory, here) => touch.Set(memory with { Active = name ?? memory.Active }, name ?? memory.Active, here.Position, profile), stop).ConfigureAwait(false);
-        return ExitCode.Done;
+        var refused = await machine.SetOriginAsync((memory, here) => touch.Set(memory with { Active = name ?? memory.Active }, name ?? memory.Active, here.Position, profile), stop).ConfigureAwait(false);
+        return refused is { } refusal ? NotSet(refusal) : ExitCode.Done;
+    }
+
+    private int NotSet(Diagnostic refusal)
+    {
+        _host.Error.WriteLine(Wording.Get("Hand.OriginNotSet", SettingWording.OnConsole(refusal).Message));
+        return ExitCode.DrawingError;
     }
 
     private sealed class ZeroOptions

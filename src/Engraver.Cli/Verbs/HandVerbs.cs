@@ -160,6 +160,7 @@ internal sealed partial class HandVerbs
         if (machine.Status.MachinePosition is not { } here) return NotMoved(Wording.Get("Hand.PlaceNotKnown"));
         if (height != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
         if (HandPlace.Beside(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.NotCountable"));
+        TellUnhomed(machine);
         return Concluded(await machine.StepAsync(goal, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
     }
 

@@ -3,11 +3,9 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
-using System.Text.Json;
 using Engraver.Cli.Options;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -34,8 +32,19 @@ internal static class SimulateVerb
         {
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudRateSerialPort"));
         });
-        command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine) is { } path ? ProfileOption.Load(parsed, path) : null, parsed.GetValue(faults), parsed.GetValue(numbers) == Column, parsed.GetValue(number)), stop));
+        command.SetAction(async (parsed, stop) =>
+        {
+            var plan = parsed.GetValue(faults) is { } file ? ReadFaults(file) : null;
+            if (plan is not null && FaultFile.Findings(plan) is { Count: > 0 } findings)
+            {
+                host.Report(parsed, parsed.GetValue(faults)!, findings);
+                return ExitCode.Usage;
+            }
+
+            var profile = parsed.GetValue(machine) is { } path ? ProfileOption.Load(parsed, path) : null;
+            var served = ServedSimulator.Create(parsed.GetValue(speed), profile, plan, parsed.GetValue(numbers) == Column, parsed.GetValue(number));
+            return await RunAsync(host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), served, stop).ConfigureAwait(false);
+        });
         return command;
     }
 
@@ -127,17 +136,16 @@ internal static class SimulateVerb
         }
     }
 
-    /// <exception cref="UsageException">The plan of faults cannot be read or is none.</exception>
-    private static ServedSimulator Simulator(double speed, MachineProfile? profile, string? faults, bool signColumn, int? number)
+    /// <exception cref="UsageException">The file cannot be read.</exception>
+    private static string ReadFaults(string path)
     {
-        if (faults is null) return ServedSimulator.Create(speed, profile, faults: null, signColumn, number);
         try
         {
-            return ServedSimulator.Create(speed, profile, File.ReadAllText(faults), signColumn, number);
+            return File.ReadAllText(path);
         }
-        catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or JsonException)
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Simulate.Faults", faults, unusable.Message), unusable);
+            throw new UsageException(Wording.Get("Simulate.Faults", path, unreadable.Message), unreadable);
         }
     }
 

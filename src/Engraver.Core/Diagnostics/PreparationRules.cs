@@ -45,6 +45,14 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule OtherProfile = new("JOB0041", Severity.Error);
 
+    public static readonly DiagnosticRule SetByOtherCounts = new("JOB0042", Severity.Error, "name", "then", "axis", "now");
+
+    public static readonly DiagnosticRule HomedByOtherCounts = new("JOB0043", Severity.Error, "then", "axis", "now");
+
+    public static readonly DiagnosticRule NotSetWhileDoubted = new("JOB0044", Severity.Error, "reason");
+
+    public static readonly DiagnosticRule StepBeyondTravel = new("JOB0045", Severity.Error, "step", "axis", "travel");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile, SetByOtherCounts, HomedByOtherCounts, NotSetWhileDoubted, StepBeyondTravel];
 }

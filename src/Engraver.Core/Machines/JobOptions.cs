@@ -17,6 +17,9 @@ public sealed record JobOptions
     /// <summary>Name of the drawing for the journal.</summary>
     public string DrawingName { get; init; } = "";
 
+    /// <summary>The settings and the machine profile of the job as words, for the journal: whoever resumes the job must have the same.</summary>
+    public IReadOnlyDictionary<string, string>? Settings { get; init; }
+
     /// <summary>Source position of a drawing entity, for diagnostics; null where it is not known.</summary>
     public Func<int, SourceRef>? SourceOf { get; init; }
 
@@ -81,6 +84,9 @@ public sealed record JournalHeader(string Drawing, string Controller, JobMode Mo
 
     /// <summary>By what the motion program is known again; empty in journals of an older version.</summary>
     public string Program { get; init; } = "";
+
+    /// <summary>As in <see cref="JobOptions.Settings"/>; null in journals of an older version.</summary>
+    public IReadOnlyDictionary<string, string>? Settings { get; init; }
 
     /// <summary>The number that the job left in a variable of the controller, which forgets it at power-off.</summary>
     public int Mark { get; init; }

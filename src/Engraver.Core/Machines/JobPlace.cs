@@ -32,6 +32,12 @@ public sealed record ResumePlace(JobPlace Place, double Doubt, CountsPoint Frame
     /// <summary>As in <see cref="JournalHeader.HeightOfCut"/>.</summary>
     public int? HeightOfCut { get; init; }
 
+    /// <summary>As in <see cref="JournalHeader.Settings"/>.</summary>
+    public IReadOnlyDictionary<string, string>? Settings { get; init; }
+
+    /// <summary>It cannot be resumed because the path is not that of the journal's job.</summary>
+    public bool IsOtherPath { get; init; }
+
     /// <summary>Why the job cannot be resumed, and what to do; null when it can.</summary>
     public string? Refusal { get; init; }
 

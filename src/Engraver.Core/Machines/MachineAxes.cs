@@ -14,6 +14,12 @@ public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = 
     /// <summary>Their letters in that order.</summary>
     public string Letters => string.Concat(All.Select(axis => axis.Letter));
 
+    /// <summary>What the operator calls the axis with a letter of the controller: X, Y or Z, or the letter itself where no job moves that axis.</summary>
+    public char NameOf(char letter) => Letters.IndexOf(letter, StringComparison.Ordinal) is >= 0 and var place ? "XYZ"[place] : letter;
+
+    /// <summary>The same of several, in their order.</summary>
+    public string NamesOf(string letters) => string.Concat(letters.Select(NameOf));
+
     /// <summary>The same axes without travel and homing.</summary>
     public MachineAxes WithoutPlaces() => this with { X = X with { Travel = null, Homing = null }, Y = Y with { Travel = null, Homing = null }, Z = Z is { } z ? z with { Travel = null, Homing = null } : null };
 

@@ -40,7 +40,7 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
 
     private void Inherit(JournalFound now)
     {
-        _earlier = options.JournalPath is { } journal ? CrashRecovery.Last(journal, now) : null;
+        _earlier = options.JournalPath is { } journal ? CrashRecovery.Last(journal, options.ResumedJournal, now) : null;
         if (_earlier is not null) session.Inherit(_earlier.Found.State);
         else Lost.Add(Wording.Get("ControllerSnapshot.RunDiedHasLeft"));
     }

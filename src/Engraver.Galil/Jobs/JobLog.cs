@@ -16,6 +16,8 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     private double _journalled;
 
     /// <param name="program">The fingerprint of the whole program.</param>
+    /// <exception cref="IOException">A journal cannot be written, its own or that of the job with which it goes on.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
     public void Begin(JobOptions options, string controller, string program)
     {
         var at = machine.State.Position;
@@ -27,6 +29,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
             FrameZ = machine.Frame.Z,
             HeightOfCut = machine.Profile is { Height: null, Axes.Z: not null } ? options.HeightOfCut ?? at.Z : null,
             Program = program,
+            Settings = options.Settings,
             Mark = machine.Mark,
             DryRun = options.DryRun,
             FromSegments = options.From.Segments,
@@ -39,15 +42,8 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     private static void TellResumed(JobOptions options)
     {
         if (options is not { ResumedJournal: { } earlier, JournalPath: { } own, DryRun: false } || Path.GetFullPath(earlier) == Path.GetFullPath(own)) return;
-        try
-        {
-            using var told = new JobJournal(earlier);
-            told.Write(new JournalResumed(Path.GetFullPath(own)));
-        }
-        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
-        {
-            // A journal on a medium that cannot be written can be resumed all the same, then also a second time.
-        }
+        using var told = new JobJournal(earlier);
+        told.Write(new JournalResumed(Path.GetFullPath(own)));
     }
 
     /// <summary>Written before anything in the controller is changed.</summary>

@@ -72,7 +72,7 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(session);
         string off = string.Concat(session.Found.MotorsOff.Where(program.Profile.Axes.Letters.Contains));
         return off.Length > 0
-            ? JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MotorAxisOffSwitch", string.Join(Wording.Get("Common.And"), off.AsEnumerable())))
+            ? JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MotorAxisOffSwitch", string.Join(Wording.Get("Common.And"), program.Profile.Axes.NamesOf(off).AsEnumerable())))
             : await RunAsync(program, hand, session, options with { DryRun = hand.IsDry }, progress, stop).ConfigureAwait(false);
     }
 

@@ -32,6 +32,6 @@ internal static class MotorTypeSetting
         if (await machine.SendAllAsync([$"MO{axis}", $"MT{axis}={DmcFormat.Number(type)}", $"SH{axis}"]).ConfigureAwait(false) is { Ends: true } refused) return refused;
         var (after, broken) = await machine.AskAsync($"_RP{axis}").ConfigureAwait(false);
         if (broken.Ends) return broken;
-        return after == before ? JobStep.Done : JobStep.Broken(Wording.Get("MotorTypeSetting.PositionChanged", axis, DmcFormat.Number(held), DmcFormat.Number(type), before, after)) with { Doubt = Wording.Get("MotorTypeSetting.Doubt", axis) };
+        return after == before ? JobStep.Done : JobStep.Broken(Wording.Get("MotorTypeSetting.PositionChanged", machine.Profile.Axes.NameOf(axis), DmcFormat.Number(held), DmcFormat.Number(type), before, after)) with { Doubt = Wording.Get("MotorTypeSetting.Doubt", machine.Profile.Axes.NameOf(axis)) };
     }
 }

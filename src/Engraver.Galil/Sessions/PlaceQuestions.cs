@@ -31,7 +31,7 @@ internal static class PlaceQuestions
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), steppersOff.AsEnumerable()))) { Uncounted = steppers, Untold = untold };
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), axes.NamesOf(steppersOff).AsEnumerable()))) { Uncounted = steppers, Untold = untold };
     }
 
     /// <summary>The variable is made by the assignment.</summary>

@@ -23,20 +23,21 @@ internal static class StatusPoll
         var (n, v) = (letters.Length, motion.Values.ToArray());
         var found = new MachineReading(CountsPoint.From(v.AsSpan(0, n)), CountsPoint.From(v.AsSpan(n, n)), v.AsSpan(2 * n, n + 1).ContainsAnyExcept(0.0), Those(letters, v[((3 * n) + 1)..], value => value != 0));
         var inputs = await channel.ReadAsync($"_TI0,_OP0,_VMS,{string.Join(',', letters.Select(letter => $"_LF{letter},_LR{letter}"))},{Each("_SC")},_AB,_XQ0", cancellation).ConfigureAwait(false);
-        return inputs.Refusal is null ? WithInputs(found, letters, [.. inputs.Values]) : found;
+        return inputs.Refusal is null ? WithInputs(found, axes, [.. inputs.Values]) : found;
 
         string Each(string operand) => DmcAxes.Operands(letters, operand);
     }
 
-    private static MachineReading WithInputs(MachineReading found, string letters, double[] v)
+    private static MachineReading WithInputs(MachineReading found, MachineAxes axes, double[] v)
     {
+        var letters = axes.Letters;
         var codes = v[(FirstLimit + (2 * letters.Length))..];
         return found with
         {
             Inputs = (int)v[0],
             Outputs = (int)v[1],
             Speed = v[2],
-            Limit = string.Join(Wording.Get("Common.And"), LimitsHit(letters, v)),
+            Limit = string.Join(Wording.Get("Common.And"), LimitsHit(axes, v)),
             LostPosition = string.Concat(Those(letters, codes, code => code == PositionError).Intersect(found.MotorsOff)),
             AbortInput = codes[letters.Length] == 0,
             ProgramRuns = codes[letters.Length + 1] >= 0,
@@ -47,12 +48,13 @@ internal static class StatusPoll
     private static string Those(string letters, double[] values, Func<double, bool> isSo) => string.Concat(letters.Where((_, i) => isSo(values[i])));
 
     /// <summary>_LF and _LR are 0 where the switch is hit.</summary>
-    private static IEnumerable<string> LimitsHit(string letters, double[] v)
+    private static IEnumerable<string> LimitsHit(MachineAxes axes, double[] v)
     {
-        for (var i = 0; i < letters.Length; i++)
+        var names = axes.NamesOf(axes.Letters);
+        for (var i = 0; i < names.Length; i++)
         {
-            if (v[FirstLimit + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ForwardLimit", letters[i]);
-            if (v[FirstLimit + 1 + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ReverseLimit", letters[i]);
+            if (v[FirstLimit + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ForwardLimit", names[i]);
+            if (v[FirstLimit + 1 + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ReverseLimit", names[i]);
         }
     }
 }

@@ -47,7 +47,7 @@ public static class ProgramForm
         if (rows.Any(row => row is "#JOB") || rows[0].StartsWith("'CHUNK ", StringComparison.Ordinal)) return ("galil", null);
         if (text.Contains("\t001\t0", StringComparison.Ordinal) && rows[0][0] == '%') return ("agie", null);
         if (rows[0].StartsWith("IN;", StringComparison.Ordinal) || rows[0] == "IN") return ("hpgl", null);
-        return rows[0] == "%" || rows.Any(IsGcode) ? ("gcode", rows.Take(2).Any(row => row.StartsWith("(CncEngraver, grbl,", StringComparison.Ordinal)) ? "grbl" : null) : null;
+        return rows[0] == "%" || rows.Any(IsGcode) ? ("gcode", rows.Take(2).Any(row => row[0] == '(' && row.Contains("grbl", StringComparison.Ordinal)) ? "grbl" : null) : null;
     }
 
     private static (string Target, string? Dialect)? Trajectory(string row) => row.Split('=')[0].Trim() switch

@@ -1,7 +1,9 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines;
 
@@ -45,8 +47,8 @@ internal sealed record MachineFacts
     /// <summary>How the job ended whose progress is known; null while it runs, and once that job is history (<see cref="MachineStatusModel.DismissJob"/>).</summary>
     public JobOutcome? Ended { get; init; }
 
-    /// <summary>Why the place of the drawing's zero is unknown, and what to do; empty while it is known.</summary>
-    public string OriginMissing { get; init; } = "";
+    /// <summary>Why the place of the drawing's zero is unknown, and what to do; null while it is known.</summary>
+    public Diagnostic? OriginMissing { get; init; }
 
     /// <summary>Whether the machine was homed since power-on; null for one that is not homed at all.</summary>
     public bool? IsHomed { get; init; }
@@ -77,7 +79,7 @@ internal sealed record MachineFacts
     public MachineStatus ToStatus(MachineProfile profile, ArmedJob? armed)
     {
         if (Link is null) return MachineStatus.Offline with { FeedRatio = FeedRatio, FeedInForce = FeedRatio, RapidRatio = RapidRatio, Time = SeenAt };
-        var (state, reason) = StateOf(armed);
+        var (state, reason) = StateOf(profile.Axes, armed);
         var place = PlaceCounts();
         return new MachineStatus
         {
@@ -113,22 +115,22 @@ internal sealed record MachineFacts
         };
     }
 
-    private (MachineState State, string Reason) StateOf(ArmedJob? armed) => JobRuns ? AtWork() : this switch
+    private (MachineState State, string Reason) StateOf(MachineAxes axes, ArmedJob? armed) => JobRuns ? AtWork() : this switch
     {
         { Lost: { } why } => (MachineState.Fault, why),
         { Poll: null } => (MachineState.Connected, ""),
         { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, Wording.Get("MachineFacts.AbortInputActive")),
         { Poll.Limit: { Length: > 0 } limit } => (MachineState.Fault, Wording.Get("MachineFacts.On", limit)),
-        { Poll.LostPosition: { Length: > 0 } axes } => (MachineState.Fault, Wording.Get("MachineFacts.AxisSwitchedOffBecause", axes)),
+        { Poll.LostPosition: { Length: > 0 } lost } => (MachineState.Fault, Wording.Get("MachineFacts.AxisSwitchedOffBecause", axes.NamesOf(lost))),
         { Poll.Moves: true } => (MachineState.Busy, Wording.Get("MachineFacts.SomethingMovesNotOurs")),
         { Poll.ProgramRuns: true } => (MachineState.Busy, Wording.Get("MachineFacts.ProgramRunsControllerNot")),
-        { Poll.MotorsOff: { Length: > 0 } axes } => (MachineState.MotorsOff, Wording.Get("MachineFacts.MotorOff", axes)),
+        { Poll.MotorsOff: { Length: > 0 } off } => (MachineState.MotorsOff, Wording.Get("MachineFacts.MotorOff", axes.NamesOf(off))),
         { IsHomed: false } => (MachineState.NotHomed, Wording.Get("MachineFacts.NotHomed")),
         _ when armed is not null => (MachineState.Armed, armed.DryRun ? Wording.Get("MachineFacts.ToolStaysOff") : ""),
         { Ended: JobOutcome.Complete } => (MachineState.Complete, IsDryRun ? Wording.Get("MachineFacts.DryRunCutNothing") : ""),
         { Ended: JobOutcome.Deviated } => (MachineState.Deviated, Wording.Get("MachineFacts.NotWhatIsDrawn")),
         { Ended: { } outcome } => (MachineState.Stopped, OutcomeText.Said(outcome)),
-        { OriginMissing.Length: > 0 } => (MachineState.NoOrigin, OriginMissing),
+        { OriginMissing: { } missing } => (MachineState.NoOrigin, SettingWording.AtCommandLine(missing).Message),
         _ => (MachineState.Ready, ""),
     };
 

@@ -34,7 +34,7 @@ internal static class MachineHoming
             return new HomedMachine(result, []);
         }
 
-        var after = before.Homed(profile.HomedAs, knows ? shift : null);
+        var after = before.Homed(profile, knows ? shift : null);
         await KeepAsync(machine, hold, profile, after, wall).ConfigureAwait(false);
         return new HomedMachine(result, [.. before.Origins.Where(origin => !origin.Value.IsAssumed && !after.Origins.ContainsKey(origin.Key)).Select(origin => origin.Key).Order(StringComparer.Ordinal)]);
     }

@@ -19,6 +19,9 @@ internal sealed record MachineMove(
     /// <summary>The move that is made instead, once it is heard where the machine stands; null: this one. Asked only where <see cref="Refuse"/> does not refuse.</summary>
     private Func<MachineMemory, ControllerPlace, MachineMove>? Aim { get; init; }
 
+    /// <summary>The machine's own profile, by which it was homed, where the move is made by another one; null where by it.</summary>
+    private MachineProfile? Known { get; init; }
+
     /// <summary>To a place, counts of the controller.</summary>
     /// <param name="withHeight">The height is part of the place; otherwise it stays as it is.</param>
     /// <param name="isStep">The place is told from where the machine stands: then it need not be homed.</param>
@@ -26,8 +29,13 @@ internal sealed record MachineMove(
         isStep ? "CNCJOG" : "CNCGOTO",
         isStep ? Wording.Get("MachineSession.Jogging") : Wording.Get("MachineSession.OnTheWay"),
         journal,
-        (memory, place) => memory.KnowsTravel(profile, place) ? TravelLimits.Refusal(profile, goal, withHeight)
-            : isStep ? null : profile.HasHoming ? PreparationRules.NotHomed.At(default) : memory.Lost.Length > 0 ? PreparationRules.PositionDoubted.At(default, memory.Lost) : null,
+        (memory, place) => (isStep ? null : WorkPlacement.NotHomed(memory, place, profile)) switch
+        {
+            { } unhomed => unhomed,
+            _ when memory.KnowsTravel(profile, place) => TravelLimits.Refusal(profile, goal, withHeight),
+            _ when isStep => TravelLimits.StepRefusal(profile, goal - place.Position, withHeight),
+            _ => memory.Lost.Length > 0 ? PreparationRules.PositionDoubted.At(default, memory.Lost) : null,
+        },
         (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight, options, progress, stop));
 
     /// <summary>To a place in plan, told by the controller's own zero. A tool that an axis holds goes up to its clearance height over the work first, where it is lower.</summary>
@@ -65,7 +73,7 @@ internal sealed record MachineMove(
         Wording.Get("MachineSession.OnTheWay"),
         journal,
         (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, goal, withHeight: true) : null,
-        (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight: true, options, progress, stop));
+        (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight: true, options, progress, stop)) { Known = known };
 
     /// <summary>Along a path from where the machine stands, tool off.</summary>
     /// <param name="known">The machine's own profile, by which it was homed.</param>
@@ -74,15 +82,16 @@ internal sealed record MachineMove(
         Wording.Get("MachineSession.OnTheWay"),
         journal,
         (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, path, place.Position, dryRun: true) : null,
-        (machine, _, options, stop) => machine.RunAsync(path, options, progress, stop));
+        (machine, _, options, stop) => machine.RunAsync(path, options, progress, stop)) { Known = known };
 
     /// <summary>The tool's output on for the settle time, at standstill.</summary>
-    public static MachineMove Pulse(string journal) => new(
+    /// <param name="known">The machine's own profile, by which it was homed.</param>
+    public static MachineMove Pulse(MachineProfile known, string journal) => new(
         "CNCCOMMISSION",
         Wording.Get("MachineSession.OutputOn"),
         journal,
         (_, _) => null,
-        (machine, program, options, stop) => machine.Setup!.PulseAsync(program, options with { DryRun = false }, stop));
+        (machine, program, options, stop) => machine.Setup!.PulseAsync(program, options with { DryRun = false }, stop)) { Known = known };
 
     /// <param name="hold">The reservation of the machine by this host, with what is kept of it.</param>
     /// <param name="start">Where the machine stands, in the frame in which progress is reported.</param>
@@ -97,6 +106,8 @@ internal sealed record MachineMove(
         var refused = Refuse(hold.Memory, place);
         if (refused is null && Aim is not null) refused = (aimed = Aim(hold.Memory, place)).Refuse(hold.Memory, place);
         if (refused is { } refusal) return JobResult.NotStarted(0, refusal.Message) with { Diagnostics = [refusal] };
+        var known = Known ?? profile;
+        var speed = HandSpeed.Fastest(profile, profile.HasHoming ? hold.Memory.IsHomedAt(known, place) : null);
         if (hold.KeepMoving() is { } failure) throw MachineMemoryException.NotWritten(failure);
         var options = new JobOptions
         {
@@ -104,9 +115,9 @@ internal sealed record MachineMove(
             Address = connection.Description,
             DrawingName = Name,
             DryRun = true,
-            SoftLimits = hold.Memory.KnowsTravel(profile, place) ? TravelLimits.Of(profile) : [],
+            SoftLimits = hold.Memory.KnowsTravel(known, place) ? TravelLimits.Of(profile) : [],
         };
-        var result = await aimed.Make(machine, new MotionProgram(profile, start, []), options, stop).ConfigureAwait(false);
+        var result = await aimed.Make(machine, new MotionProgram(profile with { RapidMmPerMinute = speed }, start, []), options, stop).ConfigureAwait(false);
         return hold.KeepEnd(result) is { } unkept ? result with { Diagnostics = [.. result.Diagnostics, PreparationRules.StateNotKept.At(default, unkept)] } : result;
     }
 }

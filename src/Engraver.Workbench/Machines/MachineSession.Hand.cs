@@ -38,7 +38,7 @@ public sealed partial class MachineSession
     public Task<JobResult> GoToAsync(CountsPoint goal, string journal, double? feed, CancellationToken cancellation) =>
         MoveToAsync(goal, withHeight: false, isStep: false, journal, feed, cancellation);
 
-    /// <summary>Moves the connected machine by a step, as <see cref="GoToAsync"/> does; also a machine that is not homed, which has no travel then, and while a job stands held.</summary>
+    /// <summary>Moves the connected machine by a step, as <see cref="GoToAsync"/> does; also a machine that is not homed, which has no travel then and goes slowly (<see cref="HandSpeed"/>), and while a job stands held.</summary>
     /// <param name="goal">Where the step ends, the controller's own counts.</param>
     /// <param name="withHeight">The step goes up or down too.</param>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
@@ -96,6 +96,9 @@ public sealed partial class MachineSession
 
     /// <summary>The names of the work origins that a homing would lose now.</summary>
     public IReadOnlyList<string> HomingForgets => Hold is { } hold ? MachineHoming.WouldLose(hold.Memory, hold.KnowsZero, Profile) : [];
+
+    /// <summary>What the operator is told before a move by hand on a machine that is not homed; null for any other.</summary>
+    public string? UnhomedNotice => IsHomed == false ? Wording.Get("HandMotion.NotHomed", HandSpeed.Fastest(Profile, isHomed: false)) : null;
 
     /// <summary>Whether the machine is homed; null for one without homing, or while none is connected.</summary>
     public bool? IsHomed => Profile.HasHoming && Hold is { } hold ? hold.IsHomed(Profile) : null;

@@ -2,7 +2,6 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines.Origins;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines;
 
@@ -44,16 +43,17 @@ public sealed partial class MachineSession
     }
 
     /// <summary>Changes the work origins, with the machine's position as the controller tells it now. Disarms.</summary>
+    /// <returns>Why there is no certain place that an origin could be; null when it was set.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
     /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
-    public async Task<MachineMemory> SetOriginAsync(Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
+    public async Task<Diagnostic?> SetOriginAsync(Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
     {
         await FreeAsync().ConfigureAwait(false);
         if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
-        var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
+        if (await watch.SetOriginAsync(Profile, hold, set, cancellation).ConfigureAwait(false) is { } refusal) return refusal;
         OriginChanged(hold);
-        return memory;
+        return null;
     }
 
     /// <summary>Puts a work origin at a typed place of the machine and makes it the active one. Disarms.</summary>
@@ -70,8 +70,7 @@ public sealed partial class MachineSession
         var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
         hold.Recognise(place);
         if (WorkPlacement.WhyNotKnown(hold.Memory, place, Profile) is { } unknown) return unknown;
-        await SetOriginAsync((memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null), cancellation).ConfigureAwait(false);
-        return null;
+        return await SetOriginAsync((memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null, KeptScale.Of(Profile.Scale)), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>
@@ -117,6 +116,6 @@ public sealed partial class MachineSession
         DismissJob();
     }
 
-    /// <summary>Why the active origin gives no place for a job, by what the watch saw; empty when it gives one.</summary>
-    private string OriginMissing(CountsPoint at) => LastPlacement(NoJob, dryRun: false, at)?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : "";
+    /// <summary>Why the active origin gives no place for a job, by what the watch saw; null when it gives one.</summary>
+    private Diagnostic? OriginMissing(CountsPoint at) => LastPlacement(NoJob, dryRun: false, at)?.Refusal;
 }

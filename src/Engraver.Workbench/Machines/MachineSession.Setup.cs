@@ -37,7 +37,7 @@ public sealed partial class MachineSession
     }
 
     /// <summary>Switches the tool output of a profile on for its settle time, at standstill.</summary>
-    public Task<JobResult> TestOutputAsync(MachineProfile test, string journal, CancellationToken cancellation) => MoveByHandAsync(test, MachineMove.Pulse(journal), cancellation);
+    public Task<JobResult> TestOutputAsync(MachineProfile test, string journal, CancellationToken cancellation) => MoveByHandAsync(test, MachineMove.Pulse(Profile, journal), cancellation);
 
     private async Task<JobResult> MoveByHandAsync(MachineProfile profile, MachineMove move, CancellationToken cancellation)
     {

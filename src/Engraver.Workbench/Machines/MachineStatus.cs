@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 
@@ -88,8 +89,8 @@ public sealed record MachineStatus
     /// <summary>True when the controller answers no more; the other values are then the last known ones.</summary>
     public bool IsLinkLost { get; init; }
 
-    /// <summary>Why the place of the drawing's zero is unknown, and what to do; empty while it is known.</summary>
-    public string OriginMissing { get; init; } = "";
+    /// <summary>Why the place of the drawing's zero is unknown, and what to do; null while it is known.</summary>
+    public Diagnostic? OriginMissing { get; init; }
 
     /// <summary>Time of the last answer of the controller.</summary>
     public DateTimeOffset Time { get; init; }

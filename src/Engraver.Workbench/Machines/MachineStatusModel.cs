@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Machines.Arming;
@@ -97,7 +98,7 @@ internal sealed class MachineStatusModel : IDisposable
             _facts = _facts with { Poll = poll, PollIsOld = false, Lost = null, SeenAt = _time.GetUtcNow() };
         }
 
-        MachineAlarms.Seen(Alarms, poll, Link, Interlocked.Exchange(ref _ended, null));
+        MachineAlarms.Seen(Alarms, poll, Profile.Axes, Link, Interlocked.Exchange(ref _ended, null));
         _lossIsTold = false;
         if (before is not null && poll.DiffersFrom(before)) DisarmOrTell();
         else _changed();
@@ -140,8 +141,8 @@ internal sealed class MachineStatusModel : IDisposable
     public void DismissJob() => Change(facts => facts.JobRuns ? facts : facts with { Progress = null, Ended = null, IsDryRun = false });
 
     /// <summary>Notes whether the place of the drawing's zero is known.</summary>
-    /// <param name="missing">Why it is unknown and what to do; empty when it is known.</param>
-    public void OriginIs(string missing) => Change(facts => facts with { OriginMissing = missing });
+    /// <param name="missing">Why it is unknown and what to do; null when it is known.</param>
+    public void OriginIs(Diagnostic? missing) => Change(facts => facts with { OriginMissing = missing });
 
     /// <param name="isHomed">Null for a machine that is not homed at all.</param>
     public void HomedIs(bool? isHomed) => Change(facts => facts with { IsHomed = isHomed });

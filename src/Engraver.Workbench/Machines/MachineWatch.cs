@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Machines.Setup;
@@ -46,8 +47,9 @@ internal sealed class MachineWatch : IAsyncDisposable
     public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => _machine.LocateAsync(axes, cancellation);
 
     /// <summary>Sets a work origin by where the machine stands.</summary>
+    /// <returns>Why not; null when it was set.</returns>
     /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
-    public Task<MachineMemory> SetOriginAsync(MachineAxes axes, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation) => JobPlacement.SetOriginAsync(_machine, axes, hold, set, _time, cancellation);
+    public Task<Diagnostic?> SetOriginAsync(MachineProfile profile, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation) => JobPlacement.SetOriginAsync(_machine, profile, hold, set, _time, cancellation);
 
     /// <summary>Looks ten times a second until <see cref="PauseAsync"/>, or until the link fails.</summary>
     public void Resume(Action<MachineReading> seen, Action<ControllerException> lost)

@@ -30,7 +30,7 @@ public static class HistoryText
     public static string ReadBack(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
-        return entry.ReadBack is { } found ? Wording.Get("History.ReadBack." + HistoryEntry.ReadBackWord(found)) : "";
+        return entry.ReadBack is { } found ? Wording.Get("ReadBackState." + HistoryEntry.ReadBackWord(found)) : "";
     }
 
     /// <summary>When it began, by the clock here.</summary>

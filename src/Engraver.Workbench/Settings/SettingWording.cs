@@ -15,6 +15,7 @@ public static partial class SettingWording
         ["look"] = (Verb("info"), "CHECK"),
         ["cut"] = ("--cut", "CNCCUT"),
         ["certify"] = (Verb("certify"), "CERTIFY"),
+        ["connect"] = ("--connect", "CNCCONNECT"),
         ["zero"] = (Verb("zero"), "CNCZERO"),
         ["home"] = (Verb("home"), "CNCHOME"),
         ["motors"] = (Verb("motors"), "CNCMOTORS"),

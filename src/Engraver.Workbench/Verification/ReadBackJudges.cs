@@ -15,7 +15,7 @@ internal sealed class ReadBackJudges
     private readonly PreparedJob _job;
     private readonly PostedWith _posted;
     private readonly ITraceJudge[] _cuts;
-    private readonly CutLength? _length;
+    private readonly LengthJudge? _length;
     private readonly PaceJudge? _pace;
 
     /// <param name="tolerances">Of the reader's form.</param>
@@ -25,7 +25,7 @@ internal sealed class ReadBackJudges
         var (machine, isInSpace) = (job.Settings.Machine, reader.TellsHeights && job.Settings.Machine.Height is not null);
         (_job, _posted) = (job, posted);
         _cuts = [.. bridges.Count == 0 ? [JudgeOf([])] : (ITraceJudge[])[JudgeOf([]), JudgeOf(bridges)]];
-        _length = reader.TellsTimes || isInSpace ? null : new CutLength(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
+        _length = reader.TellsTimes || isInSpace ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
         _pace = reader.TellsTimes && machine.Height is null ? new PaceJudge() : null;
         Feeds = new FeedJudge(machine.FeedMmPerMinute, reader.TellsHeights ? machine.Height?.PlungeMmPerMinute : null);
         Terms = new TermsJudge(posted.Terms);

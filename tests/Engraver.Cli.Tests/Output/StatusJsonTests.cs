@@ -1,4 +1,5 @@
 using Engraver.Cli.Output;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
@@ -48,9 +49,11 @@ public class StatusJsonTests
     [Fact]
     public void A_machine_without_an_origin_tells_no_place_of_the_work()
     {
-        var status = StatusJson.From(s_ready with { State = MachineState.NoOrigin, OriginMissing = "It was switched off.", WorkHeight = 1 }, null, MachineProfile.Default);
+        var status = StatusJson.From(s_ready with { State = MachineState.NoOrigin, OriginMissing = PreparationRules.ZeroLost.At(default, "G54"), WorkHeight = 1 }, null, MachineProfile.Default);
 
         Assert.Equal(new StatusJson.WorkJson("G54", null, null, null), status.Work);
-        Assert.Equal("work    G54 is not known: It was switched off.", status.Text().Last());
+        Assert.StartsWith("work    G54 is not known: The controller was switched off", status.Text().Last(), StringComparison.Ordinal);
+        Assert.Contains("engraver zero", status.Text().Last(), StringComparison.Ordinal);
+        Assert.DoesNotContain("CNC", status.Text().Last(), StringComparison.Ordinal);
     }
 }

@@ -47,6 +47,36 @@ public sealed class ResumeRunTests : IDisposable
         Assert.Contains(reason, second.Error, StringComparison.Ordinal);
     }
 
+    /// <summary>As it was found: the rest of a job was cut at another feed without a word.</summary>
+    [Fact]
+    public async Task A_setting_that_is_not_that_of_the_journal_is_refused_with_both_values()
+    {
+        var journal = _folder.PathOf("first.jsonl");
+        string[] run = ["run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json"];
+        await StoppedAsync(60, [.. run, "--journal", journal]);
+        var coarse = _folder.WithFile("coarse.json", """{"countsPerMillimetreX":500,"countsPerMillimetreY":500,"toolSettleSeconds":0.2,"costPerHour":60}""");
+
+        await RefusedAsync("Feed was 1200 mm/min and is 600 mm/min now", [.. run, "--resume", journal, "--feed", "600"]);
+        await RefusedAsync("Order of strokes was nearest and is drawn now", [.. run, "--resume", journal, "--order", "drawn"]);
+        await RefusedAsync("countsPerMillimetreX was 1000 and is 500 now; countsPerMillimetreY was 1000 and is 500 now; toolSettleSeconds was 0.1 and is 0.2 now.", [.. run, "--resume", journal, "--machine", coarse]);
+        await DoneAsync([.. run, "--resume", journal, "--feed", "1200", "--journal", _folder.PathOf("second.jsonl")]);
+    }
+
+    /// <summary>As it was found: what was left could be cut twice, because the journal could not be told that it was cut.</summary>
+    [Fact]
+    public async Task A_journal_that_cannot_be_told_that_its_job_goes_on_is_refused_and_its_copy_is_taken()
+    {
+        var journal = _folder.PathOf("first.jsonl");
+        string[] run = ["run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", _folder.PathOf("second.jsonl")];
+        await StoppedAsync(60, [.. run[..^1], journal]);
+        using (var medium = new UnwritableFile(_folder.PathOf("medium.jsonl"), await File.ReadAllLinesAsync(journal)))
+        {
+            await RefusedAsync("cannot be written", [.. run, "--resume", medium.Path]);
+        }
+
+        await DoneAsync([.. run, "--resume", journal]);
+    }
+
     [Theory]
     [InlineData("-1")]
     [InlineData("long")]

@@ -44,9 +44,9 @@ public class StartListTests
         var frame = await CliRun.RunAsync(["frame", .. words]);
 
         Assert.Equal((ExitCode.Refused, ExitCode.Refused, ExitCode.DrawingError), (run.ExitCode, json.ExitCode, frame.ExitCode));
-        Assert.All([run.Error, frame.Error], said => Assert.Contains(said.Split('\n'), line => line.StartsWith("NOT OK ", StringComparison.Ordinal) && line.Contains("limit of axis B", StringComparison.Ordinal) && line.Contains("move the machine off it", StringComparison.Ordinal)));
+        Assert.All([run.Error, frame.Error], said => Assert.Contains(said.Split('\n'), line => line.StartsWith("NOT OK ", StringComparison.Ordinal) && line.Contains("limit of axis Y", StringComparison.Ordinal) && line.Contains("move the machine off it", StringComparison.Ordinal)));
         Assert.Equal("refused", JsonText.Of(json).GetProperty("outcome").GetString());
-        Assert.Contains(JsonText.Of(json).GetProperty("checks").EnumerateArray(), check => !check.GetProperty("ok").GetBoolean() && check.GetProperty("sentence").GetString()!.Contains("limit of axis B", StringComparison.Ordinal));
+        Assert.Contains(JsonText.Of(json).GetProperty("checks").EnumerateArray(), check => !check.GetProperty("ok").GetBoolean() && check.GetProperty("sentence").GetString()!.Contains("limit of axis Y", StringComparison.Ordinal));
         Assert.DoesNotContain(controller.Record.Snapshot(), row => row.A != 0 || row.B != 0);
 
         controller.SetLimitSwitch(1, forward: true, active: false);

@@ -97,19 +97,39 @@ public class SimulateVerbTests
         File.Delete(report);
     }
 
-    [Theory]
-    [InlineData("{\"refusals\":null}")]
-    [InlineData("{\"drops\":[null]}")]
-    [InlineData("{\"refusal\":[]}")]
-    [InlineData("no JSON")]
-    [InlineData(null)]
-    public async Task A_faults_file_that_is_none_is_exit_2_with_one_sentence(string? content)
+    [Fact]
+    public async Task A_faults_file_that_is_not_there_is_exit_2_with_one_sentence()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.RunAsync("simulate", "--faults", content is null ? folder.PathOf("missing.json") : folder.WithFile("faults.json", content));
+        var run = await CliRun.RunAsync("simulate", "--faults", folder.PathOf("missing.json"));
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("--faults", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
+    }
+
+    /// <summary>As it was found: each was a sentence of the JSON reader, with names of types and without the name that was meant.</summary>
+    [Theory]
+    [InlineData("""{"refusals":null}""", 1, "FLT0003", "refusals in the faults file cannot be used: it must be a list")]
+    [InlineData("""{"drops":[null]}""", 1, "FLT0003", "drops[0] in the faults file cannot be used: it must be an object")]
+    [InlineData("""{"refusal":[]}""", 1, "FLT0002", "the field refusal, which does not exist; the nearest known name is refusals")]
+    [InlineData("{\n  \"faults\": [\n    { \"kind\": \"jam\", \"atsecond\": 1 }\n  ]\n}", 3, "FLT0002", "the field faults[0].atsecond, which does not exist; the nearest known name is atSeconds")]
+    [InlineData("{\n  \"faults\": [\n    { \"kind\": \"limitswitch2\", \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0003", "powerCycle; the nearest known name is limitSwitch")]
+    [InlineData("{\n  \"faults\": [\n    { \"kind\": \"jam\",\n      \"atSeconds\": \"soon\" }\n  ]\n}", 4, "FLT0003", "faults[0].atSeconds in the faults file cannot be used: it must be a number")]
+    [InlineData("{\n  \"faults\": [\n    { \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0004", "faults[0] cannot happen: it has no kind")]
+    [InlineData("{\n  \"faults\": [\n    { \"kind\": \"jam\",\n      \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0004", "a fault of the kind jam needs an axis")]
+    [InlineData("{\n  \"replyDelay\": 50\n}", 2, "FLT0003", "replyDelay in the faults file cannot be used: it must be a time as text")]
+    [InlineData("no JSON", 1, "FLT0001", "no JSON")]
+    [InlineData("null", 1, "FLT0001", "no JSON object")]
+    [InlineData("[1]", 1, "FLT0001", "no JSON object")]
+    public async Task What_is_wrong_in_a_faults_file_is_told_with_its_line_and_what_was_meant(string content, int line, string id, string sentence)
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.WithFile("faults.json", content);
+        var run = await CliRun.RunAsync("simulate", "--faults", file);
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.StartsWith($"{file}({line}): error {id}: ", run.Error, StringComparison.Ordinal);
+        Assert.Contains(sentence, run.Error, StringComparison.Ordinal);
     }
 
     [Fact]

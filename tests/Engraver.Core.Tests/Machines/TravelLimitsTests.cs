@@ -21,9 +21,9 @@ public class TravelLimitsTests
     [Theory]
     [InlineData(30000, 0, null)]
     [InlineData(-1000, -10000, null)]
-    [InlineData(30001, 0, "Axis A: 30.001 of -1 to 30")]
-    [InlineData(0, 1, "Axis C: -0.002 of 0 to 20.001")]
-    [InlineData(0, -10001, "Axis C: 20.002 of 0 to 20.001")]
+    [InlineData(30001, 0, "Axis X: 30.001 of -1 to 30")]
+    [InlineData(0, 1, "Axis Y: -0.002 of 0 to 20.001")]
+    [InlineData(0, -10001, "Axis Y: 20.002 of 0 to 20.001")]
     public void A_place_outside_is_refused_with_axis_place_and_travel(int x, int y, string? facts) =>
         Assert.Equal(facts, TravelLimits.Refusal(Profile(), new CountsPoint(x, y)) is { Facts: var f } ? $"Axis {f[0]}: {f[1]} of {f[2]} to {f[3]}" : null);
 
@@ -63,12 +63,12 @@ public class TravelLimitsTests
     [Theory]
     [InlineData(1, false, null)]
     [InlineData(3, false, null)]
-    [InlineData(0.99, false, "JOB0033 C -1.01 -1 8")]
-    [InlineData(3.01, false, "JOB0033 C 8.01 -1 8")]
+    [InlineData(0.99, false, "JOB0033 Z -1.01 -1 8")]
+    [InlineData(3.01, false, "JOB0033 Z 8.01 -1 8")]
     [InlineData(-4, true, null)]
     [InlineData(-6, true, null)]
-    [InlineData(-3.99, true, "JOB0034 7 C 8.01 -1 8")]
-    [InlineData(-6.01, true, "JOB0034 7 C -1.01 -1 8")]
+    [InlineData(-3.99, true, "JOB0034 7 Z 8.01 -1 8")]
+    [InlineData(-6.01, true, "JOB0034 7 Z -1.01 -1 8")]
     public void A_job_whose_tool_would_leave_its_travel_is_refused_by_the_height_of_the_work_and_a_dry_run_by_its_own(double work, bool dryRun, string? said)
     {
         foreach (var scaleZ in (double[])[100, -100])

@@ -8,6 +8,9 @@ public sealed class DmcLines
 {
     private const int MostStatements = 200_000;
 
+    /// <summary>Seconds in which a machine that stands goes three counts.</summary>
+    private const double Twitch = 0.008;
+
     private readonly List<(string Label, string Text)> _statements = [];
     private readonly Dictionary<string, double> _variables = [];
     private readonly List<Segment> _cuts = [];
@@ -96,7 +99,7 @@ public sealed class DmcLines
 
     private void Move(double seconds)
     {
-        if (!(seconds > 0.0)) return;
+        if (!(seconds > Twitch)) return; // within what a place may be off
         _acts.Add(("rest", _waited));
         _acts.Add(("move", seconds));
         _waited = 0.0;

@@ -278,10 +278,10 @@ public class CommissionCommandTests
 
         await talk.TypeAsync("CNCCOMMISSION", "Skip", "Skip", "Skip", "Skip", "Go", "", "6000", "Yes", "Back", "Go", "", "4000", "Yes");
 
-        Assert.Contains("would take axis A to -6 mm; its travel is -5 to 1 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("would take axis X to -6 mm; its travel is -5 to 1 mm", talk.Said, StringComparison.Ordinal);
         Assert.Equal("4000.0000", await AskAsync(talk, "MG _RPA"));
         await talk.TypeAsync("Keep", "No", "No", "Skip", "Go", "", "Yes"); // the F goes 6 mm towards plus, which is minus in counts
-        Assert.Contains("would take axis A to 2 mm; its travel is -5 to 1 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("would take axis X to 2 mm; its travel is -5 to 1 mm", talk.Said, StringComparison.Ordinal);
         Assert.Equal("4000.0000 0.0000", await AskAsync(talk, "MG _RPA,_RPB"));
     }
 

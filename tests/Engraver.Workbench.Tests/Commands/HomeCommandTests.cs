@@ -79,6 +79,11 @@ public sealed class HomeCommandTests : IAsyncDisposable
 
         await using (var session = await ConnectedAsync(Profile with { Axes = Profile.Axes.WithoutPlaces() }))
         {
+            Assert.Contains("homed with another machine profile", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCZERO", "X", "Yes")).Sentence, StringComparison.Ordinal);
+        }
+
+        await using (var session = await ConnectedAsync())
+        {
             await TypeAsync(session, "CNCORIGIN", "G55");
             await TypeAsync(session, "CNCZERO", "All");
         }

@@ -62,7 +62,7 @@ public sealed class JogCommandTests : IDisposable
         await using var session = await ConnectedAsync(Travel(-1, 3, -1, 1));
 
         Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCARM", "Stream"));
-        Assert.Contains(_said, line => line.Contains("axis A to 5 mm", StringComparison.Ordinal));
+        Assert.Contains(_said, line => line.Contains("axis X to 5 mm", StringComparison.Ordinal));
         Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCRUN", "Yes"));
         Assert.Equal((0.0, 0.0), At(session));
     }

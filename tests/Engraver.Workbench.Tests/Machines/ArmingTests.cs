@@ -210,7 +210,7 @@ public class ArmingTests
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
         await talk.TypeAsync("CNCSTATUS");
-        Assert.Contains("state MOTORS OFF (motor off: AB), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("state MOTORS OFF (motor off: XY), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
         Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCMOTORS", "ON");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));

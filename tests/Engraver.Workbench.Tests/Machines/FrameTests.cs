@@ -101,7 +101,7 @@ public sealed class FrameTests : IDisposable
         await talk.TypeAsync("CNCGOTO", "10,0", "CNCZERO", "All"); // 150 mm of drawing from here end at 160
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
-        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK The move would take axis A to 160 mm; its travel is -10 to 155 mm.", StringComparison.Ordinal));
+        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK The move would take axis X to 160 mm; its travel is -10 to 155 mm.", StringComparison.Ordinal));
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFRAME", "Rectangle")).Why);
         Assert.Equal(10.0, talk.Session.Machine.Status.MachinePosition!.Value.X);
     }

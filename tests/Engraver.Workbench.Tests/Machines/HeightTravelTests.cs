@@ -20,7 +20,7 @@ public sealed class HeightTravelTests
         await talk.TypeAsync("CNCZERO", "All");
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
-        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK The job would take the tool's axis C to -2.5 mm; its travel is -2 to 20 mm. ", StringComparison.Ordinal) && line.Contains("CNCZERO", StringComparison.Ordinal));
+        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK The job would take the tool's axis Z to -2.5 mm; its travel is -2 to 20 mm. ", StringComparison.Ordinal) && line.Contains("CNCZERO", StringComparison.Ordinal));
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why);
         Assert.Contains("JOB0033", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("stays inside", talk.Said, StringComparison.Ordinal);
@@ -39,7 +39,7 @@ public sealed class HeightTravelTests
         await talk.TypeAsync("CNCZERO", "All");
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Dryrun", "Stream")).Why);
-        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK With the tool out of the work everything is made 6.5 mm higher than in the job, which would take the tool's axis C to 10.5 mm; its travel is -5 to 10 mm. ", StringComparison.Ordinal));
+        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK With the tool out of the work everything is made 6.5 mm higher than in the job, which would take the tool's axis Z to 10.5 mm; its travel is -5 to 10 mm. ", StringComparison.Ordinal));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Dryrun", "Yes"));
         foreach (var shape in Enum.GetNames<FrameShape>()) Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFRAME", shape)).Why);
         Assert.Equal(3, talk.Said.Split("JOB0034").Length - 1);
@@ -55,9 +55,9 @@ public sealed class HeightTravelTests
         await using var talk = await ConnectedAsync("-3", "10");
         await talk.TypeAsync("CNCJOG", "Z+", "7", "CNCZERO", "All");
 
-        Assert.Contains("axis C to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "3,4")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("axis C to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "Clearance")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("axis C to -4 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCJOG", "Z-", "11")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("axis Z to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "3,4")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("axis Z to 11 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "Clearance")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("axis Z to -4 mm; its travel is -3 to 10 mm", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCJOG", "Z-", "11")).Sentence, StringComparison.Ordinal);
         Assert.Equal((0.0, 7.0), (talk.Session.Machine.Status.MachinePosition!.Value.X, talk.Session.Machine.Status.MachineHeight));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCJOG", "Z+", "3"));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "3,4")); // still a millimetre under the clearance over the work

@@ -54,7 +54,7 @@ public class MachineAlarmTests
         Assert.Contains("cable", alarm.ToDo, StringComparison.Ordinal);
         Assert.Contains("CNCCONNECT", alarm.ToDo, StringComparison.Ordinal);
 
-        MachineAlarms.Seen(log, new MachineReading(default, default, Moves: false, MotorsOff: ""), Link);
+        MachineAlarms.Seen(log, new MachineReading(default, default, Moves: false, MotorsOff: ""), MachineAxes.Default, Link);
         Assert.Equal(AlarmState.ClearedUnacknowledged, log.All[0].State);
     }
 
@@ -79,7 +79,7 @@ public class MachineAlarmTests
         var log = new AlarmLog(new ManualTimeProvider());
         var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = limit, AbortInput = abort, LostPosition = lost };
 
-        MachineAlarms.Seen(log, poll, Link, Result(JobOutcome.Refused) with { Sentence = "The job stands in stroke 2.", SegmentsExecuted = 3 });
+        MachineAlarms.Seen(log, poll, MachineAxes.Default, Link, Result(JobOutcome.Refused) with { Sentence = "The job stands in stroke 2.", SegmentsExecuted = 3 });
 
         var alarm = Assert.Single(log.All);
         Assert.Equal((cause, $"{Link}, after 3 segments"), (alarm.Cause, alarm.Where));
@@ -91,8 +91,8 @@ public class MachineAlarmTests
     {
         var log = new AlarmLog(new ManualTimeProvider());
         var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = "the forward limit of axis A" };
-        MachineAlarms.Seen(log, poll, Link);
-        MachineAlarms.Seen(log, poll, Link, Result(JobOutcome.Stopped));
+        MachineAlarms.Seen(log, poll, MachineAxes.Default, Link);
+        MachineAlarms.Seen(log, poll, MachineAxes.Default, Link, Result(JobOutcome.Stopped));
         Assert.Equal([AlarmCause.Limit, AlarmCause.JobStopped], log.All.Select(alarm => alarm.Cause));
     }
 

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
@@ -11,6 +12,8 @@ public class MachineFactsTests
 {
     private static readonly JobProgress s_told = new(2, 9, 7, 20, new CountsPoint(3000, 4000), true, 1.5, Outputs: 5);
     private static readonly MachineReading s_rest = new(default, default, Moves: false, MotorsOff: "");
+
+    private static readonly Diagnostic s_nowhere = PreparationRules.ZeroLost.At(default, "G54");
 
     private static readonly MachineFacts s_idle = new() { Link = "tcp://a", Poll = s_rest };
 
@@ -29,9 +32,9 @@ public class MachineFactsTests
         Assert.Equal(MachineState.Fault, State(s_idle with { Lost = "gone" }));
         Assert.Equal(MachineState.Running, State(s_idle with { Lost = "gone", JobRuns = true }));
         Assert.Equal(MachineState.Stopping, State(s_idle with { JobRuns = true, Stopping = true }));
-        Assert.Equal(MachineState.NotHomed, State(s_idle with { IsHomed = false, OriginMissing = "nowhere" }));
-        Assert.Equal(MachineState.NoOrigin, State(s_idle with { IsHomed = true, OriginMissing = "nowhere" }));
-        Assert.Equal(MachineState.MotorsOff, State(With(s_rest with { MotorsOff = "A" }) with { OriginMissing = "nowhere", IsHomed = false }));
+        Assert.Equal(MachineState.NotHomed, State(s_idle with { IsHomed = false, OriginMissing = s_nowhere }));
+        Assert.Equal(MachineState.NoOrigin, State(s_idle with { IsHomed = true, OriginMissing = s_nowhere }));
+        Assert.Equal(MachineState.MotorsOff, State(With(s_rest with { MotorsOff = "A" }) with { OriginMissing = s_nowhere, IsHomed = false }));
     }
 
     [Fact]
@@ -68,7 +71,7 @@ public class MachineFactsTests
         var armed = new ArmedJob(job, JobMode.Stream, true, new ArmingChecklist([]), DateTimeOffset.UnixEpoch);
         var old = s_idle with { Progress = s_told, Told = s_told };
         Assert.Equal((MachineState.Ready, null), (Status(old).State, Status(old).Progress));
-        Assert.Equal((MachineState.NoOrigin, null), (State(old with { OriginMissing = "nowhere" }), Status(old with { OriginMissing = "nowhere" }).Progress));
+        Assert.Equal((MachineState.NoOrigin, null), (State(old with { OriginMissing = s_nowhere }), Status(old with { OriginMissing = s_nowhere }).Progress));
         var waiting = (old with { Ended = JobOutcome.Stopped }).ToStatus(MachineProfile.Default, armed);
         Assert.Equal((MachineState.Armed, null, true, "dry run: the tool stays off"), (waiting.State, waiting.Progress, waiting.IsDryRun, waiting.Reason));
     }

@@ -55,7 +55,7 @@ internal sealed class ReceiveVerb(VerbHost host)
         {
             await using var line = ProgramLine.Open(address, silence, TimeProvider.System);
             if (!host.Quiet(parsed)) await host.Error.WriteLineAsync(Wording.Get("Receive.Listening", address)).ConfigureAwait(false);
-            var isWhole = await receiver.ListenAsync(line, silence, host.Verbose(parsed) ? new Told(host.Error) : null, TimeProvider.System, stop).ConfigureAwait(false);
+            var isWhole = await receiver.ListenAsync(line, silence, host.Verbose(parsed) ? new LineCount(host.Error) : null, TimeProvider.System, stop).ConfigureAwait(false);
             if (!isWhole) return (ReceiveEnd.Stopped, null);
             return receiver.Characters.Count > 0 ? (ReceiveEnd.Complete, null) : (ReceiveEnd.Silent, Wording.Get("Receive.Silent", silence.TotalSeconds));
         }
@@ -74,7 +74,7 @@ internal sealed class ReceiveVerb(VerbHost host)
     private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>A line for every line that has come, as it comes.</summary>
-    private sealed class Told(TextWriter error) : IProgress<int>
+    private sealed class LineCount(TextWriter error) : IProgress<int>
     {
         private int _lines;
 

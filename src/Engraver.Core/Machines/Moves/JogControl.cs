@@ -40,6 +40,10 @@ public readonly record struct JogVelocity(double X, double Y, double Z = 0.0)
     /// <summary>Of one axis, in the order of <see cref="MachineAxes.All"/>.</summary>
     public double this[int axis] => axis switch { 0 => X, 1 => Y, 2 => Z, _ => throw new ArgumentOutOfRangeException(nameof(axis)) };
 
+    /// <summary>The same, slowed down where an axis would go faster than this.</summary>
+    /// <param name="mmPerMinute">At least 0.</param>
+    public JogVelocity NoFasterThan(double mmPerMinute) => Math.Max(Math.Abs(X), Math.Max(Math.Abs(Y), Math.Abs(Z))) > mmPerMinute ? At(mmPerMinute) : this;
+
     /// <summary>In this direction at another speed of the fastest axis.</summary>
     /// <param name="mmPerMinute">At least 0.</param>
     public JogVelocity At(double mmPerMinute)

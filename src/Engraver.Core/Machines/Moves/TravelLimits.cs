@@ -36,7 +36,7 @@ public static class TravelLimits
             if (Of(axes[i]) is not { } limit || (least[i] >= limit.Least && most[i] <= limit.Most)) continue;
             var outside = least[i] < limit.Least ? least[i] : most[i];
             var travel = axes[i].Travel!;
-            return PreparationRules.OutsideTravel.At(default, axes[i].Letter.ToString(), Number(outside / axes[i].CountsPerMillimetre), Number(travel.Least), Number(travel.Most));
+            return PreparationRules.OutsideTravel.At(default, profile.Axes.NameOf(axes[i].Letter).ToString(), Number(outside / axes[i].CountsPerMillimetre), Number(travel.Least), Number(travel.Most));
         }
 
         return null;
@@ -48,6 +48,21 @@ public static class TravelLimits
     {
         long[] counts = withHeight ? [place.X, place.Y, place.Z] : [place.X, place.Y];
         return Refusal(profile, counts, counts);
+    }
+
+    /// <summary>Why a step may not be made where nobody knows from which place of the machine it begins: it is longer than the whole travel of an axis. Null when it may.</summary>
+    /// <param name="step">Counts of the controller.</param>
+    public static Diagnostic? StepRefusal(MachineProfile profile, CountsPoint step, bool withHeight)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        var axes = profile.Axes.All;
+        for (var i = 0; i < (withHeight ? axes.Count : 2); i++)
+        {
+            var length = Math.Abs(step[i] / axes[i].CountsPerMillimetre);
+            if (axes[i].Travel is { } travel && length > travel.Most - travel.Least) return PreparationRules.StepBeyondTravel.At(default, Number(length), profile.Axes.NameOf(axes[i].Letter).ToString(), Number(travel.Most - travel.Least));
+        }
+
+        return null;
     }
 
     /// <summary>The same for a job whose drawing zero lies at these counts: its way in plan, and where an axis holds the tool the heights from its deepest cut to its clearance.</summary>
@@ -63,11 +78,11 @@ public static class TravelLimits
         if (extents.Heights(program.Profile, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
         var (least, most) = (heights.Least + frame.Z, heights.Most + frame.Z);
         if (least >= limit.Least && most <= limit.Most) return null;
-        var (letter, place) = (axis.Letter.ToString(), Number((least < limit.Least ? least : most) / axis.CountsPerMillimetre));
+        var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), Number((least < limit.Least ? least : most) / axis.CountsPerMillimetre));
         var (down, up) = (Number(axis.Travel!.Least), Number(axis.Travel.Most));
         return dryRun
-            ? PreparationRules.DryRunOutsideTravel.At(default, Number(DryLift.Of(program.Profile, extents) / axis.CountsPerMillimetre), letter, place, down, up)
-            : PreparationRules.HeightOutsideTravel.At(default, letter, place, down, up);
+            ? PreparationRules.DryRunOutsideTravel.At(default, Number(DryLift.Of(program.Profile, extents) / axis.CountsPerMillimetre), name, place, down, up)
+            : PreparationRules.HeightOutsideTravel.At(default, name, place, down, up);
     }
 
     private static int Clamp(double counts) => (int)Math.Clamp(counts, int.MinValue, int.MaxValue);

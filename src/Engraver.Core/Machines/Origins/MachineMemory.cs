@@ -33,12 +33,21 @@ public sealed record MachineMemory
     /// <summary>How the machine was homed whose zero is kept (<see cref="MachineProfile.HomedAs"/>): that zero is the same place of the machine each time it is homed so. Empty: the zero is wherever the controller was switched on.</summary>
     public string HomedAs { get; init; } = "";
 
+    /// <summary>Of the machine profile by which it was homed.</summary>
+    public KeptScale HomedScale { get; init; }
+
+    /// <summary>True when the machine was homed as this profile says, by the same counts per millimetre.</summary>
+    public bool WasHomedBy(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return profile.HasHoming && HomedAs == profile.HomedAs && HomedScale.DifferenceFrom(profile.Scale) is null;
+    }
+
     /// <summary>True when the machine was homed and the controller still counts from there.</summary>
     public bool IsHomedAt(MachineProfile profile, ControllerPlace place)
     {
-        ArgumentNullException.ThrowIfNull(profile);
         ArgumentNullException.ThrowIfNull(place);
-        return profile.HasHoming && HomedAs == profile.HomedAs && Lost.Length == 0 && place.Doubt.Length == 0 && IsSameZero(place);
+        return WasHomedBy(profile) && Lost.Length == 0 && place.Doubt.Length == 0 && IsSameZero(place);
     }
 
     /// <summary>True when the travel of the profile means places of this machine: it was homed, or it has no homing and its zero is where its owner switches it on.</summary>
@@ -63,10 +72,22 @@ public sealed record MachineMemory
     public bool RestsAtZero => !IsMoving && (Rest is null || Rest == default(CountsPoint));
 
     /// <summary>With one origin set; the axes that are not given keep their places.</summary>
-    public MachineMemory WithOrigin(string name, int? x, int? y, int? z)
+    /// <param name="scale">Of the machine profile by which it is set. What was kept without its own counts per millimetre takes these.</param>
+    public MachineMemory WithOrigin(string name, int? x, int? y, int? z, KeptScale scale = default)
     {
         var before = Origins.GetValueOrDefault(name) ?? new WorkOrigin(null, null);
-        return With(name, new WorkOrigin(x ?? before.X, y ?? before.Y, z ?? before.Z));
+        var kept = new KeptScale(x is null ? before.Scale.X : null, y is null ? before.Scale.Y : null, z is null ? before.Scale.Z : null);
+        var origin = new WorkOrigin(x ?? before.X, y ?? before.Y, z ?? before.Z);
+        return With(name, origin with { Scale = kept.Or(scale).For(origin) });
+    }
+
+    /// <summary>A job is about to go by the active origin: where the file of an older version does not tell by which counts per millimetre it was set, and the machine homed, it is by those of this profile.</summary>
+    public MachineMemory UsedBy(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        var scale = KeptScale.Of(profile.Scale);
+        var homed = WasHomedBy(profile) ? this with { HomedScale = HomedScale.Or(scale) } : this;
+        return ActiveOrigin is { IsAssumed: false } origin ? homed.With(Active, origin with { Scale = origin.Scale.Or(scale).For(origin) }) : homed;
     }
 
     /// <summary>With the place at which the controller counts 0 as the active origin, as long as nobody sets one.</summary>
@@ -74,18 +95,19 @@ public sealed record MachineMemory
     public MachineMemory AssumeZero(bool hasHeight = false) => With(Active, new WorkOrigin(0, 0, hasHeight ? 0 : null) { IsAssumed = true });
 
     /// <summary>Without the origins: the controller counts from another zero now, and what they told is nowhere.</summary>
-    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "" };
+    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "", HomedScale = default };
 
     /// <summary>The machine was homed: the controller counts from the zero of the homing now.</summary>
-    /// <param name="homedAs">How (<see cref="MachineProfile.HomedAs"/>).</param>
+    /// <param name="profile">By which.</param>
     /// <param name="shift">What the homing added to the counts of each axis, in the order of <see cref="MachineAxes.All"/>; null when the controller's zero before it was not that of this memory.</param>
     /// <remarks>Origins that were set by the same homing are the same places again, whatever happened between. Others move with the counts, or are nowhere.</remarks>
-    public MachineMemory Homed(string homedAs, IReadOnlyList<int>? shift)
+    public MachineMemory Homed(MachineProfile profile, IReadOnlyList<int>? shift)
     {
-        var origins = HomedAs == homedAs ? Origins
+        ArgumentNullException.ThrowIfNull(profile);
+        var origins = HomedAs == profile.HomedAs ? Origins
             : shift is null ? new Dictionary<string, WorkOrigin>()
             : Origins.ToDictionary(entry => entry.Key, entry => entry.Value with { X = entry.Value.X + shift[0], Y = entry.Value.Y + shift[1], Z = shift.Count > 2 ? entry.Value.Z + shift[2] : entry.Value.Z });
-        return this with { Origins = origins, HomedAs = homedAs, Lost = "" };
+        return this with { Origins = origins, HomedAs = profile.HomedAs, HomedScale = KeptScale.Of(profile.Scale), Lost = "" };
     }
 
     private MachineMemory With(string name, WorkOrigin origin) => this with { Origins = new Dictionary<string, WorkOrigin>(Origins) { [name] = origin } };

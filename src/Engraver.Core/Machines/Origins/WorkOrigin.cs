@@ -9,6 +9,9 @@ public sealed record WorkOrigin(int? X, int? Y, int? Z = null)
     /// <summary>Nobody set it: the controller's position was 0 when the first job began, as behind power-on.</summary>
     public bool IsAssumed { get; init; }
 
+    /// <summary>Of the machine profile by which each axis was set; nothing for an assumed origin, which lies where the controller counts 0 by every profile.</summary>
+    public KeptScale Scale { get; init; }
+
     /// <summary>The place of both plane axes; null while one of them is not set. A height that is not set counts 0.</summary>
     public CountsPoint? Plane => X is { } x && Y is { } y ? new CountsPoint(x, y, Z ?? 0) : null;
 }

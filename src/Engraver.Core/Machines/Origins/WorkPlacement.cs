@@ -13,9 +13,6 @@ public static class WorkPlacement
     /// <param name="start">The drawing point of the start option, counts of the drawing.</param>
     public static PlacementResult Find(MachineMemory memory, ControllerPlace place, OriginRequest request, MachineProfile profile, CountsPoint start)
     {
-        ArgumentNullException.ThrowIfNull(memory);
-        ArgumentNullException.ThrowIfNull(place);
-        ArgumentNullException.ThrowIfNull(profile);
         if (NotHomed(memory, place, profile) is { } unhomed) return Refused(unhomed);
         return request switch
         {
@@ -38,20 +35,27 @@ public static class WorkPlacement
     }
 
     /// <summary>Why a place by the controller's own zero is no certain place of the machine; null when it is one.</summary>
-    public static Diagnostic? WhyNotKnown(MachineMemory memory, ControllerPlace place, MachineProfile profile)
+    public static Diagnostic? WhyNotKnown(MachineMemory memory, ControllerPlace place, MachineProfile profile) => NotHomed(memory, place, profile) ?? LossOf(memory, place);
+
+    /// <summary>Why the machine has to be homed first, or driven by another profile; null where it is homed, or need not be.</summary>
+    /// <remarks>A machine that was homed is known by its own profile: with another one its counts would be other millimetres, its travel and its tool another's.</remarks>
+    public static Diagnostic? NotHomed(MachineMemory memory, ControllerPlace place, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(place);
         ArgumentNullException.ThrowIfNull(profile);
-        return NotHomed(memory, place, profile) ?? LossOf(memory, place);
+        if (!profile.HasHoming) return memory.HomedAs.Length > 0 && memory.IsSameZero(place) ? PreparationRules.OtherProfile.At(default) : null;
+        if (memory.IsHomedAt(profile, place)) return null;
+        if (place.Doubt.Length > 0) return PreparationRules.PositionDoubted.At(default, place.Doubt);
+        return memory.HomedAs == profile.HomedAs && memory.IsSameZero(place) && memory.HomedScale.DifferenceFrom(profile.Scale) is { } other
+            ? PreparationRules.HomedByOtherCounts.At(default, Number(other.Then), other.Axis, Number(other.Now))
+            : PreparationRules.NotHomed.At(default);
     }
 
-    /// <remarks>A machine that was homed is known by its own profile: with another one its counts would be other millimetres, its travel and its tool another's.</remarks>
-    private static Diagnostic? NotHomed(MachineMemory memory, ControllerPlace place, MachineProfile profile)
-    {
-        if (!profile.HasHoming) return memory.HomedAs.Length > 0 && memory.IsSameZero(place) ? PreparationRules.OtherProfile.At(default) : null;
-        return memory.IsHomedAt(profile, place) ? null : place.Doubt.Length > 0 ? PreparationRules.PositionDoubted.At(default, place.Doubt) : PreparationRules.NotHomed.At(default);
-    }
+    /// <summary>Why an origin means nothing by a profile with other counts per millimetre; null where they are the same, or nobody knows.</summary>
+    private static Diagnostic? OtherCounts(string name, WorkOrigin origin, MachineProfile profile) => origin.Scale.DifferenceFrom(profile.Scale) is { } other
+        ? PreparationRules.SetByOtherCounts.At(default, name, Number(other.Then), other.Axis, Number(other.Now))
+        : null;
 
     /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
     public static Diagnostic? LossOf(MachineMemory memory, ControllerPlace place)
@@ -102,7 +106,7 @@ public static class WorkPlacement
         if ((place.Doubt.Length > 0 ? place.Doubt : memory.Lost) is { Length: > 0 } doubt) return Refused(PreparationRules.PositionDoubted.At(default, doubt));
         if (!profile.Scale.Holds(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, Number(at.X), Number(at.Y)));
         if (profile.Height is null) return Placed(profile.Scale.ToCounts(at), OriginSource.Given);
-        if (memory.ActiveOrigin is { Z: not null } && LossOf(memory, place) is { } lost) return Refused(lost);
+        if (memory.ActiveOrigin is { Z: not null } origin && (LossOf(memory, place) ?? OtherCounts(memory.Active, origin, profile)) is { } unusable) return Refused(unusable);
         return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
     }
 
@@ -114,6 +118,7 @@ public static class WorkPlacement
         if (LossOf(memory, place) is { } lost) return Refused(lost);
         if (memory.ActiveOrigin is { } origin)
         {
+            if (OtherCounts(memory.Active, origin, profile) is { } other) return Refused(other);
             if (origin.Plane is not { } set) return Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, origin.X is null ? "X" : "Y"));
             if (profile.Height is null) return Placed(set with { Z = 0 }, OriginSource.Work);
             return HeightOf(origin, place) is { } height ? Placed(set with { Z = height }, OriginSource.Work) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using System.Text.Json.Serialization.Metadata;
 using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines.Profiles;
@@ -12,8 +13,8 @@ public static class MachineProfileFile
     /// <summary>Reads a profile and checks it against what the controller accepts. Whatever is wrong is a diagnostic, with the line where the text itself is wrong.</summary>
     public static MachineProfileReading Read(string json, MachineLimits limits)
     {
-        var fields = ProfileFields.Read(json);
-        IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown()];
+        var fields = JsonFields.Read(json);
+        IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown(Known).Select(field => MotionRules.ProfileFieldUnknown.At(new SourceRef(field.Line), field.Path, JsonFields.Nearest(field.Name, Known(field.Owner)!)))];
         try
         {
             var read = Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits, isWhole: unknown.Count == 0);
@@ -27,7 +28,7 @@ public static class MachineProfileFile
     }
 
     /// <summary>What is said of fields that stand in the file. The jog speed that follows from the rapid speed is told only where nothing else is wrong; beside a field that is not known, what is missing may be that field.</summary>
-    private static IEnumerable<Diagnostic> Written(IReadOnlyList<Diagnostic> findings, ProfileFields fields, bool isWhole)
+    private static IEnumerable<Diagnostic> Written(IReadOnlyList<Diagnostic> findings, JsonFields fields, bool isWhole)
     {
         bool IsWritten(Diagnostic finding) => finding.Facts.Count == 0 || fields.LineOf(finding.Facts[0]) > 0;
         if (!isWhole) return findings.Where(finding => finding.Severity == Severity.Error && IsWritten(finding));
@@ -47,6 +48,17 @@ public static class MachineProfileFile
         return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);
     }
 
+    /// <summary>The names that may stand in a field; null where any may: the numbers of inputs and outputs, and inside a field that is told as unknown, or as no value, itself.</summary>
+    private static List<string>? Known(string owner) => owner switch
+    {
+        "" => Names(MachineProfileJson.Default.MachineProfileDocument),
+        "travelX" or "travelY" or "travelZ" => Names(MachineProfileJson.Default.TravelDocument),
+        _ when owner.StartsWith("homing[", StringComparison.Ordinal) && owner.EndsWith(']') => Names(MachineProfileJson.Default.HomingDocument),
+        _ => null,
+    };
+
+    private static List<string> Names(JsonTypeInfo type) => [.. type.Properties.Select(property => property.Name)];
+
     private static Diagnostic Finding(JsonException trouble)
     {
         var place = new SourceRef((trouble.LineNumber ?? 0) + 1);
@@ -57,7 +69,7 @@ public static class MachineProfileFile
     }
 }
 
-/// <summary>Reads and writes profile files without reflection. Fields that are not known are told by <see cref="ProfileFields"/>, with their lines.</summary>
+/// <summary>Reads and writes profile files without reflection. Fields that are not known are told by <see cref="JsonFields"/>, with their lines.</summary>
 [JsonSourceGenerationOptions(
     PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase,
     WriteIndented = true,

@@ -23,7 +23,7 @@ internal sealed class HomingMove(JobMachine machine) : IJobStrategy
         {
             var (type, end) = await machine.AskAsync($"_MT{axis.Letter}").ConfigureAwait(false);
             if (end.Ends) return end;
-            if (Math.Abs(type) >= Stepper) return JobStep.Broken(Wording.Get("HomingMove.StepperIndex", axis.Letter));
+            if (Math.Abs(type) >= Stepper) return JobStep.Broken(Wording.Get("HomingMove.StepperIndex", Name(axis)));
         }
 
         return JobStep.Done;
@@ -43,7 +43,7 @@ internal sealed class HomingMove(JobMachine machine) : IJobStrategy
             if (values[0] != 0) return await ShiftAsync().ConfigureAwait(false);
             if (values[1] != 0) return await FaultAsync((HomingFault)(int)values[1], _axes[(int)values[2]]).ConfigureAwait(false);
             if (under != (int)values[2]) (under, begun) = ((int)values[2], machine.Seconds);
-            if (machine.Seconds - begun > _axes[under].Homing!.Seconds) return JobStep.Broken(Wording.Get("HomingMove.TimeOut", _axes[under].Letter, _axes[under].Homing!.Seconds, Mark(_axes[under])));
+            if (machine.Seconds - begun > _axes[under].Homing!.Seconds) return JobStep.Broken(Wording.Get("HomingMove.TimeOut", Name(_axes[under]), _axes[under].Homing!.Seconds, Mark(_axes[under])));
             await machine.RestAsync(double.PositiveInfinity).ConfigureAwait(false);
         }
     }
@@ -65,14 +65,16 @@ internal sealed class HomingMove(JobMachine machine) : IJobStrategy
         var why = StopCodes.Text((int)code);
         return JobStep.Broken(fault switch
         {
-            HomingFault.NotLeft => Wording.Get("HomingMove.NotLeft", axis.Letter, Mark(axis), why),
-            HomingFault.NotFound => Wording.Get("HomingMove.NotFound", axis.Letter, Mark(axis), why),
-            HomingFault.Passed => Wording.Get("HomingMove.Passed", axis.Letter, Mark(axis)),
-            HomingFault.NoEdge => Wording.Get("HomingMove.NoEdge", axis.Letter, Mark(axis), why),
-            HomingFault.NoIndex => Wording.Get("HomingMove.NoIndex", axis.Letter, why),
-            _ => Wording.Get("HomingMove.NoBackOff", axis.Letter, why),
+            HomingFault.NotLeft => Wording.Get("HomingMove.NotLeft", Name(axis), Mark(axis), why),
+            HomingFault.NotFound => Wording.Get("HomingMove.NotFound", Name(axis), Mark(axis), why),
+            HomingFault.Passed => Wording.Get("HomingMove.Passed", Name(axis), Mark(axis)),
+            HomingFault.NoEdge => Wording.Get("HomingMove.NoEdge", Name(axis), Mark(axis), why),
+            HomingFault.NoIndex => Wording.Get("HomingMove.NoIndex", Name(axis), why),
+            _ => Wording.Get("HomingMove.NoBackOff", Name(axis), why),
         });
     }
+
+    private char Name(MachineAxis axis) => machine.Profile.Axes.NameOf(axis.Letter);
 
     private static string Mark(MachineAxis axis) => Wording.Get(axis.Homing! switch { { HasSwitch: false } => "HomingMove.Index", { ByLimit: true } => "HomingMove.Limit", _ => "HomingMove.Switch" });
 }

@@ -29,6 +29,9 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
 
     private TimeSpan Patience => s_patience + (machine.Line?.Time(LookBytes) ?? TimeSpan.Zero);
 
+    /// <summary>No jog is faster than the rapid speed that is allowed now.</summary>
+    private JogVelocity Velocity => control.Velocity.NoFasterThan(machine.Profile.RapidMmPerMinute);
+
     public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
 
     public async ValueTask<JobStep> CutAsync()
@@ -54,7 +57,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
     private JobStep Unfit()
     {
         if (machine.Line is { } line && line.Time(LongestExchange) > s_betweenSigns) return JobStep.Broken(Wording.Get("JogMove.LineTooSlow", line.Baud));
-        return control.Velocity is { IsZero: true } ? JobStep.Broken(Wording.Get("JogMove.Nothing")) : JobStep.Done;
+        return Velocity is { IsZero: true } ? JobStep.Broken(Wording.Get("JogMove.Nothing")) : JobStep.Done;
     }
 
     /// <summary>The brake of a release once more, behind whatever this side has sent: the first one may have been before a BG or a JG that was on its way over another handle.</summary>
@@ -68,7 +71,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
     private async ValueTask<JobStep> HoldAsync()
     {
         if (await machine.WatchCloselyAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        if (await BeginAsync(control.Velocity).ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
+        if (await BeginAsync(Velocity).ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
         while (true)
         {
             if (await BrakeAsync().ConfigureAwait(false) is { Ends: true } unbraked) return unbraked;
@@ -76,7 +79,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
             if (isOver?.Invoke() == true) return await BrakeToRestAsync().ConfigureAwait(false);
             if (machine.State.Stands) return IsReleased || await EndedAsync().ConfigureAwait(false) is not { Ends: true } ended || IsReleased ? JobStep.Done : ended;
             if (!IsReleased && _speeds.Count > 1 && await IsAnyHaltedAsync().ConfigureAwait(false) is { Ends: true } halted && !IsReleased) return halted; // a release may come while it is asked
-            if (!IsReleased && await SteerAsync(control.Velocity).ConfigureAwait(false) is { Ends: true } lost) return lost;
+            if (!IsReleased && await SteerAsync(Velocity).ConfigureAwait(false) is { Ends: true } lost) return lost;
             await machine.RestAsync(double.PositiveInfinity).ConfigureAwait(false);
         }
     }
@@ -113,7 +116,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
             else
             {
                 var here = machine.State.Position[i];
-                if (forward ? here > end : here < end) return JobStep.Broken(Wording.Get("JogMove.Outside", axis.Letter));
+                if (forward ? here > end : here < end) return JobStep.Broken(Wording.Get("JogMove.Outside", machine.Profile.Axes.NameOf(axis.Letter)));
                 if (here == end) continue;
                 if (await machine.SendAllAsync([Text($"SP{axis.Letter}={speed}"), Text($"PA{axis.Letter}={end}")]).ConfigureAwait(false) is { Ends: true } refused) return refused;
             }

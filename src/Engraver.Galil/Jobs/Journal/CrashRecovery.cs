@@ -15,11 +15,13 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
     public static string CopyOf(string journalPath) => journalPath + CopySuffix;
 
     /// <summary>The last run with this controller that was not ended properly, by the journals of the folder; null when there is none.</summary>
-    /// <exception cref="IOException">The folder cannot be read.</exception>
-    public static CrashRecovery? Last(string journalPath, JournalFound now)
+    /// <param name="journalPath">Of the run that begins now.</param>
+    /// <param name="resumed">Journal of the job that it goes on with, which may be in another folder; null for none.</param>
+    /// <exception cref="IOException">A folder cannot be read.</exception>
+    public static CrashRecovery? Last(string journalPath, string? resumed, JournalFound now)
     {
-        var folder = Path.GetDirectoryName(Path.GetFullPath(journalPath))!;
-        return new DirectoryInfo(folder).EnumerateFiles("*" + CopySuffix)
+        var folders = new[] { journalPath, resumed }.OfType<string>().Select(path => Path.GetDirectoryName(Path.GetFullPath(path))!).Distinct(StringComparer.Ordinal);
+        return folders.SelectMany(folder => new DirectoryInfo(folder).EnumerateFiles("*" + CopySuffix))
             .OrderByDescending(copy => copy.LastWriteTimeUtc)
             .Select(copy => Read(copy.FullName, now))
             .FirstOrDefault(run => run is not null);

@@ -20,11 +20,11 @@ internal static class ResumeFinder
     public static async Task<ResumePlace> FindAsync(CommandChannel channel, MotionProgram program, JobMode mode, string journal, CancellationToken cancellation)
     {
         var job = Read(journal, out var refused);
-        if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePlace.Refused(refused) with { Mode = job?.Header.Mode };
+        if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePlace.Refused(refused) with { Mode = job?.Header.Mode, Settings = job?.Header.Settings, IsOtherPath = job is not null && Unfit(job, mode).Length == 0 };
         var kept = await AskAsync(channel, ResidentProgram.Variables.JobMark, cancellation).ConfigureAwait(false);
         var tripped = await AskAsync(channel, ResidentProgram.Variables.TripMark, cancellation).ConfigureAwait(false);
         var frame = new CountsPoint(job.Header.FrameX, job.Header.FrameY);
-        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode, HeightOfCut = job.Header.HeightOfCut };
+        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode, HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings };
         if (tripped != job.Header.Mark || job.Opened is not { } opened) return found;
         var trip = await TripAsync(channel, program, job, opened, frame, cancellation).ConfigureAwait(false);
         return trip > job.Place ? found with { Place = trip, Doubt = TripSeconds * Speed(program, trip) } : found;
@@ -50,29 +50,38 @@ internal static class ResumeFinder
         return PlaceOnProgram.Find(program, opened.First + within, at, OnPath);
     }
 
+    /// <summary>Reads the journal, and makes sure that it can be told that its job is gone on with: on a medium that cannot be written the job could be resumed a second time from the same place.</summary>
     private static InterruptedJob? Read(string path, out string refused)
     {
+        var writing = false;
         try
         {
             var job = InterruptedJob.Read(path);
             refused = job is null ? Wording.Get("Resume.NoJob") : "";
+            writing = true;
+            using var tried = new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite);
             return job;
         }
-        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            refused = Wording.Get("Resume.Unreadable", unreadable.Message);
+            refused = Wording.Get(writing ? "Resume.Unwritable" : "Resume.Unreadable", failure.Message.TrimEnd('.'));
             return null;
         }
     }
 
     /// <summary>Why this program does not go on with that job; empty when it does.</summary>
-    private static string Unfit(InterruptedJob job, MotionProgram program, JobMode mode) => job switch
+    private static string Unfit(InterruptedJob job, MotionProgram program, JobMode mode) =>
+        Unfit(job, mode) is { Length: > 0 } unfit ? unfit
+        : job.Header.Program == ProgramFingerprint.Of(program) ? ""
+        : Wording.Get("Resume.OtherProgram", job.Header.Drawing);
+
+    /// <summary>The same, whatever the program.</summary>
+    private static string Unfit(InterruptedJob job, JobMode mode) => job switch
     {
         { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
         { ResumedBy: { } later } when File.Exists(later) => Wording.Get("Resume.GoneOn", later),
         { End.Outcome: JobOutcome.Complete } => Wording.Get("Resume.Complete"),
         { Header.Mode: var other } when other != mode => Wording.Get("Resume.OtherMode", Word(other), Word(mode)),
-        { Header.Program: var print } when print != ProgramFingerprint.Of(program) => Wording.Get("Resume.OtherProgram", job.Header.Drawing),
         _ => "",
     };
 

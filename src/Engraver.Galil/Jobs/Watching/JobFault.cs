@@ -67,7 +67,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         var stopped = new List<string>();
         foreach (var letter in machine.Profile.Axes.Letters)
         {
-            if (await machine.AskAtRestAsync($"_SC{letter}").ConfigureAwait(false) is { } code && StopCodes.IsFromOutside((int)code)) stopped.Add(Wording.Get("JobMachine.AxisStopped", letter, StopCodes.Text((int)code)));
+            if (await machine.AskAtRestAsync($"_SC{letter}").ConfigureAwait(false) is { } code && StopCodes.IsFromOutside((int)code)) stopped.Add(Wording.Get("JobMachine.AxisStopped", machine.Profile.Axes.NameOf(letter), StopCodes.Text((int)code)));
         }
 
         return stopped.Count == 0 ? StopCodes.Text(machine.State.StopCode) : string.Join(Wording.Get("Common.And"), stopped);
@@ -79,7 +79,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         var errors = new List<string>();
         foreach (var letter in machine.Profile.Axes.Letters)
         {
-            if (await machine.AskAtRestAsync($"_TE{letter}").ConfigureAwait(false) is { } error) errors.Add(Wording.Get("JobMachine.AxisError", letter, error));
+            if (await machine.AskAtRestAsync($"_TE{letter}").ConfigureAwait(false) is { } error) errors.Add(Wording.Get("JobMachine.AxisError", machine.Profile.Axes.NameOf(letter), error));
         }
 
         var far = errors.Count == machine.Profile.Axes.All.Count ? Wording.Get("JobMachine.CountsOff", string.Join(Wording.Get("Common.And"), errors)) : "";

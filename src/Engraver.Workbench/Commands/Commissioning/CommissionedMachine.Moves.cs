@@ -106,7 +106,7 @@ internal sealed partial class CommissionedMachine
     {
         CountsPerMillimetre = 1.0,
         Travel = TravelLimits.Of(axis) is { } limit ? new AxisTravel(limit.Least, limit.Most) : null,
-        Homing = axis.Homing is { } homing ? homing with { Plus = homing.Plus == axis.CountsPerMillimetre > 0.0, Zero = homing.Zero * axis.CountsPerMillimetre } : null, // the same place, so that it counts as homed (MachineProfile.HomedAs)
+        Homing = null, // by which it was homed is told by its own profile
     };
 
     /// <returns>True for a motion that went to its end; otherwise why was said, and after a following error the motors are off.</returns>

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
@@ -78,18 +79,18 @@ internal sealed class CncResumeCommand : ICommand
 
     private static async Task FromJournalAsync(CommandContext context, string journal, bool atOrigin, CancellationToken cancellation)
     {
-        var (program, found) = await FindAsync(context, JobMode.Stream, journal, cancellation).ConfigureAwait(false);
-        if (found is { Refusal: not null, Mode: { } begun and not JobMode.Stream }) (program, found) = await FindAsync(context, begun, journal, cancellation).ConfigureAwait(false);
-        if (found.Refusal is { } why) throw new CommandException(CommandFailure.Refused, PreparationRules.NotResumed.At(default, journal, why).Message);
+        var (job, program, found) = await FindAsync(context, JobMode.Stream, journal, cancellation).ConfigureAwait(false);
+        if (found is { Refusal: not null, Mode: { } begun and not JobMode.Stream }) (job, program, found) = await FindAsync(context, begun, journal, cancellation).ConfigureAwait(false);
+        if (JobWords.WhyNotResumed(found, job) is { } why) throw new CommandException(CommandFailure.Refused, PreparationRules.NotResumed.At(default, journal, why).Message);
         if (found.Mode is { } mode) context.Remember("CNCARM", mode.ToString());
         Choose(context, program, new JobPart(new ResumeRequest { Journal = journal, LeadInMm = LeadInOf(context), AtOrigin = atOrigin }, found.Place, found.Mode, context.Drawing, context.Document.Current.Settings));
     }
 
-    private static async Task<(MotionProgram Program, ResumePlace Found)> FindAsync(CommandContext context, JobMode mode, string journal, CancellationToken cancellation)
+    private static async Task<(PreparedJob Job, MotionProgram Program, ResumePlace Found)> FindAsync(CommandContext context, JobMode mode, string journal, CancellationToken cancellation)
     {
         var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
         var program = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing).Program;
-        return (program, await context.Machine.FindResumeAsync(program, mode, journal, cancellation).ConfigureAwait(false));
+        return (job, program, await context.Machine.FindResumeAsync(program, mode, journal, cancellation).ConfigureAwait(false));
     }
 
     private static void Choose(CommandContext context, MotionProgram program, JobPart part)

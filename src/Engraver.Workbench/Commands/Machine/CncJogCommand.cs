@@ -40,7 +40,8 @@ internal sealed class CncJogCommand : ICommand
     {
         if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.OnlyByHand"));
         HandMotion.CheckMotors(context);
-        var speed = context.Machine.Profile.JogMmPerMinute;
+        HandMotion.TellUnhomed(context);
+        var speed = Math.Min(context.Machine.Profile.JogMmPerMinute, HandSpeed.Fastest(context.Machine.Profile, context.Machine.IsHomed));
         using var jog = context.Machine.Presence.Begin(way.At(speed));
         var jogging = context.Machine.JogAsync(jog, context.NewRunJournal("jog"), cancellation);
         _ = jog.Lost.ContinueWith(lost => context.Say(Wording.Get(lost.Result ? "CncJog.Late" : "CncJog.Left"), MessageKind.Warning), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);

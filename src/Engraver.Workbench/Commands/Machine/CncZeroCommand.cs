@@ -32,8 +32,7 @@ internal sealed class CncZeroCommand : ICommand
         var touch = new ZeroTouch { X = axes is not ("Y" or "Z" or "Height"), Y = axes is not ("X" or "Z" or "Height"), Z = axes is "Z" or "Height" or "All", Place = place, Height = height };
         if (!touch.IsCountable(context.Machine.Profile.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
         var part = context.Machine.Part;
-        var memory = await context.Machine.SetOriginAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, context.Machine.Profile), cancellation).ConfigureAwait(false);
-        context.Say(OriginText.Sentence(memory.Active, memory.ActiveOrigin, context.Machine.Profile), MessageKind.Result);
+        await OriginText.SetAsync(context, touch, cancellation).ConfigureAwait(false);
         OriginText.TellPart(context, part);
     }
 
@@ -93,6 +92,16 @@ internal static class OriginText
         var (x, y) = (Axis(origin.X, profile.Scale.X), Axis(origin.Y, profile.Scale.Y));
         var place = profile.Axes.Z is null ? Wording.Get("Origins.Place", x, y) : Wording.Get("Origins.PlaceWithZ", x, y, Axis(origin.Z, profile.Scale.Z));
         return Wording.Get(origin.IsAssumed ? "Origins.LiesAssumed" : "Origins.Lies", name, place);
+    }
+
+    /// <summary>Sets the active origin by where the machine stands, and says where it lies.</summary>
+    /// <exception cref="CommandException">The machine stands at no certain place.</exception>
+    public static async Task SetAsync(CommandContext context, ZeroTouch touch, CancellationToken cancellation)
+    {
+        var machine = context.Machine;
+        if (await machine.SetOriginAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, machine.Profile), cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
+        var memory = machine.Hold!.Memory;
+        context.Say(Sentence(memory.Active, memory.ActiveOrigin, machine.Profile), MessageKind.Result);
     }
 
     /// <summary>Says that START cuts the whole drawing again, where it was to cut a part before the origin changed.</summary>

@@ -26,6 +26,12 @@ internal static class HandMotion
         if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
     }
 
+    /// <summary>Says that nothing stops a move at the end of the travel, where that is so.</summary>
+    public static void TellUnhomed(CommandContext context)
+    {
+        if (context.Machine.UnhomedNotice is { } notice) context.Say(notice, MessageKind.Warning);
+    }
+
     /// <summary>Goes to a place (<see cref="HandPlace"/>) and says where the machine stands.</summary>
     public static async Task GoAsync(CommandContext context, CountsPoint? goal, CancellationToken cancellation)
     {
@@ -51,6 +57,7 @@ internal static class HandMotion
         var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PlaceNotKnown"));
         var counts = Counted(HandPlace.Beside(here, context.Machine.Status.MachineHeight ?? 0.0, step, height, context.Machine.Profile.Scale));
         CheckMotors(context);
+        TellUnhomed(context);
         Conclude(context, await context.Machine.StepAsync(counts, height != 0.0, context.NewRunJournal("jog"), feed: null, cancellation).ConfigureAwait(false));
     }
 

@@ -58,8 +58,7 @@ internal static class TouchedZero
     private static async Task SetAsync(CommandContext context, ZeroTouch touch, CancellationToken cancellation)
     {
         var part = context.Machine.Part;
-        var memory = await context.Machine.SetOriginAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, context.Machine.Profile), cancellation).ConfigureAwait(false);
-        context.Say(OriginText.Sentence(memory.Active, memory.ActiveOrigin, context.Machine.Profile), MessageKind.Result);
+        await OriginText.SetAsync(context, touch, cancellation).ConfigureAwait(false);
         OriginText.TellPart(context, part);
     }
 

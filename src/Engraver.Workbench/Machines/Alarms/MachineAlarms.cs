@@ -13,13 +13,14 @@ internal static class MachineAlarms
         log.Raise(AlarmCause.Refused, refused.Sentence, link, Wording.Get("MachineAlarms.ControllerSaidWhyMend"));
 
     /// <summary>Raises and clears alarms by a reading of the controller.</summary>
+    /// <param name="axes">What the axes are called.</param>
     /// <param name="ended">A job that has ended since the last reading: a cause that is new in this reading has ended it, and both are one alarm. Null for none.</param>
-    public static void Seen(AlarmLog log, MachineReading poll, string link, JobResult? ended = null)
+    public static void Seen(AlarmLog log, MachineReading poll, MachineAxes axes, string link, JobResult? ended = null)
     {
         log.Clear(AlarmCause.LinkLost);
         if (ended is { Outcome: JobOutcome.Complete or JobOutcome.Deviated }) ended = Told(log, ended, link);
         if (Standing(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStopNothing"), link, ended)) ended = null;
-        if (Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisSwitchedOffBecause", poll.LostPosition), Wording.Get("MachineAlarms.FindOutWhatHeld"), link, ended)) ended = null;
+        if (Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisSwitchedOffBecause", axes.NamesOf(poll.LostPosition)), Wording.Get("MachineAlarms.FindOutWhatHeld"), link, ended)) ended = null;
         if (Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.MachineStandsOn", poll.Limit), Wording.Get("MachineAlarms.MoveAxisOffSwitch"), link, ended)) ended = null;
         if (ended is not null) Ended(log, ended, link);
     }

@@ -61,7 +61,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     private static IEnumerable<ArmingCheck> OfMachine(MachineStatus status, DateTimeOffset now, CheckSpeech speech)
     {
-        yield return Link(status, now);
+        yield return Link(status, now, speech);
         if (status.Link is null) yield break;
         ArmingCheck[] said =
         [
@@ -75,11 +75,11 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     }
 
     /// <summary>A tick only for who has answered just now.</summary>
-    private static ArmingCheck Link(MachineStatus status, DateTimeOffset now)
+    private static ArmingCheck Link(MachineStatus status, DateTimeOffset now, CheckSpeech speech)
     {
-        if (status.Link is not { } link) return Check(false, Wording.Get("ArmingChecklist.NoControllerConnectedCncconnect"));
-        if (status.IsLinkLost) return Check(false, Wording.Get("ArmingChecklist.LinkLost", link));
-        return IsFresh(status, now) ? Check(true, Wording.Get("ArmingChecklist.LinkStands", link)) : Check(false, Wording.Get("ArmingChecklist.NoAnswerFor", link, Math.Floor((now - status.Time).TotalSeconds)));
+        if (status.Link is not { } link) return Check(false, speech.Text("ArmingChecklist.NoController"));
+        if (status.IsLinkLost) return Check(false, speech.Spell(Wording.Get("ArmingChecklist.LinkLost", link)));
+        return IsFresh(status, now) ? Check(true, Wording.Get("ArmingChecklist.LinkStands", link)) : Check(false, speech.Spell(Wording.Get("ArmingChecklist.NoAnswerFor", link, Math.Floor((now - status.Time).TotalSeconds))));
     }
 
     private static bool IsFresh(MachineStatus status, DateTimeOffset now) => !status.IsLinkLost && now - status.Time <= FreshFor;

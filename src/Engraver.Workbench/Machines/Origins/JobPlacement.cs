@@ -41,7 +41,7 @@ public sealed class JobPlacement
         var found = WorkPlacement.Find(hold.Memory, place, origin, program.Profile, program.Start);
         if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, hold.Memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(hold, found, program);
-        if (found.Source == OriginSource.Work) await VouchAsync(machine, hold, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory, time, cancellation).ConfigureAwait(false);
+        if (found.Source == OriginSource.Work) await VouchAsync(machine, hold, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory.UsedBy(program.Profile), time, cancellation).ConfigureAwait(false);
         return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), Untold = UntoldOf(program.Profile.Axes, place) };
     }
 
@@ -58,14 +58,17 @@ public sealed class JobPlacement
 
     /// <summary>Sets an origin at the present place, and vouches for the controller's zero from now on.</summary>
     /// <param name="set">From the machine's position, counts.</param>
+    /// <returns>Why there is no certain place that an origin could be, and nothing was set; null when it was.</returns>
     /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
-    internal static async Task<MachineMemory> SetOriginAsync(IMachineConnection machine, MachineAxes axes, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, TimeProvider time, CancellationToken cancellation)
+    internal static async Task<Diagnostic?> SetOriginAsync(IMachineConnection machine, MachineProfile profile, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, TimeProvider time, CancellationToken cancellation)
     {
-        var place = await machine.LocateAsync(axes, cancellation).ConfigureAwait(false);
-        if (place.Doubt.Length > 0) throw new MachineMemoryException(Wording.Get("Origins.NotSetWhileDoubted", place.Doubt)); // it may be moved by hand before its motor holds it again
+        var place = await machine.LocateAsync(profile.Axes, cancellation).ConfigureAwait(false);
+        if (place.Doubt.Length > 0) return PreparationRules.NotSetWhileDoubted.At(default, place.Doubt); // it may be moved by hand before its motor holds it again
+        hold.Recognise(place);
+        if (WorkPlacement.NotHomed(hold.Memory, place, profile) is { } unhomed) return unhomed; // the homing that has to come first gives the counts another zero
         var knows = WorkPlacement.LossOf(hold.Memory, place) is null;
         await VouchAsync(machine, hold, place, memory => set(knows ? memory : memory.Forget(), place) with { Rest = place.Position, IsMoving = false }, time, cancellation).ConfigureAwait(false);
-        return hold.Memory;
+        return null;
     }
 
     /// <summary>Keeps an origin that is true by the controller's present zero, and leaves a number in a controller that has none yet, by which the next session knows that it was not switched off.</summary>

@@ -104,7 +104,7 @@ public sealed class MachineHold : IDisposable
     public bool IsHomed(MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        lock (_guard) return _knowsZero && _memory.Lost.Length == 0 && profile.HasHoming && _memory.HomedAs == profile.HomedAs;
+        lock (_guard) return _knowsZero && _memory.Lost.Length == 0 && _memory.WasHomedBy(profile);
     }
 
     /// <summary>The controller was asked where it is.</summary>
@@ -178,11 +178,13 @@ internal sealed record MachineMemoryDocument
 
     public string? HomedAs { get; set; }
 
+    public ScaleDocument? HomedCountsPerMillimetre { get; set; }
+
     public static MachineMemoryDocument From(string machine, MachineMemory memory) => new()
     {
         Machine = machine,
         Active = memory.Active,
-        Origins = memory.Origins.ToDictionary(entry => entry.Key, OriginDocument? (entry) => new OriginDocument(entry.Value.X, entry.Value.Y, entry.Value.Z, entry.Value.IsAssumed)),
+        Origins = memory.Origins.ToDictionary(entry => entry.Key, OriginDocument? (entry) => new OriginDocument(entry.Value.X, entry.Value.Y, entry.Value.Z, entry.Value.IsAssumed, ScaleDocument.From(entry.Value.Scale))),
         Mark = memory.Mark,
         Clock = memory.Clock,
         RestX = memory.Rest?.X,
@@ -191,6 +193,7 @@ internal sealed record MachineMemoryDocument
         Moving = memory.IsMoving,
         Lost = memory.Lost.Length == 0 ? null : memory.Lost,
         HomedAs = memory.HomedAs.Length == 0 ? null : memory.HomedAs,
+        HomedCountsPerMillimetre = ScaleDocument.From(memory.HomedScale),
     };
 
     public MachineMemory ToMemory() => new()
@@ -203,6 +206,7 @@ internal sealed record MachineMemoryDocument
         IsMoving = Moving,
         Lost = Lost ?? "",
         HomedAs = HomedAs ?? "",
+        HomedScale = HomedCountsPerMillimetre?.ToScale() ?? default,
     };
 
     private Dictionary<string, WorkOrigin> ReadOrigins()
@@ -212,14 +216,23 @@ internal sealed record MachineMemoryDocument
         {
             var name = WorkOriginNames.Find(key) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", key));
             if (document is null) throw new JsonException(Wording.Get("Origins.HoldsNull"));
-            if (!origins.TryAdd(name, new WorkOrigin(document.X, document.Y, document.Z) { IsAssumed = document.Assumed })) throw new JsonException(Wording.Get("Origins.Twice", name));
+            if (!origins.TryAdd(name, new WorkOrigin(document.X, document.Y, document.Z) { IsAssumed = document.Assumed, Scale = document.CountsPerMillimetre?.ToScale() ?? default })) throw new JsonException(Wording.Get("Origins.Twice", name));
         }
 
         return origins;
     }
 
     /// <param name="Assumed">Nobody set it: the controller counted 0 there.</param>
-    internal sealed record OriginDocument(int? X, int? Y, int? Z, bool Assumed);
+    /// <param name="CountsPerMillimetre">Null in files of an older version.</param>
+    internal sealed record OriginDocument(int? X, int? Y, int? Z, bool Assumed, ScaleDocument? CountsPerMillimetre = null);
+
+    /// <summary>By the drawing's axes.</summary>
+    internal sealed record ScaleDocument(double? X, double? Y, double? Z)
+    {
+        public static ScaleDocument? From(KeptScale scale) => scale == default ? null : new ScaleDocument(scale.X, scale.Y, scale.Z);
+
+        public KeptScale ToScale() => new(X, Y, Z);
+    }
 }
 
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull, RespectNullableAnnotations = true, UnmappedMemberHandling = JsonUnmappedMemberHandling.Skip)]

@@ -74,7 +74,7 @@ public static class MachineRun
     {
         if (options.Hold is null && connection.Simulator is not null) program = program with { Profile = program.Profile.WithoutPlaces() }; // it lives for this job and stands nowhere in particular
         using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
-        var beginning = await JobBeginning.FindAsync(machine, program, options, (options.Hold ?? taken!).Memory, stop).ConfigureAwait(false);
+        var beginning = await JobBeginning.FindAsync(machine, job, program, options, (options.Hold ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
         var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.DryRun, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
         var planned = machine.PlannedSeconds(beginning.RestOf(placement.Program), options.Mode);
@@ -129,6 +129,7 @@ public static class MachineRun
             JournalPath = options.JournalPath,
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,
+            Settings = JobWords.Of(job),
             DryRun = options.DryRun,
             Control = options.Control,
             From = beginning.Place,

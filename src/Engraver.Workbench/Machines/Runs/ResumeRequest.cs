@@ -6,6 +6,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Motion;
 using Engraver.Core.Verification;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -55,13 +56,13 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
     /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another place is refused, also where nothing tells whether the counts of then are those of now, unless the operator
     /// asks for the work origin by name; then, or where the origin was set anew, the height is the operator's too.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public static async Task<JobBeginning> FindAsync(IMachineConnection machine, MotionProgram program, MachineRunOptions options, MachineMemory memory, CancellationToken cancellation)
+    public static async Task<JobBeginning> FindAsync(IMachineConnection machine, PreparedJob job, MotionProgram program, MachineRunOptions options, MachineMemory memory, CancellationToken cancellation)
     {
         if (options.Resume is not { } request) return new JobBeginning(default, 0.0, options.Origin);
         var leadIn = request.LeadInMm * program.Profile.Scale.Largest;
         if (request.Journal is not { } journal) return new JobBeginning(ToStroke(program, request.Stroke), 0.0, options.Origin);
         var found = await machine.FindResumeAsync(program, options.Mode, journal, cancellation).ConfigureAwait(false);
-        if (found.Refusal is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
+        if (JobWords.WhyNotResumed(found, job) is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
         var resumed = new JobBeginning(found.Place, leadIn + found.Doubt, options.Origin);
         if (request.AtOrigin) return resumed;
         var then = Shown(Millimetres(program, found.Frame));
@@ -70,7 +71,7 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
             return IsAt(options.Origin, found.Frame, program.Profile.Scale) ? resumed : Refused(options, PreparationRules.NotResumed.At(default, journal, Wording.Get("Resume.OtherPlace", then)));
         }
 
-        if (found.IsSameZero || (program.Profile.Axes.Z?.Homing is not null && memory.HomedAs == program.Profile.HomedAs)) resumed = resumed with { HeightOfCut = found.HeightOfCut };
+        if (found.IsSameZero || (program.Profile.Axes.Z?.Homing is not null && memory.WasHomedBy(program.Profile))) resumed = resumed with { HeightOfCut = found.HeightOfCut };
         var isSet = memory.ActiveOrigin is { IsAssumed: false };
         if (!isSet && found.IsSameZero) return resumed with { Origin = new OriginRequest.Given(Millimetres(program, found.Frame)) };
         if ((isSet ? memory.ActiveOrigin!.Plane : default(CountsPoint)) is not { } set || (set.X, set.Y) == (found.Frame.X, found.Frame.Y)) return resumed;

@@ -40,6 +40,24 @@ public class WorkPlacementTests
         Assert.Equal("JOB0009", Work(s_set with { HomedAs = "A-Switch@0 B-Switch@0" }, At(0, 0)).Refusal!.Id);
     }
 
+    /// <summary>As it was found: a profile with other counts was taken without a word.</summary>
+    [Fact]
+    public void An_origin_belongs_to_the_counts_by_which_it_was_set_and_to_any_where_nobody_knows_them()
+    {
+        var place = At(0, 0) with { Mark = 77, Clock = 1000 };
+        var set = s_set.WithOrigin("G54", 0, 0, 0, new KeptScale(1000, 1000, 400)); // Z on a machine that this profile does not know
+        var other = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000, -1000) };
+        PlacementResult Find(MachineMemory memory, MachineProfile profile) => WorkPlacement.Find(memory, place, new OriginRequest.Work(), profile, default);
+
+        Assert.Equal(default(CountsPoint), Work(set, place).Frame);
+        Assert.Equal(["G54", "1000", "Y", "-1000"], Find(set, other).Refusal!.Facts);
+        Assert.NotNull(Find(s_set, other).Frame);
+        Assert.NotNull(Find(set.WithOrigin("G54", null, 5, null, KeptScale.Of(other.Scale)), other).Frame);
+        var used = s_set.UsedBy(other);
+        Assert.Equal((new KeptScale(1000, -1000, null), "JOB0042"), (used.ActiveOrigin!.Scale, Work(used, place).Refusal!.Id));
+        Assert.Equal(default, MachineMemory.Empty.AssumeZero().UsedBy(other).ActiveOrigin!.Scale); // 0 is 0 by every profile
+    }
+
     [Fact]
     public void A_machine_that_nobody_zeroed_has_its_origin_where_it_counts_0_and_only_there()
     {

@@ -169,7 +169,7 @@ public class JogMoveTests
         var result = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(600, 0)), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("axis B", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("axis Y", result.Sentence, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Record.Count);
     }
 

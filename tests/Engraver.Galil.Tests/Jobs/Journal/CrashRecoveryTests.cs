@@ -62,6 +62,22 @@ public sealed class CrashRecoveryTests : IDisposable
         Assert.Contains("givenBack", await File.ReadAllTextAsync(First.JournalPath!), StringComparison.Ordinal);
     }
 
+    /// <summary>As it was found: a run that was resumed with a new journal elsewhere said that nobody knows what stood in the controller, though the journal that it was given told it.</summary>
+    [Fact]
+    public async Task A_run_that_goes_on_with_the_dead_one_gives_back_what_its_journal_tells_wherever_its_own_is()
+    {
+        await using var bench = new SimulatedBench();
+        var before = await OwnedAsync(bench);
+        await DieAsync(bench, First);
+        var elsewhere = _folder.CreateSubdirectory("elsewhere").FullName;
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, Second with { JournalPath = Path.Combine(elsewhere, "second.jsonl"), ResumedJournal = First.JournalPath });
+
+        Assert.Equal((JobOutcome.Complete, ""), (result.Outcome, string.Join('\n', result.NotRestored)));
+        Assert.Equal(before, await bench.FingerprintAsync());
+        Assert.Contains("givenBack", await File.ReadAllTextAsync(First.JournalPath!), StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task Without_the_journal_of_the_dead_run_it_is_said_what_cannot_be_given_back()
     {

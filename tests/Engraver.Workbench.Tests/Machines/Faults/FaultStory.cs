@@ -17,9 +17,9 @@ internal static class FaultStory
     public static (MachineState State, IReadOnlyList<string> Words) StateOf(FaultCase one, FaultyRun run, MachineTruth truth, MachineStatus status) => truth switch
     {
         { Abort: true } => (MachineState.EmergencyStopOpen, ["abort input"]),
-        { Limits.Length: > 0 } => (MachineState.Fault, ["limit", .. truth.Limits.Select(letter => $"axis {letter}")]),
-        { OffByError.Length: > 0 } => (MachineState.Fault, ["position error", truth.OffByError]),
-        { Off.Length: > 0 } => (MachineState.MotorsOff, [truth.Off]),
+        { Limits.Length: > 0 } => (MachineState.Fault, ["limit", .. Names(truth.Limits).Select(name => $"axis {name}")]),
+        { OffByError.Length: > 0 } => (MachineState.Fault, ["position error", Names(truth.OffByError)]),
+        { Off.Length: > 0 } => (MachineState.MotorsOff, [Names(truth.Off)]),
         _ when status.IsHomed == false => (MachineState.NotHomed, []),
         _ when one.IsRun && run.Result is { FrameOrigin: not null, Outcome: var outcome } => outcome switch
         {
@@ -29,9 +29,12 @@ internal static class FaultStory
             JobOutcome.Stopped => (MachineState.Stopped, ["operator"]),
             _ => (MachineState.Stopped, ["refused"]),
         },
-        _ when status.OriginMissing.Length > 0 => (MachineState.NoOrigin, []),
+        _ when status.OriginMissing is not null => (MachineState.NoOrigin, []),
         _ => (MachineState.Ready, []),
     };
+
+    /// <summary>What the operator calls axes A, B and C.</summary>
+    private static string Names(string letters) => string.Concat(letters.Select(letter => "XYZ"[letter - 'A']));
 
     private static string[] WordsFor(FaultKind kind) => kind switch
     {

@@ -268,7 +268,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
         using var hold = await TakeAsync(connection, limit);
         using var clock = connection.TakeClock();
         await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
-        await JobPlacement.SetOriginAsync(machine, _profile.Axes, hold, (memory, _) => memory.WithOrigin("G54", x, y, HasHeight ? TopOfWork - _controller.PlaceOf(2, 0) : null), TimeProvider.System, limit);
+        await JobPlacement.SetOriginAsync(machine, _profile, hold, (memory, _) => memory.WithOrigin("G54", x, y, HasHeight ? TopOfWork - _controller.PlaceOf(2, 0) : null), TimeProvider.System, limit);
     }
 
     /// <summary>Lets everything that moves come to rest, with nobody connected.</summary>

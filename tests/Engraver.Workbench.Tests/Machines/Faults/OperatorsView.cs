@@ -56,7 +56,7 @@ internal sealed class OperatorsView(MachineProfile profile) : IDisposable
     {
         hold.Recognise(place);
         _model.HomedIs(profile.HasHoming ? hold.IsHomed(profile) : null);
-        _model.OriginIs(WorkPlacement.Find(hold.Memory, place, new OriginRequest.Work(), profile, default).Refusal?.Message ?? "");
+        _model.OriginIs(WorkPlacement.Find(hold.Memory, place, new OriginRequest.Work(), profile, default).Refusal);
         _model.Seen(reading);
     }
 

@@ -1,8 +1,9 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Motion;
+using Engraver.Core.Verification;
 
-namespace Engraver.Core.Verification;
+namespace Engraver.Core.Posts;
 
 /// <summary>Takes the time of every move of a program that is run by a controller, and of every wait before one: feeds, rapid speeds, accelerations and settle times show in them, whatever commands they were said with.</summary>
 /// <remarks>The samples that are told are those of the controller: a move is what has one in every sample, a longer gap is a wait.</remarks>

@@ -1,10 +1,11 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Toolpaths;
+using Engraver.Core.Verification;
 
-namespace Engraver.Core.Verification;
+namespace Engraver.Core.Posts;
 
 /// <summary>Adds up how much a program cuts, which no distance from the drawing tells: what is cut over again lies on the drawing too.</summary>
-public sealed class CutLength : ITraceJudge
+public sealed class LengthJudge : ITraceJudge
 {
     /// <summary>Part of the length that roundings of the form may add along a curve.</summary>
     private const double Share = 0.001;
@@ -19,7 +20,7 @@ public sealed class CutLength : ITraceJudge
     /// <param name="path">What is to be cut, each stroke once.</param>
     /// <param name="deviation">By how much an end of a move may be moved, millimetres.</param>
     /// <param name="isCoarse">The form rounds places to more than the machine counts.</param>
-    public CutLength(Toolpath path, double deviation, bool isCoarse)
+    public LengthJudge(Toolpath path, double deviation, bool isCoarse)
     {
         ArgumentNullException.ThrowIfNull(path);
         var moves = 0;

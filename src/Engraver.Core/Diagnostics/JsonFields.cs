@@ -1,0 +1,115 @@
+using System.Text;
+using System.Text.Json;
+using Engraver.Core.Languages;
+
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>The fields that a JSON file has, as paths (<c>homing[0].by</c>), each with its line: for files that people write.</summary>
+public sealed class JsonFields
+{
+    private static readonly JsonReaderOptions s_options = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
+
+    private readonly List<JsonField> _fields = [];
+
+    private JsonFields()
+    {
+    }
+
+    /// <summary>The fields up to the end, or up to where the text is no JSON any more.</summary>
+    public static JsonFields Read(string json)
+    {
+        var fields = new JsonFields();
+        try
+        {
+            fields.Walk(Encoding.UTF8.GetBytes(json));
+        }
+        catch (Exception broken) when (broken is JsonException or InvalidOperationException)
+        {
+            return fields; // where the text is no JSON, or a name no text, is told by who takes the values out of it
+        }
+
+        return fields;
+    }
+
+    /// <summary>Each field that does not belong where it stands.</summary>
+    /// <param name="known">The names that may stand in the field with a path, empty for the file itself; null where any may.</param>
+    public IEnumerable<JsonField> Unknown(Func<string, IReadOnlyList<string>?> known)
+    {
+        ArgumentNullException.ThrowIfNull(known);
+        return _fields.Where(field => known(field.Owner) is { } names && !names.Contains(field.Name));
+    }
+
+    /// <summary>The name that was probably meant, as the end of a sentence.</summary>
+    public static string Nearest(string name, IReadOnlyList<string> known) => NearestWord.Find(name, known) is { } nearest ? Wording.Get("JsonFields.Nearest", nearest) : Wording.Get("JsonFields.NoneNear");
+
+    /// <summary>The first with a path; null when there is none.</summary>
+    public JsonField? Find(string path) => _fields.Where(field => field.Path == path).Select(field => (JsonField?)field).FirstOrDefault();
+
+    /// <summary>Whether anything stands in the field with a path.</summary>
+    public bool HasAny(string path) => _fields.Any(field => field.Owner == path);
+
+    /// <summary>The line of a field, or of the one that it belongs to; 0 when neither stands in the file.</summary>
+    /// <param name="setting">As findings name it: <c>homing.X.by</c> is told at <c>homing</c>.</param>
+    public long LineOf(string setting)
+    {
+        ArgumentNullException.ThrowIfNull(setting);
+        for (var path = setting; ; path = path[..path.LastIndexOf('.')])
+        {
+            if (_fields.FirstOrDefault(field => field.Path == path) is { Line: > 0 } found) return found.Line;
+            if (!path.Contains('.', StringComparison.Ordinal)) return 0;
+        }
+    }
+
+    private void Walk(ReadOnlySpan<byte> json)
+    {
+        var reader = new Utf8JsonReader(json, s_options);
+        var (line, seen) = (1L, 0);
+        var owners = new Stack<(string Path, int Next)>(); // Next: the next one of a list, -1 for an object
+        var name = "";
+        while (reader.Read())
+        {
+            var at = (int)reader.TokenStartIndex;
+            line += json[seen..at].Count((byte)'\n');
+            seen = at;
+            switch (reader.TokenType)
+            {
+                case JsonTokenType.PropertyName:
+                    var field = new JsonField(owners.Peek().Path, reader.GetString()!, line);
+                    _fields.Add(field);
+                    name = field.Path;
+                    break;
+                case JsonTokenType.String when _fields is [.., var named] && named.Path == name && named.Text is null:
+                    _fields[^1] = named with { Text = reader.GetString() };
+                    break;
+                case JsonTokenType.StartObject or JsonTokenType.StartArray:
+                    owners.Push((NextOr(owners, name), reader.TokenType == JsonTokenType.StartArray ? 0 : -1));
+                    break;
+                case JsonTokenType.EndObject or JsonTokenType.EndArray:
+                    owners.Pop();
+                    break;
+            }
+        }
+    }
+
+    /// <summary>The path of what begins here: the entry of the list around it, or the field that was named last.</summary>
+    private static string NextOr(Stack<(string Path, int Next)> owners, string name)
+    {
+        if (owners.Count == 0) return "";
+        if (owners.Peek().Next < 0) return name;
+        var (path, entry) = owners.Pop();
+        owners.Push((path, entry + 1));
+        return $"{path}[{entry}]";
+    }
+}
+
+/// <summary>A field of a JSON file.</summary>
+/// <param name="Owner">Path of what it stands in; empty for the file itself.</param>
+/// <param name="Name">As it is written.</param>
+/// <param name="Line">From 1.</param>
+public readonly record struct JsonField(string Owner, string Name, long Line)
+{
+    public string Path => Owner.Length == 0 ? Name : $"{Owner}.{Name}";
+
+    /// <summary>Its value where that is a text; null for any other.</summary>
+    public string? Text { get; init; }
+}

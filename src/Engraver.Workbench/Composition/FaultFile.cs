@@ -1,0 +1,87 @@
+using System.Reflection;
+using System.Text.Json;
+using Engraver.Core.Diagnostics;
+using Engraver.Simulator;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>Says what is wrong with a faults file (docs/simulator-fidelity.md), each with its line: it is written by hand.</summary>
+public static class FaultFile
+{
+    private static readonly List<string> s_kinds = [.. Enum.GetNames<FaultKind>().Select(JsonNamingPolicy.CamelCase.ConvertName)];
+
+    /// <summary>Everything that is wrong; empty for a file by which a simulated controller can go wrong.</summary>
+    public static IReadOnlyList<Diagnostic> Findings(string json)
+    {
+        var fields = JsonFields.Read(json);
+        IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown(Known).Select(field => FaultFileRules.FieldUnknown.At(new SourceRef(field.Line), field.Path, JsonFields.Nearest(field.Name, Known(field.Owner)!)))];
+        if (unknown.Count > 0) return unknown;
+        try
+        {
+            FaultPlan.Parse(json);
+            return [];
+        }
+        catch (FaultPlanException unusable)
+        {
+            var fault = $"faults[{unusable.Fault}]";
+            var kind = fields.Find($"{fault}.kind")?.Text;
+            return [FaultFileRules.FaultUnusable.At(new SourceRef(fields.LineOf($"{fault}.{unusable.Flaw.Field}")), fault, Reason(unusable.Flaw, kind))];
+        }
+        catch (JsonException unreadable)
+        {
+            return [Unreadable(unreadable, fields)];
+        }
+    }
+
+    private static Diagnostic Unreadable(JsonException failure, JsonFields fields)
+    {
+        var place = new SourceRef((failure.LineNumber ?? 0) + 1);
+        var path = failure.Path is ['$', '.', .. var below] ? below : "";
+        if (failure.InnerException is JsonException || path.Length == 0) return FaultFileRules.NoJson.At(place, Wording.Get(failure.InnerException is JsonException ? "FaultFile.NoJson" : "FaultFile.NoObject"));
+        var name = path[(path.LastIndexOf('.') + 1)..];
+        if (path.StartsWith("faults[", StringComparison.Ordinal) && path.EndsWith(']') && fields.Find(path + ".kind") is null && fields.HasAny(path)) return FaultFileRules.FaultUnusable.At(place, path, Wording.Get("FaultFile.NoKind", string.Join(", ", s_kinds)));
+        if (name != "kind") return FaultFileRules.ValueUnreadable.At(place, path, Expected(TypeOf(path)));
+        var typed = fields.Find(path)?.Text;
+        return FaultFileRules.ValueUnreadable.At(place, path, typed is null ? Wording.Get("FaultFile.OneOf", string.Join(", ", s_kinds)) : Wording.Get("FaultFile.OneOfNearest", string.Join(", ", s_kinds), JsonFields.Nearest(typed, s_kinds)));
+    }
+
+    private static string Reason(FaultFlaw flaw, string? kind) => flaw.Reason switch
+    {
+        FlawReason.Moments => Wording.Get("FaultFile.Moments"),
+        FlawReason.NoAxis => Wording.Get("FaultFile.NoAxis", kind),
+        FlawReason.HasNoAxis => Wording.Get("FaultFile.HasNoAxis", kind),
+        FlawReason.OtherAxis => Wording.Get("FaultFile.OtherAxis"),
+        FlawReason.NeverEnds => Wording.Get("FaultFile.NeverEnds", kind),
+        FlawReason.NotAboveZero => Wording.Get("FaultFile.NotAboveZero", flaw.Field),
+        FlawReason.BelowOne => Wording.Get("FaultFile.BelowOne", flaw.Field),
+        _ => Wording.Get("FaultFile.BelowZero", flaw.Field),
+    };
+
+    /// <summary>The names that may stand in a field; null inside what is no object of the file.</summary>
+    private static List<string>? Known(string owner) => OwnerOf(owner) is { } type ? [.. Properties(type).Select(property => JsonNamingPolicy.CamelCase.ConvertName(property.Name))] : null;
+
+    private static Type? OwnerOf(string owner) => owner.Length == 0 ? typeof(FaultPlan)
+        : owner.StartsWith("faults[", StringComparison.Ordinal) ? typeof(ScheduledFault)
+        : owner.StartsWith("refusals[", StringComparison.Ordinal) ? typeof(CommandRefusal)
+        : owner.StartsWith("drops[", StringComparison.Ordinal) ? typeof(HandleDrop) : null;
+
+    private static PropertyInfo[] Properties(Type type) => type.GetProperties(BindingFlags.Public | BindingFlags.Instance);
+
+    /// <summary>Of the value at a path; that of an entry of a list is an object.</summary>
+    private static Type TypeOf(string path)
+    {
+        if (path.EndsWith(']')) return typeof(FaultPlan);
+        var dot = path.LastIndexOf('.');
+        var owner = OwnerOf(dot < 0 ? "" : path[..dot]) ?? typeof(FaultPlan);
+        var type = Properties(owner).First(property => JsonNamingPolicy.CamelCase.ConvertName(property.Name) == path[(dot + 1)..]).PropertyType;
+        return Nullable.GetUnderlyingType(type) ?? type;
+    }
+
+    private static string Expected(Type type) => Wording.Get(
+        type == typeof(bool) ? "FaultFile.Switch"
+        : type == typeof(string) ? "FaultFile.AxisText"
+        : type == typeof(TimeSpan) ? "FaultFile.Time"
+        : type == typeof(double) ? "FaultFile.Number"
+        : type.IsPrimitive ? "FaultFile.WholeNumber"
+        : type == typeof(FaultPlan) ? "FaultFile.Object" : "FaultFile.List");
+}

@@ -1,0 +1,50 @@
+using System.Collections.Frozen;
+using System.Text.Json;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>The settings and the machine profile of a job as words. Its journal keeps them, and a run that resumes it must have the same ones: otherwise one part of the work would be cut otherwise than the rest.</summary>
+internal static class JobWords
+{
+    /// <summary>Fields of the profile by which nothing is cut otherwise.</summary>
+    private static readonly FrozenSet<string> s_beside = FrozenSet.Create(StringComparer.Ordinal, "costPerHour", "costPerMetre", "costPerStart", "inputs", "outputs", "jogMmPerMinute", "travelX", "travelY", "travelZ");
+
+    /// <summary>By the keys of docs/settings.md and the fields of docs/machine-profile.md.</summary>
+    public static IReadOnlyDictionary<string, string> Of(PreparedJob job)
+    {
+        var settings = job.Followed?.Settings ?? job.Settings;
+        var words = new SortedDictionary<string, string>(StringComparer.Ordinal);
+        foreach (var (key, word) in SettingWords.Of(settings)) words[key] = word;
+        using var profile = JsonDocument.Parse(MachineProfileFile.Write(settings.Machine));
+        foreach (var field in profile.RootElement.EnumerateObject())
+        {
+            if (field.Value.ValueKind != JsonValueKind.Null && !s_beside.Contains(field.Name)) words[field.Name] = string.Concat(field.Value.ToString().Where(letter => !char.IsWhiteSpace(letter)));
+        }
+
+        return words;
+    }
+
+    /// <summary>Why an interrupted job cannot be resumed by this one. Where their settings differ they are named, rather than that the path is another one.</summary>
+    /// <returns>Null when it can.</returns>
+    public static string? WhyNotResumed(ResumePlace found, PreparedJob job) =>
+        (found.Refusal is null || found.IsOtherPath) && found.Settings is { } then && Difference(then, Of(job)) is { } other ? other : found.Refusal;
+
+    /// <summary>Every setting that differs, with both values; null where none does.</summary>
+    private static string? Difference(IReadOnlyDictionary<string, string> then, IReadOnlyDictionary<string, string> now)
+    {
+        var keys = then.Keys.Union(now.Keys).Where(key => then.GetValueOrDefault(key) != now.GetValueOrDefault(key)).Order(StringComparer.Ordinal);
+        var differing = keys.Select(key => Wording.Get("Resume.OtherSetting", Name(key), Value(key, then), Value(key, now))).ToList();
+        return differing.Count == 0 ? null : Wording.Get("Resume.OtherSettings", string.Join("; ", differing));
+    }
+
+    private static SettingDescription? Setting(string key) => SettingTable.All.FirstOrDefault(setting => setting.Key == key || setting.JsonField == key);
+
+    private static string Name(string key) => Setting(key)?.Name ?? key;
+
+    private static string Value(string key, IReadOnlyDictionary<string, string> words) =>
+        words.GetValueOrDefault(key) is { } word ? $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotGiven");
+}

@@ -1,0 +1,96 @@
+namespace Engraver.Cli.Tests.Verbs;
+
+/// <summary>What an operator may do at the console with a machine that has to be homed and is not, and what is said to him.</summary>
+public sealed class UnhomedMachineTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+    private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(120));
+
+    /// <summary>As it was found: <c>jog --x -500</c> ran at the rapid speed of 3000 mm/min into the limit switch.</summary>
+    [Fact]
+    public async Task It_is_jogged_no_faster_than_it_searches_its_switches_and_that_no_limit_stops_it_is_said()
+    {
+        await using var machine = new HomedMachine(731_001);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+
+        var slow = await CliRun.RunAsync(["jog", "--x", "20", .. at]);
+        var asked = await CliRun.RunAsync(["jog", "--y", "-5", "--feed", "3000", .. at]);
+
+        Assert.All([slow, asked], run => Assert.Equal(ExitCode.Done, run.ExitCode));
+        Assert.All([slow, asked], run => Assert.Contains("not homed: no soft limit stops it before its switches. Until then it moves at no more than 480 mm/min", run.Error, StringComparison.Ordinal));
+        Assert.InRange(machine.FastestFrom(0), 7, 8); // 480 mm/min are 8 counts in a millisecond
+        var beyond = await CliRun.RunAsync(["jog", "--x", "-500", .. at]);
+        Assert.Equal(ExitCode.DrawingError, beyond.ExitCode);
+        Assert.Contains("500 mm is longer than the whole travel of axis X, 300 mm", beyond.Error, StringComparison.Ordinal);
+
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["home", .. at])).ExitCode);
+        var rows = machine.Controller.Record.Count;
+        var fast = await CliRun.RunAsync(["jog", "--x", "20", .. at]);
+        Assert.DoesNotContain("not homed", fast.Error, StringComparison.Ordinal);
+        Assert.InRange(machine.FastestFrom(rows), 45, 50);
+    }
+
+    [Fact]
+    public async Task A_held_jog_is_as_slow()
+    {
+        await using var machine = new HomedMachine(731_002);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+
+        using var nobody = new SilentReader();
+        var held = await CliRun.Typing(nobody, _limit.Token, ["jog", "--hold", "X-", "--feed", "3000", .. at]); // into the limit switch, 21 mm away
+
+        Assert.Contains("no more than 480 mm/min", held.Error, StringComparison.Ordinal);
+        Assert.InRange(machine.FastestFrom(0), 7, 8);
+    }
+
+    /// <summary>As it was found: <c>zero</c> stored an origin, by which no job runs, said that its place is not known, and forgot those that a homing would have brought back.</summary>
+    [Fact]
+    public async Task An_origin_is_not_set_before_the_homing_and_what_to_do_is_told_in_verbs()
+    {
+        await using var machine = new HomedMachine(731_003);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+
+        var status = await CliRun.RunAsync(["status", .. at]);
+        var zero = await CliRun.RunAsync(["zero", "--json", .. at]);
+        var place = await CliRun.RunAsync(["goto", "3,4", .. at]);
+        var park = await CliRun.RunAsync(["goto", "3,4", "--machine-position", .. at]);
+
+        Assert.StartsWith("NOT HOMED", status.Out, StringComparison.Ordinal);
+        Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError, ExitCode.DrawingError), (zero.ExitCode, place.ExitCode, park.ExitCode));
+        Assert.Contains("the origin is not set", zero.Error, StringComparison.Ordinal);
+        Assert.All([status.Out, zero.Error, place.Error, park.Error], said => Assert.Contains("engraver home", said, StringComparison.Ordinal));
+        Assert.All([status.Out, zero.Error, place.Error, park.Error], said => Assert.DoesNotContain("CNC", said, StringComparison.Ordinal));
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["home", .. at])).ExitCode);
+        var homed = await CliRun.RunAsync(["status", .. at]);
+        Assert.Contains("G54 is not known: The work origin G54 is not set", homed.Out, StringComparison.Ordinal);
+        Assert.Contains("engraver zero", homed.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Refusals_name_the_axes_as_the_operator_does()
+    {
+        await using var machine = new HomedMachine(731_004);
+        string[] at = ["--connect", await machine.AddressAsync(_limit.Token), "--machine", _folder.WithFile("homed.json", HomedMachine.Profile())];
+        await CliRun.RunAsync(["home", .. at]);
+
+        var far = await CliRun.RunAsync(["goto", "3,201", "--machine-position", .. at]);
+
+        Assert.Contains("axis Y to 201 mm; its travel is 0 to 200 mm", far.Error, StringComparison.Ordinal);
+    }
+
+    public void Dispose()
+    {
+        _folder.Dispose();
+        _limit.Dispose();
+    }
+
+    /// <summary>A console at which nobody types.</summary>
+    private sealed class SilentReader : TextReader
+    {
+        public override async ValueTask<string?> ReadLineAsync(CancellationToken cancellationToken)
+        {
+            await new TaskCompletionSource().Task.WaitAsync(cancellationToken);
+            return null;
+        }
+    }
+}

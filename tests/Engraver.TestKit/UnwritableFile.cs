@@ -1,0 +1,36 @@
+using System.Diagnostics;
+
+namespace Engraver.TestKit;
+
+/// <summary>A file that can be read and cannot be written, as on a medium that is read-only, also by the superuser, whom permissions do not stop: on Linux the image of a process that runs.</summary>
+public sealed class UnwritableFile : IDisposable
+{
+    private readonly Process? _process;
+
+    /// <param name="path">Must not exist.</param>
+    /// <param name="lines">Its last lines; what stands before them is no text.</param>
+    public UnwritableFile(string path, IEnumerable<string> lines)
+    {
+        Path = path;
+        if (OperatingSystem.IsWindows())
+        {
+            File.WriteAllLines(path, lines);
+            File.SetAttributes(path, FileAttributes.ReadOnly);
+            return;
+        }
+
+        File.Copy("/bin/sleep", path); // a loader does not mind what stands behind a program
+        File.AppendAllLines(path, lines.Prepend(""));
+        _process = Process.Start(path, "600");
+    }
+
+    public string Path { get; }
+
+    public void Dispose()
+    {
+        _process?.Kill();
+        _process?.WaitForExit();
+        _process?.Dispose();
+        if (OperatingSystem.IsWindows()) File.SetAttributes(Path, FileAttributes.Normal);
+    }
+}
