@@ -27,12 +27,8 @@ internal sealed class FrameBenchmark(DesktopModel desk, ShellWindow window, Text
     /// <summary>Waits for the whole picture of the present view.</summary>
     private async Task PictureAsync()
     {
-        while (!window.CanvasSource.IsCurrent || !window.Canvas.IsFresh)
-        {
-            var frame = new TaskCompletionSource();
-            window.RequestAnimationFrame(_ => frame.SetResult());
-            await frame.Task;
-        }
+        // Not by frames: one that changes nothing follows the other at once, and the picture that waits behind them would never be taken.
+        while (!window.CanvasSource.IsCurrent || !window.Canvas.IsFresh) await Dispatcher.UIThread.InvokeAsync(() => { }, DispatcherPriority.ApplicationIdle);
     }
 
     private async Task TellAsync(string what, Action<int> move)

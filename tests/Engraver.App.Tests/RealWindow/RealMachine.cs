@@ -14,6 +14,10 @@ internal sealed class RealMachine : IAsyncDisposable
 
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
     private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(20);
+
+    /// <summary>An axis at rest has nothing to show while an operator's hands are at work; the host asks it all the same, and a long pause would be thousands of questions.</summary>
+    private static readonly TimeSpan s_momentAtRest = TimeSpan.FromMilliseconds(4);
+
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a broken test waits that long
 
     private readonly ManualTimeProvider _clock = new();
@@ -103,7 +107,7 @@ internal sealed class RealMachine : IAsyncDisposable
                 (_until, _met) = (null, null);
             }
 
-            if (_goes) _clock.Advance(s_moment);
+            if (_goes) _clock.Advance(Controller.Status.IsMoving ? s_moment : s_momentAtRest);
         }
         finally
         {

@@ -17,10 +17,14 @@ internal sealed class ShownDesktop : IDisposable
     private static readonly TimeSpan s_untilTypedAgain = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a broken test waits that long
 
-    /// <summary>A window that looks the same so often has nothing left to paint.</summary>
-    private const int LooksAtRest = 60;
+    /// <summary>Two frames of the screen: looking more often takes the time of the processor from what is waited for.</summary>
+    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(33);
 
-    private const int MostLooks = 500;
+    /// <summary>A window that looks the same so often, while its program has nothing to do, has nothing left to paint; the caret blinks every half second.</summary>
+    private const int LooksAtRest = 14;
+
+    /// <summary>Ten seconds: a program that is at work for longer is not waited for.</summary>
+    private const int MostLooks = 300;
 
     private readonly XServer _server;
     private readonly ToldProcess _desktop;
@@ -75,7 +79,7 @@ internal sealed class ShownDesktop : IDisposable
         WaitForTitle(beginning);
     }
 
-    /// <summary>Waits until nothing is painted any more: the last command has said all that it says.</summary>
+    /// <summary>Waits until nothing is painted any more and the program has nothing to do: the last command has said all that it says.</summary>
     public void Settle() => _ = Picture();
 
     public void Press(string key) => _server.Press(key);
@@ -130,10 +134,13 @@ internal sealed class ShownDesktop : IDisposable
     public byte[] Picture()
     {
         var (last, same) = (Screen(), 0);
-        for (var looks = 0; looks < MostLooks && same < LooksAtRest; looks++)
+        var work = new ThreadsAtWork(_desktop.Id);
+        using var looks = new Looks(s_look);
+        for (var look = 0; look < MostLooks && same < LooksAtRest; look++)
         {
+            looks.Next();
             var now = Screen();
-            same = now.Equals(last) ? same + 1 : 0;
+            same = !work.GoOn() && now.Equals(last) ? same + 1 : 0;
             last = now;
         }
 
@@ -148,8 +155,10 @@ internal sealed class ShownDesktop : IDisposable
     {
         _server.Run("xdotool", "mousemove", "--window", Id, "640", "17"); // beside the menus: the pointer is part of the picture
         var (corner, since) = (Corner(), Stopwatch.GetTimestamp());
+        using var looks = new Looks(s_look);
         while (!Screen().Shows(new PixelRect(corner.X + place.X, corner.Y + place.Y, place.Width, place.Height), look))
         {
+            looks.Next();
             if (Stopwatch.GetElapsedTime(since) < s_patience) continue;
             File.WriteAllBytes(Path.Combine(Pictures, "failed.png"), Picture());
             throw new InvalidOperationException($"The window does not show: {what}");

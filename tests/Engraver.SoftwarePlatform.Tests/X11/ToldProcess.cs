@@ -25,6 +25,9 @@ internal sealed class ToldProcess : IDisposable
         _process.BeginErrorReadLine();
     }
 
+    /// <summary>The number that the system gave it.</summary>
+    public int Id => _process.Id;
+
     /// <summary>Every line so far, errors too.</summary>
     public IReadOnlyCollection<string> Heard => [.. _heard];
 

@@ -29,7 +29,7 @@ internal static class OpenEndSearch
     {
         var tree = BoxTree.Build(places);
         var ends = new Discontinuity[places.Length];
-        for (var i = 0; i < ends.Length; i++)
+        foreach (var i in tree.AlongCurve)
         {
             tree.Hide(i);
             var other = tree.Nearest(places[i], (end, place) => double.Hypot(places[end].DistanceTo(place), levels[end] - levels[i]), double.PositiveInfinity, out var gap);
