@@ -50,7 +50,7 @@ internal sealed class FaultStopBenchmark
         {
             var pressed = await _press.RunAsync(file, stop).ConfigureAwait(false);
             unbegun = pressed is null ? unbegun + 1 : 0;
-            if (unbegun == MostUnbegun) throw new InvalidOperationException($"{MostUnbegun} jobs in a row ended before they moved.");
+            if (unbegun == MostUnbegun) throw new ControllerTimeoutException($"{MostUnbegun} jobs in a row ended before they moved: this computer is too busy, or the link too slow.");
             switch (pressed)
             {
                 case { Milliseconds: { } time, UnderWay: var underWay, Pause: var collecting }:

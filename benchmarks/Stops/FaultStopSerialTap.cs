@@ -6,7 +6,7 @@ using Engraver.Workbench.Composition;
 namespace Engraver.Benchmarks.Stops;
 
 /// <summary>A pseudo-terminal that stands for a serial line of a rate: a command is on the wire when its last bit would have left such a line, which carries ten bits for each byte, one after the other.</summary>
-/// <remarks>Only what is measured takes its time: what comes before the first path (some thousand bytes: the handshake, the program that watches) and behind the press is carried at once.</remarks>
+/// <remarks>Only what is measured takes its time: what comes before the motion (some ten thousand bytes: the handshake, the program that watches, the segments that fill the buffer) and behind the press is carried at once.</remarks>
 internal sealed class FaultStopSerialTap : FaultStopWire
 {
     private readonly Lock _gate = new();
@@ -80,13 +80,13 @@ internal sealed class FaultStopSerialTap : FaultStopWire
             }
 
             commands.Add((_command.ToString(), (long)_free));
-            if (IsPath(_command)) _controller.SerialCarriesAtOnce = false;
+            if (Begins(_command)) _controller.SerialCarriesAtOnce = false;
             _command.Clear();
         }
 
         return commands;
     }
 
-    /// <summary>The command opens a sequence of segments (galil-dmc.md B.1, B.7).</summary>
-    private static bool IsPath(StringBuilder command) => command.Length > 2 && command[1] == 'M' && command[0] is 'V' or 'L';
+    /// <summary>The command begins the motion along the path (galil-dmc.md B.1).</summary>
+    private static bool Begins(StringBuilder command) => command.Equals("BGS");
 }
