@@ -148,4 +148,20 @@ public class ReportVerbTests
 
     /// <summary>Without the line that says when the page was made.</summary>
     private static string Body(string text) => string.Concat(text.Split('\n').Where(line => !line.Contains("made on", StringComparison.Ordinal)));
+
+    /// <summary>As it was found: such a page said that the job had not been run.</summary>
+    [Fact]
+    public async Task A_run_that_the_history_does_not_know_is_told_by_its_journal()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = SampleDrawing.PathOf("paper-001");
+        await CliRun.RunAsync("run", drawing, "--connect", "sim:", "--journal", folder.PathOf("known.jsonl"));
+        File.Copy(folder.PathOf("known.jsonl"), folder.PathOf("foreign.jsonl"));
+        var report = await CliRun.RunAsync("report", drawing, "--journal", folder.PathOf("foreign.jsonl"), "-o", folder.PathOf("page.html"));
+        var page = File.ReadAllText(folder.PathOf("page.html"));
+
+        Assert.Equal(ExitCode.Done, report.ExitCode);
+        Assert.Contains("run: complete", page, StringComparison.Ordinal);
+        Assert.Contains("told by its journal alone", page, StringComparison.Ordinal);
+    }
 }
