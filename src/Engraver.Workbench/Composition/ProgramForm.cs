@@ -22,11 +22,12 @@ public static class ProgramForm
     private static (string Target, string? Dialect)? ByEnding(string path) =>
         PostTable.All.FirstOrDefault(entry => entry.Reader is not null && path.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) is { } entry ? (entry.Post.Name, null) : null;
 
-    /// <summary>Empty where the file cannot be read, which its reader will say.</summary>
+    /// <summary>Empty where the file cannot be read, which its reader will say, and where it has no length: what comes out of a pipe comes once, and its reader needs all of it.</summary>
     private static string Beginning(string path)
     {
         try
         {
+            if (new FileInfo(path).Length == 0) return "";
             using var text = new StreamReader(path);
             var (read, characters) = (new char[Looked], 0);
             characters = text.ReadBlock(read, 0, Looked);

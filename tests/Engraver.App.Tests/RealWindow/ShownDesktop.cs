@@ -23,8 +23,8 @@ internal sealed class ShownDesktop : IDisposable
     /// <summary>A window that looks the same so often, while its program has nothing to do, has nothing left to paint; the caret blinks every half second.</summary>
     private const int LooksAtRest = 14;
 
-    /// <summary>Ten seconds: a program that is at work for longer is not waited for.</summary>
-    private const int MostLooks = 300;
+    /// <summary>Four seconds: a program that is at work for longer is not waited for.</summary>
+    private const int MostLooks = 120;
 
     private readonly XServer _server;
     private readonly ToldProcess _desktop;
@@ -139,12 +139,18 @@ internal sealed class ShownDesktop : IDisposable
         for (var look = 0; look < MostLooks && same < LooksAtRest; look++)
         {
             looks.Next();
+            if (work.GoOn())
+            {
+                same = 0; // what stands on the screen is not the last of it
+                continue;
+            }
+
             var now = Screen();
-            same = !work.GoOn() && now.Equals(last) ? same + 1 : 0;
+            same = now.Equals(last) ? same + 1 : 0;
             last = now;
         }
 
-        return last.Png(new PixelRect(Corner(), Size));
+        return Screen().Png(new PixelRect(Corner(), Size));
     }
 
     /// <summary>Ends when a part of the window looks so, with the pointer elsewhere.</summary>
