@@ -10,6 +10,9 @@ namespace Engraver.Core.Posts.Agie;
 /// <param name="Blocks">At least one.</param>
 public sealed partial record AgieContour(Point2D Start, IReadOnlyList<AgieBlock> Blocks)
 {
+    /// <summary>Stretches that are cut without a break: a file may hold those of several contours.</summary>
+    public int Cuts => Blocks.Where((block, i) => block.Cutting && (i == 0 || !Blocks[i - 1].Cutting)).Count();
+
     /// <summary>Takes the blocks of a text; programs that follow each other are one contour.</summary>
     /// <param name="fault">Which line is no block, or that there is none; null when all were read.</param>
     /// <returns>Null with a fault.</returns>

@@ -32,7 +32,7 @@ internal sealed class LinkCommand : ICommand
             context.Remember(Key(name), PointPrompt.Show(FromMillimetres(context, contours[0].Start)));
         }
 
-        context.Say(Wording.Get("Link.Linked", CountText.Format(contours.Count, "Contour"), linked.Text.Count(letter => letter == '\n')), MessageKind.Result);
+        context.Say(Wording.Get("Link.Linked", CountText.Format(contours.Sum(contour => contour.Cuts), "Contour"), linked.Text.Count(letter => letter == '\n')), MessageKind.Result);
     }
 
     private static async Task<AgieContour?> NextAsync(CommandContext context, int taken)

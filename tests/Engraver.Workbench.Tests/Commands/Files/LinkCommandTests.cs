@@ -21,6 +21,9 @@ public class LinkCommandTests
                 + Hole.Replace("%\t001", "\t007", StringComparison.Ordinal).Replace("\t002\t02", "\t008\t02", StringComparison.Ordinal).Replace("\t003\t02\t000", "\t009\t02\t000", StringComparison.Ordinal),
             await File.ReadAllTextAsync(talk.PathOf("both.agie")));
         Assert.Contains("2 contours linked, 9 blocks.", talk.Said, StringComparison.Ordinal);
+
+        await talk.TypeAsync("LINK", "both.agie", "-2,0", "hole.agie", "90,0", "", "three.agie");
+        Assert.Contains("3 contours linked, 13 blocks.", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
