@@ -1,6 +1,7 @@
 using System.Text;
 using Engraver.Core.Posts;
 using Engraver.Core.Trajectories.Reading;
+using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
 
@@ -22,16 +23,15 @@ public static class ProgramForm
     private static (string Target, string? Dialect)? ByEnding(string path) =>
         PostTable.All.FirstOrDefault(entry => entry.Reader is not null && path.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) is { } entry ? (entry.Post.Name, null) : null;
 
-    /// <summary>Empty where the file cannot be read, which its reader will say, and where it has no length: what comes out of a pipe comes once, and its reader needs all of it.</summary>
+    /// <summary>Empty where the file cannot be read, which its reader will say, and for a stream: what comes out of a pipe comes once, and its reader needs all of it.</summary>
     private static string Beginning(string path)
     {
         try
         {
-            if (new FileInfo(path).Length == 0) return "";
+            if (FileKind.IsStream(path)) return "";
             using var text = new StreamReader(path);
-            var (read, characters) = (new char[Looked], 0);
-            characters = text.ReadBlock(read, 0, Looked);
-            return new string(read, 0, characters);
+            var read = new char[Looked];
+            return new string(read, 0, text.ReadBlock(read, 0, Looked));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or DecoderFallbackException)
         {
