@@ -123,7 +123,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         private void Hear(string text, long at)
         {
             if (Array.Exists(text.Split(s_ends), command => command == "BGS")) _moves.TrySetResult(); // a question of _BGS is none
-            if (!text.Contains("STS", StringComparison.Ordinal)) return; // the end of the path, in the same line or before the end of the axes
+            if (!FaultStopWire.IsStop(text)) return;
             if (at >= Volatile.Read(ref _pressedAt)) _stop.TrySetResult(at);
             else if (at >= Volatile.Read(ref _faultAt)) _isBraked = true;
         }

@@ -18,6 +18,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     private double _free;
 
     private double _underWay;
+    private bool _isPressed;
 
     /// <param name="baud">Bits per second.</param>
     private FaultStopSerialTap(ServedSimulator controller, string path, int baud)
@@ -48,7 +49,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
 
     public override void Press(long at)
     {
-        lock (_gate) _underWay = Math.Max(0.0, _free - at) * 1000.0 / Stopwatch.Frequency;
+        lock (_gate) (_underWay, _isPressed) = (Milliseconds(Math.Max(0.0, _free - at)), true);
     }
 
     public override void Rest() => _controller.SerialCarriesAtOnce = true;
@@ -61,7 +62,14 @@ internal sealed class FaultStopSerialTap : FaultStopWire
         if (!fromHost) return;
         var came = Stopwatch.GetTimestamp();
         List<(string Text, long At)> commands;
-        lock (_gate) commands = Carried(bytes.Span, came);
+        lock (_gate)
+        {
+            var busy = Math.Max(_free, came);
+            commands = Carried(bytes.Span, came);
+            if (_isPressed && !commands.Exists(command => IsStop(command.Text))) _underWay += Milliseconds(_free - busy);
+            _isPressed = false;
+        }
+
         foreach (var (text, at) in commands) Tell(text, at);
     }
 
@@ -86,6 +94,8 @@ internal sealed class FaultStopSerialTap : FaultStopWire
 
         return commands;
     }
+
+    private static double Milliseconds(double ticks) => ticks * 1000.0 / Stopwatch.Frequency;
 
     /// <summary>The command begins the motion along the path (galil-dmc.md B.1).</summary>
     private static bool Begins(StringBuilder command) => command.Equals("BGS");

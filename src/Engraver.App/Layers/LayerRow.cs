@@ -20,6 +20,8 @@ public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
 
     public bool Thawed => !layer.Frozen;
 
+    public bool Locked => layer.Locked;
+
     public bool Plot => layer.Plot;
 
     /// <summary>False: nothing of it is cut.</summary>
@@ -28,6 +30,8 @@ public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
     public Act SwitchOn { get; } = Switch(layer.On ? "OFF" : "ON", layer, desk);
 
     public Act SwitchThawed { get; } = Switch(layer.Frozen ? "Thaw" : "Freeze", layer, desk);
+
+    public Act SwitchLocked { get; } = Switch(layer.Locked ? "Unlock" : "LOck", layer, desk);
 
     public Act SwitchPlot { get; } = Switch(layer.Plot ? "Noplot" : "Plot", layer, desk);
 

@@ -39,5 +39,5 @@ internal sealed record InfoJson(
     internal sealed record TextJson(
         string Type, string Content, double X, double Y, double Height, double Rotation, double WidthFactor, bool Mirrored, string Column, string Row, string Style, string Font, string Layer, bool Hidden, string? Handle, long Line);
 
-    internal sealed record LayerJson(string Name, bool On, bool Frozen, bool Plot, int Entities);
+    internal sealed record LayerJson(string Name, bool On, bool Frozen, bool Plot, bool Locked, int Entities);
 }

@@ -29,7 +29,7 @@ internal static class InfoReport
             balance.TextCounts,
             new InfoJson.LengthJson(length.Line, length.Arc, length.Circle, length.Ellipse, length.Spline, length.Total, length.PlanTotal),
             summary.Bounds is { } box ? new InfoJson.BoundsJson(box.MinX, box.MinY, box.MaxX, box.MaxY) : null,
-            [.. drawing.Layers.Select((layer, index) => new InfoJson.LayerJson(layer.Name, layer.On, layer.Frozen, layer.Plot, Records(balance, index)))],
+            [.. drawing.Layers.Select((layer, index) => new InfoJson.LayerJson(layer.Name, layer.On, layer.Frozen, layer.Plot, layer.Locked, Records(balance, index)))],
             [.. findings.Select(DiagnosticJson.From)],
             [.. drawing.Texts.Take(ShownTexts).Select(text => Text(text, drawing.Layers))]);
     }

@@ -4,6 +4,7 @@ using Engraver.Cli.Output;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -28,7 +29,7 @@ internal sealed class CommissionVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var telling = new ScriptTelling(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
-        var environment = new CommandEnvironment();
+        var environment = new CommandEnvironment { Speech = SettingWording.OnConsole };
         if (parsed.GetValue(_output) is { } output) environment = environment with { CommissionedProfile = output };
         await using var session = new CommandSession(environment, CommandCatalog.Built());
         session.Said += telling.Say;

@@ -53,6 +53,8 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule StepBeyondTravel = new("JOB0045", Severity.Error, "step", "axis", "travel");
 
+    public static readonly DiagnosticRule SetByOtherAxis = new("JOB0046", Severity.Error, "name", "then", "axis", "now");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile, SetByOtherCounts, HomedByOtherCounts, NotSetWhileDoubted, StepBeyondTravel];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile, SetByOtherCounts, HomedByOtherCounts, NotSetWhileDoubted, StepBeyondTravel, SetByOtherAxis];
 }

@@ -175,6 +175,9 @@ public sealed class CommandContext
 
     internal double SimulatorSpeed => _session.Environment.SimulatorSpeed;
 
+    /// <summary>A text whose settings and commands are named in the words of where it is read; what an operator typed is put in afterwards.</summary>
+    internal string Spell(string text) => _session.Environment.Speech(text);
+
     internal string CommissionedProfile => _session.Environment.CommissionedProfile;
 
     internal bool RunNeedsArming => _session.RunNeedsArming;

@@ -1,4 +1,5 @@
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
 
@@ -24,6 +25,9 @@ public sealed record CommandEnvironment
 
     /// <summary>Where the desktop's settings are kept; null: they live as long as the session.</summary>
     public string? SettingsFile { get; init; }
+
+    /// <summary>Names the settings and commands of a text, <c>[zero]</c>, in the words of where it is read (<see cref="SettingWording"/>).</summary>
+    public Func<string, string> Speech { get; init; } = SettingWording.AtCommandLine;
 
     /// <summary>The file that CNCCOMMISSION offers for the machine profile it ends with.</summary>
     public string CommissionedProfile { get; init; } = "machine.json";

@@ -24,6 +24,28 @@ internal static class ObjectSelection
         return before;
     }
 
+    /// <summary>The same, of which a command changes or erases the objects: without those on locked layers.</summary>
+    /// <exception cref="CommandException">Nothing is open, nothing was selected, or all of it is locked.</exception>
+    public static async Task<IReadOnlyList<int>> TakeToChangeAsync(CommandContext context) => Unlocked(context, await TakeAsync(context).ConfigureAwait(false));
+
+    /// <summary>Those of some objects that may be changed; says how many lie on locked layers.</summary>
+    /// <exception cref="CommandException">All of them do.</exception>
+    public static IReadOnlyList<int> Unlocked(CommandContext context, IReadOnlyList<int> objects)
+    {
+        var free = WithoutLocked(context, objects);
+        return free.Count > 0 || objects.Count == 0 ? free : throw new CommandException(CommandFailure.Refused, Wording.Get("ObjectSelection.AllLocked"));
+    }
+
+    /// <summary>The same, where it is no failure that nothing is left.</summary>
+    public static IReadOnlyList<int> WithoutLocked(CommandContext context, IReadOnlyList<int> objects)
+    {
+        var drawing = context.Drawing;
+        if (!drawing.Layers.Any(layer => layer.Locked)) return objects;
+        IReadOnlyList<int> free = [.. objects.Where(entity => !drawing.Layers[drawing.Entities[entity].Layer].Locked)];
+        if (free.Count < objects.Count) context.Say(Wording.Get("ObjectSelection.Locked", objects.Count - free.Count));
+        return free;
+    }
+
     /// <summary>Asks for objects again and again until Enter.</summary>
     /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
     public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context) =>

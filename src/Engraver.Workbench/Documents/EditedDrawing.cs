@@ -45,7 +45,7 @@ public static class EditedDrawing
     }
 
     private static DxfSheetLayer LayerOf(Layer layer) =>
-        new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Rgb = layer.Colour.Rgb };
+        new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Locked = layer.Locked, Rgb = layer.Colour.Rgb };
 
     /// <summary>The entity, or its parts one by one where DXF has no polyline like it.</summary>
     private static IEnumerable<DxfSheetEntity> Written(Drawing drawing, int index, bool hidden)

@@ -70,7 +70,7 @@ public sealed partial class MachineSession
         var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
         hold.Recognise(place);
         if (WorkPlacement.WhyNotKnown(hold.Memory, place, Profile) is { } unknown) return unknown;
-        return await SetOriginAsync((memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null, KeptScale.Of(Profile.Scale)), cancellation).ConfigureAwait(false);
+        return await SetOriginAsync((memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null, KeptAxes.Of(Profile)), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>

@@ -19,12 +19,12 @@ public static class ObjectGrips
 
     private const int SpansOfWholeEllipse = 4;
 
-    /// <summary>The grips of a selection, in its order; none of a large one.</summary>
+    /// <summary>The grips of a selection, in its order; none of a large one, and none of an object on a locked layer.</summary>
     public static IEnumerable<Grip> Find(Drawing drawing, IReadOnlyList<int> selection)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(selection);
-        return selection.Count > MostObjects ? [] : selection.Where(entity => entity < drawing.Entities.Count).SelectMany(entity => Find(drawing, entity)).Take(MostGrips);
+        return selection.Count > MostObjects ? [] : selection.Where(entity => entity < drawing.Entities.Count && !drawing.Layers[drawing.Entities[entity].Layer].Locked).SelectMany(entity => Find(drawing, entity)).Take(MostGrips);
     }
 
     /// <summary>The grips that a press at a place takes: the nearest one, and all that lie on it; none where the nearest is farther away than <paramref name="reach"/>.</summary>

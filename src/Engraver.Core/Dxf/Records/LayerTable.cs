@@ -6,16 +6,17 @@ namespace Engraver.Core.Dxf.Records;
 internal sealed class LayerTable(NameTable names)
 {
     private const int FrozenFlag = 1;
+    private const int LockedFlag = 4;
     private readonly List<LayerState> _states = [];
 
     /// <summary>Number of layer 0. Content of a block on it takes the layer of the insert.</summary>
     public int Zero { get; } = names.IdOf("0");
 
-    /// <summary>Takes a LAYER entry: 70 bit 1 frozen; 62 the colour, negative when off; 420 a true colour; 290 zero when not plotted.</summary>
+    /// <summary>Takes a LAYER entry: 70 bit 1 frozen, bit 4 locked; 62 the colour, negative when off; 420 a true colour; 290 zero when not plotted.</summary>
     public void Define(EntityRecord entry)
     {
         Grow();
-        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour);
+        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, (entry.Flags(70) & LockedFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour);
     }
 
     public bool IsFrozen(int layer) => layer < _states.Count && _states[layer].Frozen;
@@ -25,7 +26,7 @@ internal sealed class LayerTable(NameTable names)
     public IReadOnlyList<Layer> ToLayers()
     {
         Grow();
-        return [.. _states.Select((state, id) => new Layer(names[id], !state.Off, state.Frozen, !state.NotPlotted) { Colour = state.Colour.OrForeground() })];
+        return [.. _states.Select((state, id) => new Layer(names[id], !state.Off, state.Frozen, !state.NotPlotted) { Colour = state.Colour.OrForeground(), Locked = state.Locked })];
     }
 
     private void Grow()
@@ -33,5 +34,5 @@ internal sealed class LayerTable(NameTable names)
         while (_states.Count < names.Count) _states.Add(default);
     }
 
-    private readonly record struct LayerState(bool Frozen, bool Off, bool NotPlotted, DrawingColour Colour);
+    private readonly record struct LayerState(bool Frozen, bool Locked, bool Off, bool NotPlotted, DrawingColour Colour);
 }

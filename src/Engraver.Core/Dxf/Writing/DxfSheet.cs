@@ -51,6 +51,9 @@ public sealed record DxfSheetLayer(string Name, int Colour, bool Plots = true)
 
     public bool Frozen { get; init; }
 
+    /// <summary>What lies on it is not to be changed.</summary>
+    public bool Locked { get; init; }
+
     /// <summary>True colour as 0x00RRGGBB, which has precedence over the index; null for none.</summary>
     public uint? Rgb { get; init; }
 }

@@ -6,6 +6,7 @@ namespace Engraver.Core.Dxf.Writing;
 internal sealed class DxfTableWriter(DxfTagWriter tags)
 {
     private const int Frozen = 1;
+    private const int Locked = 4;
 
     public void Write(IReadOnlyList<DxfSheetLayer> layers, IReadOnlyList<(string Name, string Font)> styles)
     {
@@ -52,7 +53,7 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
 
     private void Layer(DxfSheetLayer layer, int table)
     {
-        Row("LAYER", "AcDbLayerTableRecord", layer.Name, table, layer.Frozen ? Frozen : 0).Integer(62, layer.On ? layer.Colour : -layer.Colour);
+        Row("LAYER", "AcDbLayerTableRecord", layer.Name, table, (layer.Frozen ? Frozen : 0) | (layer.Locked ? Locked : 0)).Integer(62, layer.On ? layer.Colour : -layer.Colour);
         if (layer.Rgb is { } rgb) tags.Integer(EntityRecord.TrueColour, (int)rgb);
         tags.Text(6, "Continuous");
         if (!layer.Plots) tags.Integer(290, 0);

@@ -33,14 +33,14 @@ public sealed record MachineMemory
     /// <summary>How the machine was homed whose zero is kept (<see cref="MachineProfile.HomedAs"/>): that zero is the same place of the machine each time it is homed so. Empty: the zero is wherever the controller was switched on.</summary>
     public string HomedAs { get; init; } = "";
 
-    /// <summary>Of the machine profile by which it was homed.</summary>
-    public KeptScale HomedScale { get; init; }
+    /// <summary>Of the machine profile by which it was homed, without letters.</summary>
+    public KeptAxes HomedAxes { get; init; }
 
     /// <summary>True when the machine was homed as this profile says, by the same counts per millimetre.</summary>
     public bool WasHomedBy(MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        return profile.HasHoming && HomedAs == profile.HomedAs && HomedScale.DifferenceFrom(profile.Scale) is null;
+        return profile.HasHoming && HomedAs == profile.HomedAs && HomedAxes.DifferenceFrom(profile) is null;
     }
 
     /// <summary>True when the machine was homed and the controller still counts from there.</summary>
@@ -72,22 +72,22 @@ public sealed record MachineMemory
     public bool RestsAtZero => !IsMoving && (Rest is null || Rest == default(CountsPoint));
 
     /// <summary>With one origin set; the axes that are not given keep their places.</summary>
-    /// <param name="scale">Of the machine profile by which it is set. What was kept without its own counts per millimetre takes these.</param>
-    public MachineMemory WithOrigin(string name, int? x, int? y, int? z, KeptScale scale = default)
+    /// <param name="axes">Of the machine profile by which it is set. What was kept without its own axes and counts per millimetre takes these.</param>
+    public MachineMemory WithOrigin(string name, int? x, int? y, int? z, KeptAxes axes = default)
     {
         var before = Origins.GetValueOrDefault(name) ?? new WorkOrigin(null, null);
-        var kept = new KeptScale(x is null ? before.Scale.X : null, y is null ? before.Scale.Y : null, z is null ? before.Scale.Z : null);
+        var kept = new KeptAxes(x is null ? before.Axes.X : null, y is null ? before.Axes.Y : null, z is null ? before.Axes.Z : null);
         var origin = new WorkOrigin(x ?? before.X, y ?? before.Y, z ?? before.Z);
-        return With(name, origin with { Scale = kept.Or(scale).For(origin) });
+        return With(name, origin with { Axes = kept.Or(axes).For(origin) });
     }
 
-    /// <summary>A job is about to go by the active origin: where the file of an older version does not tell by which counts per millimetre it was set, and the machine homed, it is by those of this profile.</summary>
+    /// <summary>A job is about to go by the active origin: where the file of an older version does not tell by which axes and counts per millimetre it was set, and the machine homed, it is by those of this profile.</summary>
     public MachineMemory UsedBy(MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        var scale = KeptScale.Of(profile.Scale);
-        var homed = WasHomedBy(profile) ? this with { HomedScale = HomedScale.Or(scale) } : this;
-        return ActiveOrigin is { IsAssumed: false } origin ? homed.With(Active, origin with { Scale = origin.Scale.Or(scale).For(origin) }) : homed;
+        var axes = KeptAxes.Of(profile);
+        var homed = WasHomedBy(profile) ? this with { HomedAxes = HomedAxes.Or(axes.WithoutLetters()) } : this;
+        return ActiveOrigin is { IsAssumed: false } origin ? homed.With(Active, origin with { Axes = origin.Axes.Or(axes).For(origin) }) : homed;
     }
 
     /// <summary>With the place at which the controller counts 0 as the active origin, as long as nobody sets one.</summary>
@@ -95,7 +95,7 @@ public sealed record MachineMemory
     public MachineMemory AssumeZero(bool hasHeight = false) => With(Active, new WorkOrigin(0, 0, hasHeight ? 0 : null) { IsAssumed = true });
 
     /// <summary>Without the origins: the controller counts from another zero now, and what they told is nowhere.</summary>
-    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "", HomedScale = default };
+    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "", HomedAxes = default };
 
     /// <summary>The machine was homed: the controller counts from the zero of the homing now.</summary>
     /// <param name="profile">By which.</param>
@@ -107,7 +107,7 @@ public sealed record MachineMemory
         var origins = HomedAs == profile.HomedAs ? Origins
             : shift is null ? new Dictionary<string, WorkOrigin>()
             : Origins.ToDictionary(entry => entry.Key, entry => entry.Value with { X = entry.Value.X + shift[0], Y = entry.Value.Y + shift[1], Z = shift.Count > 2 ? entry.Value.Z + shift[2] : entry.Value.Z });
-        return this with { Origins = origins, HomedAs = profile.HomedAs, HomedScale = KeptScale.Of(profile.Scale), Lost = "" };
+        return this with { Origins = origins, HomedAs = profile.HomedAs, HomedAxes = KeptAxes.Of(profile).WithoutLetters(), Lost = "" };
     }
 
     private MachineMemory With(string name, WorkOrigin origin) => this with { Origins = new Dictionary<string, WorkOrigin>(Origins) { [name] = origin } };

@@ -10,7 +10,7 @@ public sealed record WorkOrigin(int? X, int? Y, int? Z = null)
     public bool IsAssumed { get; init; }
 
     /// <summary>Of the machine profile by which each axis was set; nothing for an assumed origin, which lies where the controller counts 0 by every profile.</summary>
-    public KeptScale Scale { get; init; }
+    public KeptAxes Axes { get; init; }
 
     /// <summary>The place of both plane axes; null while one of them is not set. A height that is not set counts 0.</summary>
     public CountsPoint? Plane => X is { } x && Y is { } y ? new CountsPoint(x, y, Z ?? 0) : null;

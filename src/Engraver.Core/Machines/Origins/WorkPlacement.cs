@@ -47,15 +47,18 @@ public static class WorkPlacement
         if (!profile.HasHoming) return memory.HomedAs.Length > 0 && memory.IsSameZero(place) ? PreparationRules.OtherProfile.At(default) : null;
         if (memory.IsHomedAt(profile, place)) return null;
         if (place.Doubt.Length > 0) return PreparationRules.PositionDoubted.At(default, place.Doubt);
-        return memory.HomedAs == profile.HomedAs && memory.IsSameZero(place) && memory.HomedScale.DifferenceFrom(profile.Scale) is { } other
-            ? PreparationRules.HomedByOtherCounts.At(default, Number(other.Then), other.Axis, Number(other.Now))
+        return memory.HomedAs == profile.HomedAs && memory.IsSameZero(place) && memory.HomedAxes.DifferenceFrom(profile) is { } other
+            ? PreparationRules.HomedByOtherCounts.At(default, Number(other.Then.Counts), other.Axis, Number(other.Now.Counts))
             : PreparationRules.NotHomed.At(default);
     }
 
-    /// <summary>Why an origin means nothing by a profile with other counts per millimetre; null where they are the same, or nobody knows.</summary>
-    private static Diagnostic? OtherCounts(string name, WorkOrigin origin, MachineProfile profile) => origin.Scale.DifferenceFrom(profile.Scale) is { } other
-        ? PreparationRules.SetByOtherCounts.At(default, name, Number(other.Then), other.Axis, Number(other.Now))
-        : null;
+    /// <summary>Why an origin means nothing by a profile with other axes or other counts per millimetre; null where they are the same, or nobody knows.</summary>
+    private static Diagnostic? OtherAxes(string name, WorkOrigin origin, MachineProfile profile) => origin.Axes.DifferenceFrom(profile) switch
+    {
+        null => null,
+        { IsOtherLetter: true } other => PreparationRules.SetByOtherAxis.At(default, name, $"{other.Then.Letter}", other.Axis, $"{other.Now.Letter}"),
+        { } other => PreparationRules.SetByOtherCounts.At(default, name, Number(other.Then.Counts), other.Axis, Number(other.Now.Counts)),
+    };
 
     /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
     public static Diagnostic? LossOf(MachineMemory memory, ControllerPlace place)
@@ -106,7 +109,7 @@ public static class WorkPlacement
         if ((place.Doubt.Length > 0 ? place.Doubt : memory.Lost) is { Length: > 0 } doubt) return Refused(PreparationRules.PositionDoubted.At(default, doubt));
         if (!profile.Scale.Holds(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, Number(at.X), Number(at.Y)));
         if (profile.Height is null) return Placed(profile.Scale.ToCounts(at), OriginSource.Given);
-        if (memory.ActiveOrigin is { Z: not null } origin && (LossOf(memory, place) ?? OtherCounts(memory.Active, origin, profile)) is { } unusable) return Refused(unusable);
+        if (memory.ActiveOrigin is { Z: not null } origin && (LossOf(memory, place) ?? OtherAxes(memory.Active, origin, profile)) is { } unusable) return Refused(unusable);
         return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
     }
 
@@ -118,7 +121,7 @@ public static class WorkPlacement
         if (LossOf(memory, place) is { } lost) return Refused(lost);
         if (memory.ActiveOrigin is { } origin)
         {
-            if (OtherCounts(memory.Active, origin, profile) is { } other) return Refused(other);
+            if (OtherAxes(memory.Active, origin, profile) is { } other) return Refused(other);
             if (origin.Plane is not { } set) return Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, origin.X is null ? "X" : "Y"));
             if (profile.Height is null) return Placed(set with { Z = 0 }, OriginSource.Work);
             return HeightOf(origin, place) is { } height ? Placed(set with { Z = height }, OriginSource.Work) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));

@@ -39,7 +39,7 @@ public sealed record ZeroTouch
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(profile);
         var (x, y) = ZeroAt(here, profile.Scale);
-        return memory.WithOrigin(name, X ? x : null, Y ? y : null, Z && profile.Axes.Z is not null ? here.Z - profile.Scale.ToHeight(Height) : null, KeptScale.Of(profile.Scale));
+        return memory.WithOrigin(name, X ? x : null, Y ? y : null, Z && profile.Axes.Z is not null ? here.Z - profile.Scale.ToHeight(Height) : null, KeptAxes.Of(profile));
     }
 
     private (int? X, int? Y) ZeroAt(CountsPoint here, CountsScale scale)

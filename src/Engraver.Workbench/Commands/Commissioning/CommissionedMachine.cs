@@ -39,7 +39,7 @@ internal sealed partial class CommissionedMachine
     {
         var letters = context.Machine.Profile.Axes.Letters;
         var there = MachineFamilies.Driver.Limits.Axes[..Math.Min(MachineFamilies.Driver.Limits.Axes.Length, context.Machine.Identity!.Axes)];
-        if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, Wording.Get("Commission.NoSuchAxis", letters, there));
+        if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.Spell(Wording.Get("Commission.NoSuchAxis", letters, there)));
         return new CommissionedMachine(context, await context.Machine.SetUpAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
     }
 
@@ -108,7 +108,7 @@ internal sealed partial class CommissionedMachine
             foreach (var axis in _found.Axes.Where(axis => axis.IsMotorOff != now[axis.Letter].IsMotorOff))
             {
                 if (axis.IsMotorOff || !_rewired.Contains(axis.Letter)) await SwitchAsync(axis.Letter, on: !axis.IsMotorOff).ConfigureAwait(false);
-                else Context.Say(Wording.Get("Commission.StaysOff", axis.Letter), MessageKind.Warning);
+                else Context.Say(Context.Spell(Wording.Get("Commission.StaysOff", axis.Letter)), MessageKind.Warning);
             }
         }
         catch (Exception failure) when (failure is ControllerException or CommandException)

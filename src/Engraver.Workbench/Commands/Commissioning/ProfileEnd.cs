@@ -30,8 +30,8 @@ internal static class ProfileEnd
             var path = context.FileToWrite(name);
             if (File.Exists(path) && !await context.ConfirmAsync(Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false)) continue;
             if (!TryWrite(context, path, name, machine.Profile)) continue;
-            context.Say(Wording.Get("Commission.Written", name), MessageKind.Result);
-            if (machine.Profile.Axes.X.Letter != machine.Start.Axes.X.Letter) context.Say(Wording.Get("Commission.OriginsAnew"), MessageKind.Warning);
+            context.Say(Wording.Get("Commission.Written", name, context.Spell("[machine]")), MessageKind.Result);
+            if (machine.Profile.Axes.X.Letter != machine.Start.Axes.X.Letter) context.Say(context.Spell(Wording.Get("Commission.OriginsAnew")), MessageKind.Warning);
             context.Settings.Change(settings => settings with { LastProfile = Path.GetFullPath(path) });
             var state = context.Document.Current;
             context.Take(state with { Settings = state.Settings with { Machine = machine.Profile } });

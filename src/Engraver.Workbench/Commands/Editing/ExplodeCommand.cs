@@ -10,7 +10,7 @@ internal sealed class ExplodeCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
         var (rebuilt, parts, count) = PolylineEdit.Explode(context.Drawing, selected);
         if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Explode.ThereNoPolylineAmong"));
         DrawingChange.Take(context, rebuilt, parts);

@@ -11,7 +11,7 @@ internal sealed class JoinCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
         var tolerance = context.Document.Current.Settings.JoinToleranceMm / drawing.Unit.ToMillimetres;
         var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
         if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Join.NoTwoTheseObjects"));

@@ -3,12 +3,12 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed or plotted and colours them; only visible, thawed, plottable layers are cut.</summary>
+/// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible, thawed, plottable layers are cut.</summary>
 internal sealed class LayerCommand : ICommand
 {
     public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask);
 
-    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("?", "Make", "Set", "Rename", "ON", "OFF", "Freeze", "Thaw", "Plot", "Noplot", "Color");
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("?", "Make", "Set", "Rename", "ON", "OFF", "Freeze", "Thaw", "LOck", "Unlock", "Plot", "Noplot", "Color");
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -59,6 +59,8 @@ internal sealed class LayerCommand : ICommand
         "OFF" => layer with { On = false },
         "Freeze" => layer with { Frozen = true },
         "Thaw" => layer with { Frozen = false },
+        "LOck" => layer with { Locked = true },
+        "Unlock" => layer with { Locked = false },
         "Plot" => layer with { Plot = true },
         _ => layer with { Plot = false },
     };
@@ -66,7 +68,7 @@ internal sealed class LayerCommand : ICommand
     private static void Write(LayerEdit edit, TextWriter output)
     {
         output.WriteLine(Wording.Get("Layer.Current", edit.Current));
-        foreach (var layer in edit.Layers) output.WriteLine(Wording.Get("Layer.Row", Word("Cut", layer.CutByDefault), Word("On", layer.On), Word("Frozen", layer.Frozen), Word("Plotted", layer.Plot), ColourName.Format(layer.Colour), layer.Name));
+        foreach (var layer in edit.Layers) output.WriteLine(Wording.Get("Layer.Row", Word("Cut", layer.CutByDefault), Word("On", layer.On), Word("Frozen", layer.Frozen), Word("Plotted", layer.Plot), Word("Locked", layer.Locked), ColourName.Format(layer.Colour), layer.Name));
 
         static string Word(string state, bool holds) => Wording.Get($"LayerState.{state}.{(holds ? "Yes" : "No")}");
     }

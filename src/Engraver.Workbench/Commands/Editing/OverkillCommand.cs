@@ -11,7 +11,7 @@ internal sealed class OverkillCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
         var now = NumberPrompt.Show(context.Document.Current.Settings.MaxErrorMm / drawing.Unit.ToMillimetres);
         var tolerance = await context.ValueAsync(new NumberPrompt(Wording.Get("Overkill.SpecifyTolerance")) { Default = context.Remembered("OVERKILL", now), Least = 0.0, Most = 1e3 }).ConfigureAwait(false);
         context.Remember("OVERKILL", NumberPrompt.Show(tolerance));

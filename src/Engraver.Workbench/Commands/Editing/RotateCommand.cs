@@ -12,7 +12,7 @@ internal sealed class RotateCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
         var basePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
         var amount = await AmountPrompts.AskAsync(context, Degrees(Wording.Get("Rotate.SpecifyRotationAngle"), context.Remembered("ROTATE", "0"), basePoint), Degrees(Wording.Get("Rotate.SpecifyReferenceAngle"), "0", null), Degrees(Wording.Get("Rotate.SpecifyNewAngle"), null, basePoint), Turned).ConfigureAwait(false);

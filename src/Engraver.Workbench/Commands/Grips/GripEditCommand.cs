@@ -18,7 +18,7 @@ internal sealed class GripEditCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var (drawing, selected) = (context.Drawing, context.Document.Current.Selection);
+        var (drawing, selected) = (context.Drawing, ObjectSelection.WithoutLocked(context, context.Document.Current.Selection));
         if (!ObjectGrips.Find(drawing, selected).Any()) throw new CommandException(CommandFailure.Usage, Wording.Get("GripEdit.NothingSelected", ObjectGrips.MostObjects));
         var at = await context.ValueAsync(new PointPrompt(Wording.Get("GripEdit.SpecifyGrip")) { Use = PointUse.Object }).ConfigureAwait(false);
         var hot = ObjectGrips.At(drawing, selected, at, ObjectSelection.Reach(context));

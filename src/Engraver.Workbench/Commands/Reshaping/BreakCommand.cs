@@ -15,6 +15,7 @@ internal sealed class BreakCommand : ICommand
         var drawing = context.Drawing;
         var at = await context.ValueAsync(new PointPrompt(Wording.Get("Break.SelectObject")) { Use = PointUse.Object }).ConfigureAwait(false);
         if (ObjectSelection.At(context, at) is not { } entity) throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoObject"));
+        ObjectSelection.Unlocked(context, [entity]);
         var path = ReshapedDrawing.PathOf(drawing, entity) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoLength"));
         var (first, second) = await PlacesAsync(context, path, at).ConfigureAwait(false);
         var cut = CutOf(path, first, second);

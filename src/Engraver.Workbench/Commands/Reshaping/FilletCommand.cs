@@ -61,6 +61,7 @@ internal sealed class FilletCommand : ICommand
     {
         var shape = ShapeOf(context);
         if (CornerSide.Under(context, at) is not { } first) return Told(context, "Reshape.NoObject");
+        ObjectSelection.Unlocked(context, [first.Entity]);
         var drawing = context.Drawing;
         var prompt = new PickPrompt(Wording.Get(_bevels ? "Chamfer.SelectSecond" : "Fillet.SelectSecond"))
         {
@@ -68,6 +69,7 @@ internal sealed class FilletCommand : ICommand
         };
         var pick = await context.ValueAsync(prompt).ConfigureAwait(false);
         if (CornerSide.Under(context, pick.At) is not { } second) return Told(context, "Reshape.NoObject");
+        ObjectSelection.Unlocked(context, [second.Entity]);
         var wanted = pick.IsShifted ? shape with { Radius = 0.0, First = 0.0, Second = 0.0 } : shape;
         if (Corner.Between(drawing, first, second, wanted) is not { } joined) return Told(context, Corner.WhyNot(drawing, first, second));
         steps.Take(() => joined.Take(context));
@@ -78,6 +80,7 @@ internal sealed class FilletCommand : ICommand
     {
         var at = await context.ValueAsync(new PointPrompt(Wording.Get("Fillet.SelectPolyline")) { Use = PointUse.Object }).ConfigureAwait(false);
         if (ObjectSelection.At(context, at) is not { } entity || context.Drawing.Entities[entity].Type is not (CurveType.LwPolyline or CurveType.Polyline)) return Told(context, "Fillet.NoPolyline");
+        ObjectSelection.Unlocked(context, [entity]);
         var rounded = RoundedPolyline.Of(context.Drawing, entity, ShapeOf(context));
         context.Say(Wording.Get(_bevels ? "Chamfer.Corners" : "Fillet.Corners", rounded.Made, rounded.Left));
         if (rounded.Made > 0) steps.Take(() => rounded.Take(context));

@@ -29,12 +29,12 @@ internal sealed class StretchCommand : ICommand
     /// <summary>Boxes and single objects until Enter. To the left a box crosses, to the right what lies in it moves whole, as does what is picked singly.</summary>
     private static async Task<Stretch> SelectAsync(CommandContext context)
     {
-        var stretch = new Stretch(context.Document.Current.Selection);
+        var stretch = new Stretch(ObjectSelection.WithoutLocked(context, context.Document.Current.Selection));
         var prompt = new PointPrompt(Wording.Get("ObjectSelection.SelectObjects")) { Options = Keyword.List("Crossing", "Undo"), EnterEnds = true, Use = PointUse.Object };
         while (await context.AskAsync(prompt).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
         {
             if (answer is Answer<Point2D>.Chosen { Option: "Undo" }) stretch.Back();
-            else if (answer is Answer<Point2D>.Value { Of: var at } && ObjectSelection.At(context, at) is { } entity) context.Say(stretch.Add([entity], null));
+            else if (answer is Answer<Point2D>.Value { Of: var at } && ObjectSelection.At(context, at) is { } entity) context.Say(stretch.Add(ObjectSelection.WithoutLocked(context, [entity]), null));
             else context.Say(await BoxAsync(context, stretch, answer is Answer<Point2D>.Value { Of: var corner } ? corner : null).ConfigureAwait(false));
         }
 
@@ -47,7 +47,7 @@ internal sealed class StretchCommand : ICommand
         var first = corner ?? await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Use = PointUse.Corner }).ConfigureAwait(false);
         var second = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = first }).ConfigureAwait(false);
         var box = Bounds2D.FromCorners(first, second);
-        return corner is null || second.X < first.X ? stretch.Add([.. DrawingPick.Touching(context.Drawing, box)], box) : stretch.Add([.. DrawingPick.Inside(context.Drawing, box)], null);
+        return corner is null || second.X < first.X ? stretch.Add(ObjectSelection.WithoutLocked(context, [.. DrawingPick.Touching(context.Drawing, box)]), box) : stretch.Add(ObjectSelection.WithoutLocked(context, [.. DrawingPick.Inside(context.Drawing, box)]), null);
     }
 
     private static async Task<Vector2D> WayAsync(CommandContext context, Func<Vector2D, IReadOnlyList<Segment>> shown)

@@ -73,7 +73,7 @@ internal sealed class TrimCommand : ICommand
                 break;
             case "eRase":
                 var erased = await ObjectSelection.PickAsync(context, Wording.Get("ObjectSelection.SelectObjects")).ConfigureAwait(false);
-                if (erased.Count > 0) steps.Take(() => Erase(context, edges, erased));
+                if (ObjectSelection.WithoutLocked(context, erased) is { Count: > 0 } free) steps.Take(() => Erase(context, edges, free));
                 break;
             default:
                 var picked = option == "Fence" ? await FenceAsync(context).ConfigureAwait(false) : Crossed(context.Drawing, await BoxAsync(context, null).ConfigureAwait(false));
@@ -116,7 +116,8 @@ internal sealed class TrimCommand : ICommand
     {
         if (picked.Count == 0) context.Say(Wording.Get("Offset.NoObject"));
         var (drawing, reshaped) = (context.Drawing, new ReshapedDrawing(context.Drawing));
-        foreach (var (entity, at) in picked)
+        var free = ObjectSelection.WithoutLocked(context, [.. picked.Select(one => one.Entity)]).ToHashSet();
+        foreach (var (entity, at) in picked.Where(one => free.Contains(one.Entity)))
         {
             if (edges.Reshape(drawing, entity, at, extends) is { } shape) reshaped.Set(entity, shape.Kept);
             else context.Say(ReshapeEdges.WhyNot(drawing, entity, extends));

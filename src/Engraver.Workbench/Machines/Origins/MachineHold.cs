@@ -184,7 +184,7 @@ internal sealed record MachineMemoryDocument
     {
         Machine = machine,
         Active = memory.Active,
-        Origins = memory.Origins.ToDictionary(entry => entry.Key, OriginDocument? (entry) => new OriginDocument(entry.Value.X, entry.Value.Y, entry.Value.Z, entry.Value.IsAssumed, ScaleDocument.From(entry.Value.Scale))),
+        Origins = memory.Origins.ToDictionary(entry => entry.Key, OriginDocument? (entry) => new OriginDocument(entry.Value.X, entry.Value.Y, entry.Value.Z, entry.Value.IsAssumed, ScaleDocument.From(entry.Value.Axes), LettersDocument.From(entry.Value.Axes))),
         Mark = memory.Mark,
         Clock = memory.Clock,
         RestX = memory.Rest?.X,
@@ -193,7 +193,7 @@ internal sealed record MachineMemoryDocument
         Moving = memory.IsMoving,
         Lost = memory.Lost.Length == 0 ? null : memory.Lost,
         HomedAs = memory.HomedAs.Length == 0 ? null : memory.HomedAs,
-        HomedCountsPerMillimetre = ScaleDocument.From(memory.HomedScale),
+        HomedCountsPerMillimetre = ScaleDocument.From(memory.HomedAxes),
     };
 
     public MachineMemory ToMemory() => new()
@@ -206,7 +206,7 @@ internal sealed record MachineMemoryDocument
         IsMoving = Moving,
         Lost = Lost ?? "",
         HomedAs = HomedAs ?? "",
-        HomedScale = HomedCountsPerMillimetre?.ToScale() ?? default,
+        HomedAxes = HomedCountsPerMillimetre?.ToAxes(null) ?? default,
     };
 
     private Dictionary<string, WorkOrigin> ReadOrigins()
@@ -216,7 +216,7 @@ internal sealed record MachineMemoryDocument
         {
             var name = WorkOriginNames.Find(key) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", key));
             if (document is null) throw new JsonException(Wording.Get("Origins.HoldsNull"));
-            if (!origins.TryAdd(name, new WorkOrigin(document.X, document.Y, document.Z) { IsAssumed = document.Assumed, Scale = document.CountsPerMillimetre?.ToScale() ?? default })) throw new JsonException(Wording.Get("Origins.Twice", name));
+            if (!origins.TryAdd(name, new WorkOrigin(document.X, document.Y, document.Z) { IsAssumed = document.Assumed, Axes = document.CountsPerMillimetre?.ToAxes(document.Axes) ?? default })) throw new JsonException(Wording.Get("Origins.Twice", name));
         }
 
         return origins;
@@ -224,14 +224,24 @@ internal sealed record MachineMemoryDocument
 
     /// <param name="Assumed">Nobody set it: the controller counted 0 there.</param>
     /// <param name="CountsPerMillimetre">Null in files of an older version.</param>
-    internal sealed record OriginDocument(int? X, int? Y, int? Z, bool Assumed, ScaleDocument? CountsPerMillimetre = null);
+    /// <param name="Axes">The controller's letters; null in files of an older version.</param>
+    internal sealed record OriginDocument(int? X, int? Y, int? Z, bool Assumed, ScaleDocument? CountsPerMillimetre = null, LettersDocument? Axes = null);
 
     /// <summary>By the drawing's axes.</summary>
     internal sealed record ScaleDocument(double? X, double? Y, double? Z)
     {
-        public static ScaleDocument? From(KeptScale scale) => scale == default ? null : new ScaleDocument(scale.X, scale.Y, scale.Z);
+        public static ScaleDocument? From(KeptAxes axes) => axes == default ? null : new ScaleDocument(axes.X?.Counts, axes.Y?.Counts, axes.Z?.Counts);
 
-        public KeptScale ToScale() => new(X, Y, Z);
+        public KeptAxes ToAxes(LettersDocument? letters) => new(Axis(X, letters?.X), Axis(Y, letters?.Y), Axis(Z, letters?.Z));
+
+        private static KeptAxis? Axis(double? counts, char? letter) => counts is { } known ? new KeptAxis(known, letter) : null;
+    }
+
+    /// <summary>As the controller calls the drawing's axes.</summary>
+    internal sealed record LettersDocument(char? X, char? Y, char? Z)
+    {
+        public static LettersDocument? From(KeptAxes axes) =>
+            new LettersDocument(axes.X?.Letter, axes.Y?.Letter, axes.Z?.Letter) is var letters && letters == new LettersDocument(null, null, null) ? null : letters;
     }
 }
 

@@ -45,17 +45,32 @@ public class WorkPlacementTests
     public void An_origin_belongs_to_the_counts_by_which_it_was_set_and_to_any_where_nobody_knows_them()
     {
         var place = At(0, 0) with { Mark = 77, Clock = 1000 };
-        var set = s_set.WithOrigin("G54", 0, 0, 0, new KeptScale(1000, 1000, 400)); // Z on a machine that this profile does not know
+        var set = s_set.WithOrigin("G54", 0, 0, 0, new KeptAxes(new KeptAxis(1000, null), new KeptAxis(1000, null), new KeptAxis(400, null))); // Z on a machine that this profile does not know
         var other = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000, -1000) };
         PlacementResult Find(MachineMemory memory, MachineProfile profile) => WorkPlacement.Find(memory, place, new OriginRequest.Work(), profile, default);
 
         Assert.Equal(default(CountsPoint), Work(set, place).Frame);
         Assert.Equal(["G54", "1000", "Y", "-1000"], Find(set, other).Refusal!.Facts);
         Assert.NotNull(Find(s_set, other).Frame);
-        Assert.NotNull(Find(set.WithOrigin("G54", null, 5, null, KeptScale.Of(other.Scale)), other).Frame);
+        Assert.NotNull(Find(set.WithOrigin("G54", null, 5, null, KeptAxes.Of(other)), other).Frame);
         var used = s_set.UsedBy(other);
-        Assert.Equal((new KeptScale(1000, -1000, null), "JOB0042"), (used.ActiveOrigin!.Scale, Work(used, place).Refusal!.Id));
-        Assert.Equal(default, MachineMemory.Empty.AssumeZero().UsedBy(other).ActiveOrigin!.Scale); // 0 is 0 by every profile
+        Assert.Equal((new KeptAxes(new KeptAxis(1000, 'A'), new KeptAxis(-1000, 'B'), null), "JOB0042"), (used.ActiveOrigin!.Axes, Work(used, place).Refusal!.Id));
+        Assert.Equal(default, MachineMemory.Empty.AssumeZero().UsedBy(other).ActiveOrigin!.Axes); // 0 is 0 by every profile
+    }
+
+    [Fact]
+    public void An_origin_belongs_to_the_axes_by_which_it_was_set()
+    {
+        var place = At(0, 0) with { Mark = 77, Clock = 1000 };
+        var axes = MachineProfile.Default.Axes;
+        var swapped = MachineProfile.Default with { Axes = axes with { X = axes.X with { Letter = 'B' }, Y = axes.Y with { Letter = 'A' } } };
+        var set = s_set.WithOrigin("G54", 0, 0, null, KeptAxes.Of(MachineProfile.Default));
+
+        var refusal = WorkPlacement.Find(set, place, new OriginRequest.Work(), swapped, default).Refusal!;
+        Assert.Equal("JOB0046", refusal.Id);
+        Assert.Equal(["G54", "A", "X", "B"], refusal.Facts);
+        Assert.NotNull(WorkPlacement.Find(set.WithOrigin("G54", 0, 0, null, KeptAxes.Of(swapped)), place, new OriginRequest.Work(), swapped, default).Frame);
+        Assert.Equal(new KeptAxis(1000, 'A'), set.UsedBy(MachineProfile.Default).ActiveOrigin!.Axes.X);
     }
 
     [Fact]

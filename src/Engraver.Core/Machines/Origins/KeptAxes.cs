@@ -1,0 +1,53 @@
+namespace Engraver.Core.Machines.Origins;
+
+/// <summary>The controller's axes and their counts per millimetre by the machine profile under which something was kept, by the drawing's axes; null where nobody knows them: in a file of an older version, and for an axis that was not set.</summary>
+/// <remarks>What is kept are counts, which mean the same place under every profile with the same axes. A profile with other axes or other counts per millimetre describes another machine, or one of the two is wrong: the work would lie elsewhere, or become too large or too small there.</remarks>
+public readonly record struct KeptAxes(KeptAxis? X, KeptAxis? Y, KeptAxis? Z)
+{
+    public static KeptAxes Of(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return new KeptAxes(Of(profile.Axes.X), Of(profile.Axes.Y), profile.Axes.Z is { } z ? Of(z) : null);
+    }
+
+    /// <summary>The counts per millimetre without the letters, which a homing tells otherwise (<see cref="MachineProfile.HomedAs"/>).</summary>
+    public KeptAxes WithoutLetters() => new(X is { } x ? x with { Letter = null } : null, Y is { } y ? y with { Letter = null } : null, Z is { } z ? z with { Letter = null } : null);
+
+    /// <summary>What is not known is taken from another.</summary>
+    public KeptAxes Or(KeptAxes other) => new(Or(X, other.X), Or(Y, other.Y), Or(Z, other.Z));
+
+    /// <summary>As far as an origin is set.</summary>
+    public KeptAxes For(WorkOrigin origin)
+    {
+        ArgumentNullException.ThrowIfNull(origin);
+        return new KeptAxes(origin.X is null ? null : X, origin.Y is null ? null : Y, origin.Z is null ? null : Z);
+    }
+
+    /// <summary>The first axis that is another, or counts otherwise, by a machine profile; null where none is. What is not known, and an axis that the profile has not, differs from nothing.</summary>
+    public AxisDifference? DifferenceFrom(MachineProfile profile)
+    {
+        var now = Of(profile);
+        return Difference("X", X, now.X) ?? Difference("Y", Y, now.Y) ?? Difference("Z", Z, now.Z);
+    }
+
+    private static KeptAxis Of(MachineAxis axis) => new(axis.CountsPerMillimetre, axis.Letter);
+
+    private static KeptAxis? Or(KeptAxis? known, KeptAxis? other) => known is { } axis ? axis with { Letter = axis.Letter ?? other?.Letter } : other;
+
+    private static AxisDifference? Difference(string axis, KeptAxis? then, KeptAxis? now) =>
+        then is { } was && now is { } present && (was.Counts != present.Counts || (was.Letter is { } letter && letter != present.Letter)) ? new AxisDifference(axis, was, present) : null;
+}
+
+/// <param name="Counts">Per millimetre; negative where the axis counts downwards.</param>
+/// <param name="Letter">As the controller calls the axis; null where nobody knows.</param>
+public readonly record struct KeptAxis(double Counts, char? Letter);
+
+/// <summary>An axis of the drawing that two machine profiles describe differently.</summary>
+/// <param name="Axis">X, Y or Z.</param>
+/// <param name="Then">When something was kept.</param>
+/// <param name="Now">By the machine profile in use.</param>
+public readonly record struct AxisDifference(string Axis, KeptAxis Then, KeptAxis Now)
+{
+    /// <summary>True when the drawing's axis is another one of the controller now.</summary>
+    public bool IsOtherLetter => Then.Letter is { } then && then != Now.Letter;
+}
