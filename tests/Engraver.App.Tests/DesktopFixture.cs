@@ -37,13 +37,15 @@ public sealed class DesktopFixture : IDisposable
         CultureInfo.CurrentUICulture = language ?? spoken;
         var kept = folder ?? Directory.CreateTempSubdirectory("desktop-").FullName;
         Operator = new Operator(this, kept, clock, workFolder);
+        var failed = true;
         try
         {
             test(Operator);
+            failed = false;
         }
         finally
         {
-            Operator.Leave();
+            Leave(Operator, failed);
             Operator = null;
             CultureInfo.CurrentUICulture = spoken;
             if (folder is null) Directory.Delete(kept, recursive: true);
@@ -51,6 +53,19 @@ public sealed class DesktopFixture : IDisposable
 
         return Task.CompletedTask;
     });
+
+    /// <param name="failed">The test's own failure is on its way and tells more than a window that does not close behind it.</param>
+    private static void Leave(Operator here, bool failed)
+    {
+        try
+        {
+            here.Leave();
+        }
+        catch (TimeoutException) when (failed)
+        {
+            // What was at work when the test failed still is.
+        }
+    }
 
     private bool FilterKey(in KeyPress press) => press is { IsDown: true, IsRepeat: false } && Operator is { } here && here.Session.StopKeys.Press(press.Key, press.Modifiers);
 }

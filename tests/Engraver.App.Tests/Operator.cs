@@ -58,7 +58,7 @@ internal sealed class Operator
         }
         catch (TimeoutException late)
         {
-            throw new TimeoutException($"{late.Message} The history ends with:\n{string.Join('\n', History.TakeLast(15))}", late);
+            throw new TimeoutException($"{late.Message} Busy: {Desk.IsBusy}, asked: {Commands.Prompt.Command}, machine: {Commands.Machine.Status.State}, idle: {Desk.Idle.Status}. The history ends with:\n{string.Join('\n', History.TakeLast(15))}", late);
         }
     }
 

@@ -1,9 +1,9 @@
 using System.Collections.ObjectModel;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
-using Engraver.App.MachineStrip;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.App.CommandWindow;
 
@@ -43,7 +43,7 @@ public sealed class CommandWindowModel : Observable, ISeen
     public Act Choose { get; }
 
     /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
-    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get(KeyReasons.Hold(_desk.Session.Machine.Status) is null ? "Command.JobRuns" : "Command.Working") : PromptLine.WithoutOptions(_desk.Prompt.Text);
+    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command." + Work(_desk.Session.Machine.Status.State)) : PromptLine.WithoutOptions(_desk.Prompt.Text);
 
     public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
 
@@ -148,6 +148,15 @@ public sealed class CommandWindowModel : Observable, ISeen
         Line = "";
         _ = _desk.CancelAsync();
     }
+
+    /// <summary>What is at work while nothing is asked, and what ends it: Esc holds a job that runs, and does nothing to one that brakes or is held.</summary>
+    private static string Work(MachineState state) => state switch
+    {
+        MachineState.Running or MachineState.DryRun => "JobRuns",
+        MachineState.Held => "JobHeld",
+        MachineState.Holding or MachineState.Stopping => "JobBrakes",
+        _ => "Working",
+    };
 
     /// <summary>The name of a suggested command, with the apostrophe before it where one was typed.</summary>
     private string Named(CommandSuggestion suggestion) => (Line.StartsWith('\'') ? "'" : "") + suggestion.Command.Name;

@@ -121,6 +121,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Held && here.Desk.Prompt.Command is null);
         Assert.True(here.Commands.IsBusy);
+        here.Until(() => here.Window.Model.Command.Instruction == "The job is held ... (RESUME goes on, STOP ends it)"); // and not that Esc ends it, which it does not
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
         End(here);

@@ -25,16 +25,22 @@ public sealed class GermanWindowTests(DesktopFixture fixture)
     public Task No_text_of_the_window_and_its_pages_is_cut_off(double width, double height) => fixture.WithOperator(here =>
     {
         (here.Window.Width, here.Window.Height) = (width, height);
+        var cut = new SortedSet<string>(StringComparer.Ordinal);
+        LookAtPages("empty");
+        here.Show("Command"); // what is typed in the terminal stays there
         here.Open("nameplate.dxf");
         here.Rest();
-        var cut = new SortedSet<string>(TextFit.CutOff(here.Window), StringComparer.Ordinal);
-        foreach (var page in Pages(here))
-        {
-            here.Show(page);
-            cut.UnionWith(TextFit.CutOff(here.Window).Select(complaint => $"{page}: {complaint}"));
-        }
-
+        LookAtPages("with a drawing");
         Assert.True(cut.Count == 0, string.Join('\n', cut));
+
+        void LookAtPages(string state)
+        {
+            foreach (var page in Pages(here))
+            {
+                here.Show(page);
+                cut.UnionWith(TextFit.CutOff(here.Window).Select(complaint => $"{page}, {state}: {complaint}"));
+            }
+        }
     }, language: s_german);
 
     [Fact]

@@ -76,17 +76,23 @@ public sealed class LayoutTests(DesktopFixture fixture)
     public Task No_text_is_cut_off_on_any_page(int width, int height, double scale) => fixture.WithOperator(here =>
     {
         LookAt(here, width, height, scale);
+        var cut = new SortedSet<string>(StringComparer.Ordinal);
+        LookAtPages("empty");
+        here.Show("Command"); // what is typed in the terminal stays there
         here.Open("gasket.dxf");
         here.Enter("HELP", "", "CNCCONNECT", "sim:");
-        var cut = new SortedSet<string>(StringComparer.Ordinal);
-        foreach (var page in PagesOf(here))
-        {
-            here.Show(page);
-            foreach (var text in TextFit.CutOff(here.Window)) cut.Add($"{page}: {text}");
-            foreach (var text in new[] { "MachineStrip", "StatusLine", "PlaybackLine", "Pages", "Palettes" }.SelectMany(name => TextFit.Overlapping(here.Find<Control>(name)))) cut.Add($"{page}: {text}");
-        }
-
+        LookAtPages("with a drawing");
         Assert.True(cut.Count == 0, string.Join('\n', cut));
+
+        void LookAtPages(string state)
+        {
+            foreach (var page in PagesOf(here))
+            {
+                here.Show(page);
+                foreach (var text in TextFit.CutOff(here.Window)) cut.Add($"{page}, {state}: {text}");
+                foreach (var text in new[] { "MachineStrip", "StatusLine", "PlaybackLine", "Pages", "Palettes" }.SelectMany(name => TextFit.Overlapping(here.Find<Control>(name)))) cut.Add($"{page}, {state}: {text}");
+            }
+        }
     });
 
     /// <summary>A finger needs 44 x 44, STOP more.</summary>
