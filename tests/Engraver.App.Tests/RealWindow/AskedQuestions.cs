@@ -54,9 +54,11 @@ internal sealed class AskedQuestions
 
     private void Answer(Operator here, GivenAnswer answer)
     {
+        here.Until(() => here.Desk.Prompt.Command is not null && (answer.Way == AnswerWay.Typed || ButtonOf(here, answer.Text) is not null)); // a busy computer shows the next question later
+        here.Rest();
         var question = here.Find<TextBlock>("QuestionText");
         var place = PlaceOf(here, question);
-        var button = answer.Way == AnswerWay.Typed ? (Point?)null : here.MiddleOf(ButtonOf(here, answer.Text));
+        var button = answer.Way == AnswerWay.Typed ? (Point?)null : here.MiddleOf(ButtonOf(here, answer.Text)!);
         _asked.Add(new AskedQuestion(question.Text!, answer, button, place, Look(here, place)));
         if (button is { } at) here.Hands.Click(at);
         else
@@ -75,10 +77,10 @@ internal sealed class AskedQuestions
         here.Rest();
     }
 
-    private static Button ButtonOf(Operator here, string answer)
+    private static Button? ButtonOf(Operator here, string answer)
     {
         var page = here.Window.GetVisualDescendants().OfType<CommissioningView>().First();
-        return page.GetVisualDescendants().OfType<Button>().First(button => button.Content as string == answer);
+        return page.GetVisualDescendants().OfType<Button>().FirstOrDefault(button => button.Content as string == answer);
     }
 
     private static PixelRect PlaceOf(Operator here, Control control)

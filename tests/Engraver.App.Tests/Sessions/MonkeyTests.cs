@@ -133,7 +133,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
     private static void AssertStopAnswers(Operator here)
     {
         here.Enter("CNCDISCONNECT");
-        here.Open("gasket.dxf");
+        here.Open(Path.Combine(RepositoryFolder.Samples, "gasket.dxf")); // not the copy, which may have been saved as something that no machine can cut
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         if (here.Commands.Prompt.Command is not null) here.Enter("Yes"); // with the settings that are left there may be something to confirm
         here.Hands.Type("CNCRUN");
