@@ -24,13 +24,13 @@ public sealed partial class CommandChannel
         Transfer,
     }
 
-    /// <summary>Puts a line of commands on the wire at once, also where another command waits for its answer, which may be late or lost; its own prompts are taken before the next command goes out. Does nothing where <see cref="SendAsync"/> is as quick, and on a serial line during a transfer.</summary>
+    /// <summary>Puts a line of commands on the wire at once, also where another command waits for its answer, which may be late or lost; its own prompts are taken before the next command goes out. Does nothing on a network handle that is free, where <see cref="SendAsync"/> is as quick, and on a serial line during a transfer. On a free serial line it goes out too: a question that took the turn in between would hold it up as long as its answer takes.</summary>
     /// <param name="line">Its parts are answered by prompts alone.</param>
     /// <remarks>What the controller answers is not told: send the line again in its turn. Where echoes are compared the whole line goes out at once, and not part by part as <see cref="SendAsync"/> does it.</remarks>
     public async ValueTask UrgeAsync(string line)
     {
         var text = CommandLine.Checked(line);
-        if (_echoesMix || (_echo is null && _turn.CurrentCount > 0)) return;
+        if (_echoesMix || (Line is null && _turn.CurrentCount > 0)) return;
         await _writing.WaitAsync().ConfigureAwait(false);
         try
         {

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -25,7 +26,7 @@ public static class DrawingFile
         if (Directory.Exists(path)) return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, Wording.Get("DrawingFile.Folder")));
         try
         {
-            return DxfReader.Read(File.ReadAllBytes(path), path, options, cancellation);
+            return DxfReader.Read(WholeFile.Read(path), path, options, cancellation);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
