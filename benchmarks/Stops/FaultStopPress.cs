@@ -61,7 +61,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         machine.Stop();
         await Task.WhenAny(ear.Stop, Task.Delay(s_patience, stop), GoneAsync(machine, run)).ConfigureAwait(false);
         var pause = (GC.GetTotalPauseDuration() - collecting).TotalMilliseconds;
-        double? time = ear.Stop.IsCompleted ? Stopwatch.GetElapsedTime(pressed, await ear.Stop.ConfigureAwait(false)).TotalMilliseconds : null;
+        double? time = ear.Stop.IsCompleted && !ear.IsBraked ? Stopwatch.GetElapsedTime(pressed, await ear.Stop.ConfigureAwait(false)).TotalMilliseconds : null;
         return new PressedStop(time, ear.IsBraked, pause, wire.UnderWayMilliseconds);
     }
 
@@ -131,7 +131,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
 }
 
 /// <summary>What became of one press.</summary>
-/// <param name="Milliseconds">From STOP to the wire; null when it was not heard there.</param>
+/// <param name="Milliseconds">From STOP to the wire; null when it was not heard there, or was there before: what a job that ends says again behind its own stop is no answer to the press.</param>
 /// <param name="IsBraked">The fault had ended the job, whose own stop was on the wire before the press.</param>
 /// <param name="Pause">Garbage collection between the press and the wire, milliseconds.</param>
 /// <param name="UnderWay">How long a serial line was still busy at the press, milliseconds.</param>
