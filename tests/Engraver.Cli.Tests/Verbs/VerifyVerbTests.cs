@@ -18,6 +18,20 @@ public class VerifyVerbTests
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("tolerance").GetDouble());
     }
 
+    /// <summary>As a monkey found it: it was an arithmetic overflow and a crash report.</summary>
+    [Fact]
+    public async Task A_start_that_no_controller_counts_is_told_as_plan_tells_it()
+    {
+        using var folder = new TemporaryFolder();
+        await CliRun.RunAsync("post", SampleDrawing.PathOf("nameplate"), "--target", "galil", "-o", folder.PathOf("job.dmc"));
+
+        var run = await CliRun.RunAsync("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", "1e9,0");
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.Contains("MOT0003", run.Out + run.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("missing 0", run.Out, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("galil", "40,-12.5")]
     [InlineData("galil-calls", "-200.25,3")]
