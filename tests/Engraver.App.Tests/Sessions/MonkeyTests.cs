@@ -138,7 +138,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
         if (here.Commands.Prompt.Command is not null) here.Enter("Yes"); // with the settings that are left there may be something to confirm
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running); // with the rapid speed that is left the first segment may be hours away
         here.Hands.Press(Key.Pause);
         here.Until(() => here.Commands.Machine.LastRun is not null);
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
