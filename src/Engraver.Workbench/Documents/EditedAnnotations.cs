@@ -27,12 +27,16 @@ internal sealed class EditedAnnotations
     /// <summary>What an edit of these curves takes along: everything when it takes all curves, what can be seen when it takes all that can be seen.</summary>
     /// <param name="drawing">Before the edit.</param>
     /// <param name="selected">Indices of curves.</param>
-    public static EditedAnnotations Along(Drawing drawing, IReadOnlyList<int> selected)
+    /// <param name="takesLocked">Also what lies on locked layers: it is not changed, or the drawing as a whole is.</param>
+    public static EditedAnnotations Along(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked)
     {
         if (drawing.Texts.Count + drawing.Points.Count == 0) return new EditedAnnotations(drawing, [], _ => false);
         var taken = selected.ToHashSet();
-        if (taken.Count == drawing.Entities.Count) return new EditedAnnotations(drawing, drawing.Texts, _ => true);
-        return DrawingPick.Visible(drawing).All(taken.Contains) ? new EditedAnnotations(drawing, drawing.Texts.Where(text => IsVisible(drawing, text)), point => point.IsVisibleIn(drawing)) : new EditedAnnotations(drawing, [], _ => false);
+        var all = taken.Count == drawing.Entities.Count;
+        if (!all && !DrawingPick.Visible(drawing).All(taken.Contains)) return new EditedAnnotations(drawing, [], _ => false);
+        return new EditedAnnotations(drawing, drawing.Texts.Where(text => IsFree(text.Layer) && (all || IsVisible(drawing, text))), point => IsFree(point.Layer) && (all || point.IsVisibleIn(drawing)));
+
+        bool IsFree(int layer) => takesLocked || !drawing.Layers[layer].Locked;
     }
 
     /// <summary>The edited drawing with what goes along moved.</summary>

@@ -25,11 +25,12 @@ public class VerifyVerbTests
         using var folder = new TemporaryFolder();
         await CliRun.RunAsync("post", SampleDrawing.PathOf("nameplate"), "--target", "galil", "-o", folder.PathOf("job.dmc"));
 
-        var run = await CliRun.RunAsync("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", "1e9,0");
+        var run = await CliRun.RunAsync("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", "1e9,0", "--json");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
-        Assert.Contains("MOT0003", run.Out + run.Error, StringComparison.Ordinal);
-        Assert.DoesNotContain("missing 0", run.Out, StringComparison.Ordinal);
+        Assert.Contains("MOT0003", run.Error, StringComparison.Ordinal);
+        Assert.False(JsonText.Of(run).GetProperty("ok").GetBoolean());
+        Assert.True(JsonText.Of(run).GetProperty("missingLength").GetDouble() > 100.0); // nothing of it is cut
     }
 
     [Theory]

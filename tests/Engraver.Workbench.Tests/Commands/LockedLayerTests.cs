@@ -75,6 +75,23 @@ public sealed class LockedLayerTests
         Assert.Equal("Command:", talk.Session.Prompt.Text.Trim());
     }
 
+    /// <summary>Texts and points cannot be selected: those of a locked layer stay when everything is erased or moved, are copied, and move with the whole drawing.</summary>
+    [Fact]
+    public async Task Texts_and_points_of_a_locked_layer_stay()
+    {
+        await using var talk = new CommandTalk();
+        var entities = new (int, object)[] { (0, "LINE"), (5, "A1"), (8, "0"), (10, 0.0), (20, 0.0), (11, 10.0), (21, 0.0), (0, "TEXT"), (8, "FIXED"), (10, 2.0), (20, 1.0), (40, 2.0), (1, "stays"), (0, "POINT"), (8, "FIXED"), (10, 3.0), (20, 2.0) };
+        await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), new DxfText().Header("AC1015", 4).Section("TABLES", s_layers).Section("ENTITIES", entities).End().ToAscii());
+        await talk.TypeAsync("OPEN", "in.dxf", "MOVE", "ALL", "", "0,0", "5,5");
+        Assert.Equal((2.0, 3.0), (talk.State.Drawing!.Texts[0].Position.X, talk.State.Drawing.Points[0].Position.X));
+        await talk.TypeAsync("U", "ERASE", "ALL", "");
+        Assert.Equal((0, 1, 1), (talk.State.Drawing!.Entities.Count, talk.State.Drawing.Texts.Count, talk.State.Drawing.Points.Count));
+        await talk.TypeAsync("U", "COPY", "ALL", "", "0,0", "5,5", "");
+        Assert.Equal((2, 2, 2), (talk.State.Drawing!.Entities.Count, talk.State.Drawing.Texts.Count, talk.State.Drawing.Points.Count));
+        await talk.TypeAsync("U", "ORIGIN", "1,1");
+        Assert.Equal((1.0, 2.0), (talk.State.Drawing!.Texts[0].Position.X, talk.State.Drawing.Points[0].Position.X));
+    }
+
     [Fact]
     public async Task The_lock_is_listed_switched_and_kept_by_the_file()
     {

@@ -28,7 +28,7 @@ internal sealed class ArrayCommand : ICommand
             if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CannotCopiedSoOut"));
         }
 
-        DrawingChange.Take(context, DrawingChange.Along(context, selected).Copied(edited, maps), selected);
+        DrawingChange.Take(context, DrawingChange.Along(context, selected, takesLocked: true).Copied(edited, maps), selected);
     }
 
     private static async Task<IReadOnlyList<Transform2D>> RectangularAsync(CommandContext context, SelectionGhost ghost)

@@ -12,13 +12,22 @@ internal static class DrawingChange
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy) => Take(context, copy ? Copied(context, selected, [map]) : Mapped(context, selected, map), selected);
 
+    /// <summary>Moves the whole drawing, with what lies on locked layers: nothing of it changes its place in the drawing.</summary>
+    /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
+    public static void TransformWhole(CommandContext context, Transform2D map)
+    {
+        IReadOnlyList<int> all = [.. Enumerable.Range(0, context.Drawing.Entities.Count)];
+        Take(context, Mapped(context, all, map, takesLocked: true), all);
+    }
+
     /// <summary>The drawing with some objects under a map, and the texts that go along.</summary>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
-    public static Drawing Mapped(CommandContext context, IReadOnlyList<int> selected, Transform2D map)
+    /// <param name="takesLocked">Texts and points of locked layers go along.</param>
+    public static Drawing Mapped(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool takesLocked = false)
     {
         var drawing = context.Drawing;
         if (!DrawingEdit.TryTransform(drawing, selected, map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
-        return Along(context, selected).Moved(edited, map);
+        return Along(context, selected, takesLocked: takesLocked).Moved(edited, map);
     }
 
     /// <summary>The drawing with a copy of some objects under each map, and of the texts and points that go along.</summary>
@@ -32,7 +41,7 @@ internal static class DrawingChange
             if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
         }
 
-        return Along(context, selected, tells).Copied(edited, maps);
+        return Along(context, selected, tells, takesLocked: true).Copied(edited, maps);
     }
 
     /// <summary>Erases objects. Hidden objects stay hidden, though their indices change.</summary>
@@ -57,9 +66,10 @@ internal static class DrawingChange
 
     /// <summary>The texts and points that move with these curves; tells the operator how many do not.</summary>
     /// <param name="tells">False when it was told before.</param>
-    public static EditedAnnotations Along(CommandContext context, IReadOnlyList<int> selected, bool tells = true)
+    /// <param name="takesLocked">Also those on locked layers.</param>
+    public static EditedAnnotations Along(CommandContext context, IReadOnlyList<int> selected, bool tells = true, bool takesLocked = false)
     {
-        var along = EditedAnnotations.Along(context.Drawing, selected);
+        var along = EditedAnnotations.Along(context.Drawing, selected, takesLocked);
         if (tells && along.TextsLeft > 0) context.Say(Wording.Get("DrawingChange.LeftBeforeTextsGo", CountText.Format(along.TextsLeft, "Text")));
         if (tells && along.PointsLeft > 0) context.Say(Wording.Get("DrawingChange.LeftBeforePointsGo", CountText.Format(along.PointsLeft, "PointObject")));
         return along;

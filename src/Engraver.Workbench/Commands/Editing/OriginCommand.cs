@@ -20,6 +20,6 @@ internal sealed class OriginCommand : ICommand
             Answer<Point2D>.Chosen { Option: "Center" } => new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0),
             _ => new Point2D(box.MinX, box.MinY),
         };
-        DrawingChange.Transform(context, [.. Enumerable.Range(0, drawing.Entities.Count)], Transform2D.Move(Point2D.Origin - place), copy: false);
+        DrawingChange.TransformWhole(context, Transform2D.Move(Point2D.Origin - place));
     }
 }
