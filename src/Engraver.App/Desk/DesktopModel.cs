@@ -26,6 +26,7 @@ public sealed class DesktopModel : IAsyncDisposable
     private Task _hearing = Task.CompletedTask;
     private Task _typing = Task.CompletedTask;
     private int _kept;
+    private int _typedFor;
     private Task _working = Task.CompletedTask;
     private int _posted;
     private readonly ReleasedMemory _released;
@@ -210,8 +211,12 @@ public sealed class DesktopModel : IAsyncDisposable
         return Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
     }
 
-    /// <summary>Ends what asks beside the command at work, which goes on; Esc has held the job.</summary>
-    public Task EndQuestionAsync() => Cancelled = Task.Run(Session.EndBesideAsync);
+    /// <summary>Ends what asks or works beside the command at work, which goes on, and forgets what was typed for it and has not come to it yet; Esc has held the job.</summary>
+    public Task EndBesideAsync()
+    {
+        _typedFor++;
+        return Cancelled = _typing = EndAfterAsync(_typing);
+    }
 
     /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
     public void StopNow()
@@ -318,10 +323,21 @@ public sealed class DesktopModel : IAsyncDisposable
 
     private async Task TypeAfterAsync(Task before, string input, TaskCompletionSource<Task<InputResult>> typed)
     {
+        var typedFor = _typedFor;
         await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
         await _hearing.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
-        typed.SetResult(TypeNow(input));
+        typed.SetResult(typedFor == _typedFor ? TypeNow(input) : Task.FromResult<InputResult>(new InputResult.Cancelled()));
         await _hearing.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+    }
+
+    /// <summary>At once, and again when the input that was on its way to the session has begun its command.</summary>
+    private async Task EndAfterAsync(Task before)
+    {
+        var heard = _hearing; // what is clicked behind Esc is not meant
+        await Task.Run(Session.EndBesideAsync);
+        await heard.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        await Task.Run(Session.EndBesideAsync);
+        await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
     }
 
     private Task<InputResult> Enqueue(Func<Task<InputResult>> work)

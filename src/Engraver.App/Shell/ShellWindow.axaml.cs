@@ -242,7 +242,7 @@ public partial class ShellWindow : Window
     private void OnHeld() => Dispatcher.UIThread.Post(() =>
     {
         Model.Command.Line = "";
-        _ = _desk.EndQuestionAsync();
+        _ = _desk.EndBesideAsync();
         if (!IsSheetOpen) TakeKeyboard();
     });
 

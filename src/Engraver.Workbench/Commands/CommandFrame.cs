@@ -40,9 +40,7 @@ internal sealed class CommandFrame : IDisposable
     public async Task<Answer<T>> AskAsync<T>(ValuePrompt<T> prompt)
     {
         var pending = new PendingValue<T>(prompt);
-        Pending = pending;
-        if (IsCancelled) pending.Cancel(); // Esc came just before the question
-        _asks.TrySetResult();
+        Await(pending);
         return await pending.Answer.ConfigureAwait(false);
     }
 
@@ -53,17 +51,16 @@ internal sealed class CommandFrame : IDisposable
         var pending = Pending ?? throw new InvalidOperationException("The command does not ask.");
         (Pending, _asks) = (null, new TaskCompletionSource());
         if (pending.TryAnswer(typed, lastPoint) is not { } wanted) return null;
-        Pending = pending;
-        _asks.TrySetResult();
+        Await(pending);
         return wanted;
     }
 
-    /// <summary>Waits until the command asks or has ended.</summary>
+    /// <summary>Waits until the command asks or has ended. What was told to end asks nothing any more.</summary>
     public async Task<InputResult> SettledAsync(CancellationToken cancellation)
     {
         await using var stop = cancellation.Register(Cancel).ConfigureAwait(false);
         await Task.WhenAny(_asks.Task, Ended).ConfigureAwait(false);
-        return Ended.IsCompleted ? await Ended.ConfigureAwait(false) : new InputResult.Asking();
+        return Ended.IsCompleted || IsCancelled ? await Ended.ConfigureAwait(false) : new InputResult.Asking();
     }
 
     public void Cancel()
@@ -82,6 +79,15 @@ internal sealed class CommandFrame : IDisposable
     }
 
     public void Dispose() => _cancel.Dispose();
+
+    /// <summary>From now on the question waits; where Esc came just before it (from another thread), it ends at once.</summary>
+    private void Await(PendingAsk pending)
+    {
+        Pending = pending;
+        Interlocked.MemoryBarrier(); // the question is seen by Cancel, or Cancel is seen here
+        if (IsCancelled) pending.Cancel();
+        _asks.TrySetResult();
+    }
 
     private async Task<InputResult> RunAsync(ICommand command, CommandContext context)
     {

@@ -32,11 +32,11 @@ public sealed partial class CommandSession
     /// <summary>Why this command is not run while the one at work is, a sentence; null when it is heard or not known.</summary>
     public string? WhyNotBeside(string input) => Meant(input) is { Info: { IsHeardBeside: false } info } ? ReasonFor(info) : null;
 
-    /// <summary>Ends a command that asks beside the one at work; that one goes on.</summary>
-    /// <returns>False when none asks.</returns>
+    /// <summary>Ends a command that asks or works beside the one at work; that one goes on. A command between two questions ends too: nothing is asked any more.</summary>
+    /// <returns>False when there is none.</returns>
     public async Task<bool> EndBesideAsync()
     {
-        if (_aside is not { Pending: not null } aside || Interlocked.CompareExchange(ref _aside, null, aside) != aside) return false;
+        if (_aside is not { } aside || Interlocked.CompareExchange(ref _aside, null, aside) != aside) return false;
         aside.Cancel();
         await aside.Ended.ConfigureAwait(false);
         aside.Dispose();
@@ -64,6 +64,7 @@ public sealed partial class CommandSession
     {
         if (!IsUrgent(words[0])) Echo(words[0]);
         var frame = new CommandFrame(command.Info) { IsBeside = true, HasNoDialog = CommandWord.HasDash(words[0]) };
+        Interlocked.CompareExchange(ref _aside, frame, null);
         frame.Start(command, new CommandContext(this, frame));
         var result = await SettleAsideAsync(frame, cancellation).ConfigureAwait(false);
         foreach (var word in words.Skip(1))

@@ -127,6 +127,22 @@ public sealed class BesideTests(DesktopFixture fixture)
         End(here);
     });
 
+    /// <summary>Esc behind quick typing, wherever the typed words are just then: none of them opens a question or is kept until the job has ended. What is typed behind Esc is taken.</summary>
+    [Fact]
+    public Task Escape_ends_what_was_typed_before_it_however_far_that_has_come() => fixture.WithOperator(here =>
+    {
+        Start(here);
+        foreach (var word in (string[])["list", "all", "", "dist", "0,0"]) _ = here.Desk.TypeAsync(word); // nothing of it is worked on before Esc
+        here.Hands.Press(Key.Escape);
+        here.Until(() => here.Desk.Cancelled.IsCompleted && here.Commands.Machine.Status.State == MachineState.Held);
+        Type(here, "id", "1,2");
+        Heard(here, "X = 1");
+
+        Assert.Null(here.Desk.Prompt.Command);
+        Assert.DoesNotContain(here.History, line => line.StartsWith("Distance", StringComparison.Ordinal) || line.Contains("kept", StringComparison.OrdinalIgnoreCase));
+        End(here);
+    });
+
     /// <summary>A question that is open when the job ends stays and is answered as any other.</summary>
     [Fact]
     public Task A_question_outlives_the_job_beside_which_it_was_asked() => fixture.WithOperator(here =>
