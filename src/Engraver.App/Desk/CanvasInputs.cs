@@ -18,23 +18,23 @@ internal static class CanvasInputs
 
     public static OverlayInputs From(DerivedDocument derived) => new()
     {
-        MoveSpeedsWhenSeen = () => derived is { Motion: { } motion, Sequence: { } sequence } && sequence.Table.Count <= MostSpeeds ? SpeedsOf(motion, sequence.Table.Count) : [],
+        MoveSpeedsWhenSeen = () => derived is { Motion: { } motion, Job.Toolpath: { } path } && path.Strokes.Sum(stroke => stroke.Moves.Count) is var moves and <= MostSpeeds ? SpeedsOf(motion, moves) : [],
         Findings = derived.State.Drawing is { } drawing ? PlacesOf(derived, drawing) : [],
     };
 
-    /// <summary>Speed in the middle of each row, as a part of the fastest.</summary>
-    private static double[] SpeedsOf(PlannedMotion motion, int rows)
+    /// <summary>Speed in the middle of each move, as a part of the fastest.</summary>
+    private static double[] SpeedsOf(PlannedMotion motion, int moves)
     {
-        var speeds = new double[rows];
-        for (var row = 0; row < rows; row++)
+        var speeds = new double[moves];
+        for (var move = 0; move < moves; move++)
         {
-            var start = motion.TimeOfRow(row);
-            var end = row + 1 < rows ? motion.TimeOfRow(row + 1) : motion.DurationSeconds;
-            if (start is { } from && end is { } to) speeds[row] = motion.At((from + to) / 2.0).Speed;
+            var start = motion.TimeOfMove(move);
+            var end = move + 1 < moves ? motion.TimeOfMove(move + 1) : motion.DurationSeconds;
+            if (start is { } from && end is { } to) speeds[move] = motion.At((from + to) / 2.0).Speed;
         }
 
-        var fastest = rows == 0 ? 0.0 : speeds.Max();
-        for (var row = 0; row < rows && fastest > 0.0; row++) speeds[row] /= fastest;
+        var fastest = moves == 0 ? 0.0 : speeds.Max();
+        for (var move = 0; move < moves && fastest > 0.0; move++) speeds[move] /= fastest;
         return speeds;
     }
 

@@ -119,11 +119,11 @@ public sealed class CanvasSource
         _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
     }
 
-    /// <summary>A row of the table is one move of the job, a segment of the controller a part of one.</summary>
+    /// <summary>How many moves of the job's toolpath are cut; a segment of the controller is a move or a part of one.</summary>
     private int MovesDone(int segmentsDone)
     {
         if (segmentsDone == 0 || _desk.Session.Machine.ShownJob?.Followed is not null) return 0; // trajectories are no rows of the table
         if (_desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
-        return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Row;
+        return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Move;
     }
 }

@@ -9,7 +9,7 @@ public static class MenuLayout
 
     private static readonly IReadOnlyList<MenuSection> s_sections =
     [
-        new("File", ["NEW", "OPEN", "RECENT", "HISTORY", "CLOSE", Separator, "QSAVE", "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
+        new("File", ["NEW", "OPEN", "RECENT", "HISTORY", "CLOSE", Separator, "QSAVE", "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "QUIT"]),
         new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", "Window.SelectAll", Separator, "ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", "ARRAY", "Menu.Reshape", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"])
         {
             Submenus = [new("Reshape", ["STRETCH", "GRIPEDIT", Separator, "TRIM", "EXTEND", "BREAK", "FILLET", "CHAMFER", Separator, "EXPLODE", "REVERSE"])],
@@ -101,7 +101,7 @@ public static class MenuLayout
 
 /// <summary>One menu of the bar, or a submenu of one.</summary>
 /// <param name="Key">Name of its text (<c>Menu.File</c>).</param>
-/// <param name="Entries">Names of commands; empty is a separator; <c>Menu.KEY</c> is a submenu; another name with a dot is an act of the window itself (<c>Window.Exit</c>).</param>
+/// <param name="Entries">Names of commands; empty is a separator; <c>Menu.KEY</c> is a submenu; another name with a dot is an act of the window itself (<c>Window.Palettes</c>).</param>
 public sealed record MenuSection(string Key, IReadOnlyList<string> Entries)
 {
     internal const string SubmenuPrefix = "Menu.";

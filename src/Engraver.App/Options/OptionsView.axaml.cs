@@ -47,7 +47,7 @@ public partial class OptionsView : UserControl
 /// <summary>Opens the sheets of commands that have one, where the command session asks for it.</summary>
 internal static class OptionsDialog
 {
-    /// <summary>As long as the window is open, OPTIONS opens its sheet instead of asking at the command line.</summary>
+    /// <summary>As long as the window is open, OPTIONS opens its sheet instead of asking at the command line, and QUIT closes the window.</summary>
     public static void Serve(DesktopModel desk, OptionsModel options, Window window)
     {
         desk.Session.Dialogs = Show;
@@ -55,9 +55,9 @@ internal static class OptionsDialog
 
         bool Show(string command)
         {
-            if (command != "OPTIONS") return false;
-            Dispatcher.UIThread.Post(options.Open);
-            return true;
+            Action? open = command switch { "OPTIONS" => options.Open, "QUIT" => window.Close, _ => null };
+            if (open is not null) Dispatcher.UIThread.Post(open);
+            return open is not null;
         }
     }
 }

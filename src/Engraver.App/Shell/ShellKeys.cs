@@ -22,7 +22,7 @@ public static class ShellKeys
         (KeyModifiers.Control, Key.OemComma) => "Override.RapidsSlower",
         (KeyModifiers.Control, Key.O) => "OPEN",
         (KeyModifiers.Control, Key.S) => "SAVEAS",
-        (KeyModifiers.Control, Key.Q) => "Window.Exit",
+        (KeyModifiers.Control, Key.Q) => "QUIT",
         (KeyModifiers.Control, Key.D0) => "Window.Clean",
         (KeyModifiers.Control, Key.D1) => "Window.Palettes",
         (KeyModifiers.Control, Key.D9) => "Window.Pages",

@@ -98,7 +98,6 @@ public partial class ShellWindow : Window
     /// <summary>The command of an entry of menus and tools.</summary>
     private Act ActOf(string name) => name switch
     {
-        "Window.Exit" => new Act(() => Close()),
         "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
         "Window.Pages" => new Act(() => _panels.FoldPages()),
         "Window.Clean" => new Act(() => _panels.FoldAll()),

@@ -14,6 +14,9 @@ public sealed record Toolpath(Point2D ToolStart, IReadOnlyList<ToolpathStroke> S
 /// <param name="Moves">At least one move; each starts within the join tolerance of the end of the one before.</param>
 public sealed record ToolpathStroke(int Index, bool Closed, IReadOnlyList<StrokeMove> Moves)
 {
+    /// <summary>Of how many moves each row of the sequenced table consists: several for an ellipse or spline that was made into arcs and lines. Null where every row is one move.</summary>
+    public IReadOnlyList<int>? RowMoves { get; init; }
+
     public Point2D Start => Moves[0].Segment.Start;
 
     public Point2D End => Moves[^1].Segment.End;

@@ -15,19 +15,21 @@ public static class ToolpathPlanner
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
         var hasCurves = sequenced.Table.HasFreeCurves;
-        return new Toolpath(toolStart, [.. sequenced.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, hasCurves ? Cuttable(stroke.Moves, maxErrorMm) : stroke.Moves))]);
+        return new Toolpath(toolStart, [.. sequenced.Strokes.Select(stroke => hasCurves ? Cuttable(stroke, maxErrorMm) : new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
     }
 
-    private static IReadOnlyList<StrokeMove> Cuttable(IReadOnlyList<StrokeMove> moves, double maxErrorMm)
+    private static ToolpathStroke Cuttable(SequencedStroke stroke, double maxErrorMm)
     {
-        if (!moves.Any(move => move.Segment.IsFreeCurve)) return moves;
-        var cuttable = new List<StrokeMove>();
-        foreach (var move in moves)
+        if (!stroke.Moves.Any(move => move.Segment.IsFreeCurve)) return new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves);
+        var (cuttable, rowMoves) = (new List<StrokeMove>(), new List<int>(stroke.Moves.Count));
+        foreach (var move in stroke.Moves)
         {
+            var before = cuttable.Count;
             if (!move.Segment.IsFreeCurve) cuttable.Add(move);
             else cuttable.AddRange(BiarcFit.Fit(move.Segment.Curve, maxErrorMm).Select(piece => new StrokeMove(piece, move.EntityIndex, move.StartZ, move.EndZ)));
+            rowMoves.Add(cuttable.Count - before);
         }
 
-        return cuttable;
+        return new ToolpathStroke(stroke.Index, stroke.Closed, cuttable) { RowMoves = rowMoves };
     }
 }

@@ -32,7 +32,7 @@ public sealed class CommandCatalog
     /// <summary>Everything that is built.</summary>
     public static CommandCatalog Built() => new(
     [
-        new NewCommand(), new OpenCommand(), new RecentCommand(), new HistoryCommand(), new CloseCommand(), new SaveAsCommand(), new QSaveCommand(), new ExportCommand(), new OptionsCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(),
+        new NewCommand(), new OpenCommand(), new RecentCommand(), new HistoryCommand(), new CloseCommand(), new SaveAsCommand(), new QSaveCommand(), new ExportCommand(), new OptionsCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(), new QuitCommand(),
         new ZoomCommand(), new PanCommand(), new RegenCommand(), new OsnapCommand(), new ThemeCommand(), new LanguageCommand(), new ShowCommand(), new PlaybackCommand(), .. SwitchCommand.All, .. SpacingCommand.All,
         new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new AreaCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
         new LineCommand(), new PolylineCommand(), new CircleCommand(), new ArcCommand(), new RectangleCommand(), new PolygonCommand(), new EllipseCommand(),

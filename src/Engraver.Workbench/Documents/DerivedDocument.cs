@@ -88,7 +88,7 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         {
             Plan = JobPlan.NetworkTimes(program),
             Posted = posted,
-            Motion = PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, () => posted.Value!.SegmentLines, cancellation),
+            Motion = PlannedMotion.Create(program, job.Toolpath, MachineFamilies.Driver.NetworkTimes, () => posted.Value!.SegmentLines, cancellation),
             Findings = Sorted([.. job.Diagnostics, .. findings]),
         };
     }

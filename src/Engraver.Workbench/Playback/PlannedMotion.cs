@@ -1,7 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
 
 namespace Engraver.Workbench.Playback;
 
@@ -23,49 +23,56 @@ public sealed class PlannedMotion
     /// <summary>For each sequence of the program: its first segment.</summary>
     private readonly int[] _firstSegments;
 
-    private readonly int[] _rows;
+    /// <summary>Of each segment.</summary>
+    private readonly int[] _moves;
+
+    /// <summary>Of each move; null where they have the same numbers.</summary>
+    private readonly int[]? _rows;
     private readonly Lazy<int[]> _lines;
 
-    /// <summary>By drawing entity and by row of the table: its first segment plus one; 0 for none. Made when somebody asks by them.</summary>
+    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none. Made when somebody asks by them.</summary>
     private readonly Lazy<int[]> _segmentOfEntity;
+    private readonly Lazy<int[]> _segmentOfMove;
     private readonly Lazy<int[]> _segmentOfRow;
 
-    private PlannedMotion(MotionTimeline timeline, int[] rows, Func<IReadOnlyList<int>>? lines)
+    private PlannedMotion(MotionTimeline timeline, int[] moves, int[]? rows, Func<IReadOnlyList<int>>? lines)
     {
         _timeline = timeline;
         _program = timeline.Program;
-        (_rows, _lines) = (rows, new Lazy<int[]>(() => [.. lines?.Invoke() ?? []]));
-        _reached = new double[rows.Length];
+        (_moves, _rows, _lines) = (moves, rows, new Lazy<int[]>(() => [.. lines?.Invoke() ?? []]));
+        _reached = new double[moves.Length];
         _firstSequences = new int[_program.Strokes.Count + 1];
         for (var stroke = 0; stroke < _program.Strokes.Count; stroke++) _firstSequences[stroke + 1] = _firstSequences[stroke] + _program.Strokes[stroke].Sequences.Count;
         _firstSegments = new int[_firstSequences[^1]];
         NumberSegments();
-        (_segmentOfEntity, _segmentOfRow) = (new Lazy<int[]>(SegmentsOfEntities), new Lazy<int[]>(SegmentsOfRows));
+        _segmentOfEntity = new Lazy<int[]>(SegmentsOfEntities);
+        _segmentOfMove = new Lazy<int[]>(() => FirstSegments(MoveOf));
+        _segmentOfRow = rows is null ? _segmentOfMove : new Lazy<int[]>(() => FirstSegments(RowOf));
     }
 
     public double DurationSeconds => _timeline.Seconds;
 
-    public int SegmentCount => _rows.Length;
+    public int SegmentCount => _moves.Length;
 
     /// <summary>The spans of time, for plots.</summary>
     public MotionTimeline Timeline => _timeline;
 
-    /// <param name="program">Generated from the strokes of <paramref name="sequence"/>.</param>
+    /// <param name="program">Generated from <paramref name="path"/>.</param>
     /// <param name="commands">How the controller spends its time.</param>
     /// <param name="lines">Gives those of the posted program, one for each segment, when somebody asks for a line; null when there is none.</param>
-    public static PlannedMotion Create(MotionProgram program, SequencingResult sequence, CommandTimes commands, Func<IReadOnlyList<int>>? lines, CancellationToken cancellation)
+    public static PlannedMotion Create(MotionProgram program, Toolpath path, CommandTimes commands, Func<IReadOnlyList<int>>? lines, CancellationToken cancellation)
     {
         var timeline = MotionTimeline.From(program, commands, cancellation);
-        var rows = SegmentRows.Map(program, sequence);
+        var (moves, rows) = (SegmentMoves.Map(program, path), SegmentMoves.RowsOf(path));
         cancellation.ThrowIfCancellationRequested();
-        return new PlannedMotion(timeline, rows, lines);
+        return new PlannedMotion(timeline, moves, rows, lines);
     }
 
     /// <summary>The motion at a moment; before 0 its beginning, after the end its end. A job with nothing to cut stands at its start.</summary>
     public PlaybackMoment At(double seconds)
     {
         var index = _timeline.SpanAt(seconds);
-        if (index < 0) return new PlaybackMoment(0.0, Millimetres(_program.Start.X, _program.Start.Y), 0.0, false, MotionSpanKind.Dwell, -1, -1, -1, -1);
+        if (index < 0) return new PlaybackMoment(0.0, Millimetres(_program.Start.X, _program.Start.Y), 0.0, false, MotionSpanKind.Dwell, -1, -1, -1, -1, -1);
         var span = _timeline.Spans[index];
         var since = Math.Clamp(seconds - span.Start, 0.0, span.Seconds);
         return span.Kind switch
@@ -81,6 +88,10 @@ public sealed class PlannedMotion
 
     /// <summary>When the first segment of a row of the sequenced table begins; null when the row is shorter than a count.</summary>
     public double? TimeOfRow(int row) => First(_segmentOfRow.Value, row) is { } segment ? TimeOfSegment(segment) : null;
+
+    /// <summary>When the first segment of a move of the toolpath begins; null when the move is shorter than a count.</summary>
+    /// <param name="move">Its number in the whole toolpath.</param>
+    public double? TimeOfMove(int move) => First(_segmentOfMove.Value, move) is { } segment ? TimeOfSegment(segment) : null;
 
     /// <summary>The line of the posted program that commands a segment, 1 is first; 0 when no program was posted. The first question posts it.</summary>
     public int LineOf(int segment) => (uint)segment < (uint)_lines.Value.Length ? _lines.Value[segment] : 0;
@@ -148,23 +159,29 @@ public sealed class PlannedMotion
         foreach (var entity in _program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments).Select(segment => segment.EntityIndex))
         {
             next++;
-            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, _rows.Length)));
+            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, _moves.Length)));
             if (entity >= 0 && first[entity] == 0) first[entity] = next;
         }
 
         return first;
     }
 
-    private int[] SegmentsOfRows()
+    /// <param name="numberOf">Of a segment; it never becomes less along the program.</param>
+    private int[] FirstSegments(Func<int, int> numberOf)
     {
-        var first = new int[_rows.Length == 0 ? 0 : _rows.Max() + 1];
-        for (var segment = 0; segment < _rows.Length; segment++)
+        var first = new int[_moves.Length == 0 ? 0 : numberOf(_moves.Length - 1) + 1];
+        for (var segment = 0; segment < _moves.Length; segment++)
         {
-            if (first[_rows[segment]] == 0) first[_rows[segment]] = segment + 1;
+            ref var of = ref first[numberOf(segment)];
+            if (of == 0) of = segment + 1;
         }
 
         return first;
     }
+
+    private int MoveOf(int segment) => _moves[segment];
+
+    private int RowOf(int segment) => _rows is null ? _moves[segment] : _rows[_moves[segment]];
 
     private static int? First(int[] segments, int of) => (uint)of < (uint)segments.Length && segments[of] is > 0 and var place ? place - 1 : null;
 
@@ -224,7 +241,7 @@ public sealed class PlannedMotion
     }
 
     private PlaybackMoment Moment(in MotionSpan span, double since, int segment, Point2D place, double speed) => new(
-        span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, SegmentAt(segment).EntityIndex, _rows[segment]);
+        span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, SegmentAt(segment).EntityIndex, MoveOf(segment), RowOf(segment));
 
     private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);
 }
@@ -238,5 +255,6 @@ public sealed class PlannedMotion
 /// <param name="Stroke">Index of the stroke (contour) in the order of cutting.</param>
 /// <param name="Segment">Place of the segment in the whole motion program: the one that is cut, or the next one.</param>
 /// <param name="Entity">The drawing entity of that segment.</param>
+/// <param name="Move">Move of the toolpath of that segment, numbered through all strokes: an ellipse or spline consists of several.</param>
 /// <param name="Row">Row of the sequenced entity table of that segment.</param>
-public readonly record struct PlaybackMoment(double Seconds, Point2D Position, double Speed, bool ToolOn, MotionSpanKind Kind, int Stroke, int Segment, int Entity, int Row);
+public readonly record struct PlaybackMoment(double Seconds, Point2D Position, double Speed, bool ToolOn, MotionSpanKind Kind, int Stroke, int Segment, int Entity, int Move, int Row);

@@ -151,6 +151,18 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal((JobOutcome.Stopped, 2), (here.Commands.Machine.LastRun!.Result.Outcome, here.Commands.Machine.LastRun.Result.Holds));
     });
 
+    /// <summary>An ellipse is one entity and many moves of the machine.</summary>
+    [Fact]
+    public Task What_is_done_is_shown_behind_an_ellipse_too() => fixture.WithOperator(here =>
+    {
+        here.Enter("NEW", "CIRCLE", "0,0", "3", "ELLIPSE", "C", "20,0", "@12,0", "7", "CIRCLE", "60,0", "3");
+        here.Enter("CNCCONNECT", "sim:", "CNCRESUME", "Contour", "3");
+        var strokes = here.Commands.Derivation.Current.Job!.Toolpath.Strokes;
+
+        Assert.Equal([1, 1], [strokes[0].Moves.Count, strokes[2].Moves.Count]);
+        Assert.Equal(strokes[0].Moves.Count + strokes[1].Moves.Count, here.Window.Canvas.EngravedMoves);
+    });
+
     [Fact]
     public Task What_will_not_be_cut_again_is_shown_as_done_before_it_is_armed() => fixture.WithOperator(here =>
     {

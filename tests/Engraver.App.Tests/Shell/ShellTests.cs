@@ -164,6 +164,20 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.False(here.Window.IsVisible);
     });
 
+    /// <summary>QUIT is the window's own closing: it warns as that does. EXIT is an alias.</summary>
+    [Fact]
+    public Task Quit_closes_the_window_and_warns_of_edits_first() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("ERASE", "L", "", "EXIT");
+        here.Step();
+        Assert.True(here.Window.IsVisible);
+        Assert.Contains("Close once more to leave without saving.", here.History.Last(), StringComparison.Ordinal);
+        here.Hands.Type("quit");
+        here.Hands.Press(Key.Enter);
+        here.Until(() => !here.Window.IsVisible);
+    });
+
     [Fact]
     public Task Objects_that_are_only_hidden_do_not_hold_the_window() => fixture.WithOperator(here =>
     {

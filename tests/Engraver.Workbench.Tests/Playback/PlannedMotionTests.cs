@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Core.Sequencing;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Timing;
@@ -54,6 +55,26 @@ public class PlannedMotionTests
             Assert.Equal(at.Entity, table.EntityIndexOf(at.Row));
             Assert.InRange(table[at.Row].ToSegment().DistanceTo(at.Position), 0.0, 0.004);
         }
+    }
+
+    /// <summary>An ellipse is one row of the table and many moves of the toolpath: what was cut is told by moves, or the canvas lights up another part of the drawing (seen: an ellipse before two circles).</summary>
+    [Fact]
+    public void A_segment_of_an_ellipse_is_on_its_move_and_what_follows_on_its_own()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Circle(0, 0, 3).Free(FreeCurves.Ellipse(20, 0, 12, 0.6, 0, 0, 360).ToCurve()).Line(40, 0, 50, 0).Line(50, 0, 50, 10).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        StrokeMove[] moves = [.. job.Toolpath.Strokes.SelectMany(stroke => stroke.Moves)];
+        Assert.True(moves.Length > job.Sequence.Table.Count + 3, $"{moves.Length} moves");
+        for (var segment = 0; segment < motion.SegmentCount; segment++)
+        {
+            var at = motion.At(motion.TimeOfSegment(segment) + 0.005);
+            Assert.Equal((segment, at.Entity, at.Entity), (at.Segment, moves[at.Move].EntityIndex, job.Sequence.Table.EntityIndexOf(at.Row)));
+            Assert.InRange(moves[at.Move].Segment.DistanceTo(at.Position), 0.0, 0.004);
+        }
+
+        Assert.Equal(moves.Length - 1, motion.At(motion.TimeOfSegment(motion.SegmentCount - 1)).Move);
+        Assert.Equal(motion.TimeOfSegment(motion.SegmentCount - 1), motion.TimeOfMove(moves.Length - 1));
+        Assert.Null(motion.TimeOfMove(moves.Length));
     }
 
     /// <summary>What is picked on the canvas, the lit row of the table and the listed rows of the properties are one thing.</summary>
@@ -115,7 +136,7 @@ public class PlannedMotionTests
     public void A_line_is_run_by_its_trapezoid_and_with_the_tool_settled()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 30, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
         var begins = motion.TimeOfEntity(0)!.Value;
         var ramp = 20_000.0 / 256_000.0;
 
@@ -133,7 +154,7 @@ public class PlannedMotionTests
     public void A_rapid_moves_each_axis_at_its_own_pace()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(50, 5, 60, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
         var rapid = motion.Timeline.Spans.First(span => span.Kind == MotionSpanKind.Rapid);
         var middle = motion.At(rapid.Start + (rapid.Seconds / 2.0));
 
@@ -146,7 +167,7 @@ public class PlannedMotionTests
     public void A_job_with_nothing_to_cut_stands_at_its_start()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings { Start = new Point2D(3, 4) }, MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
 
         Assert.Equal((0.0, new Point2D(3, 4), -1), (motion.DurationSeconds, motion.At(1.0).Position, motion.At(1.0).Segment));
     }

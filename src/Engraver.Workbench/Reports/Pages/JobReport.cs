@@ -72,7 +72,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
             Program = program,
             Times = times,
             Cost = program is null ? null : JobSheet.Of(job, times, request.Rates ?? request.Settings.Machine.Rates).Cost,
-            Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, null, cancellation) : null,
+            Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, cancellation) : null,
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             OtherCertificates = [.. OthersOf(request, JobPlan.StyleOf(request.Mode), cancellation)],
             Run = request.Run,

@@ -1,0 +1,12 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Session;
+
+/// <summary>QUIT: Closes the window, which asks first where a job runs or the drawing was edited.</summary>
+internal sealed class QuitCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("QUIT", CommandGroup.File) { HeardDuringJob = true };
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation) =>
+        context.OpensDialog() ? Task.CompletedTask : throw new CommandException(CommandFailure.Usage, Wording.Get("Quit.NoWindow"));
+}

@@ -1,0 +1,74 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.Workbench.Playback;
+
+/// <summary>Which move of the toolpath each segment of the motion program cuts, and to which row of the sequenced table each move belongs.</summary>
+/// <remarks>A move may become several segments (an arc that is split) or none (shorter than a count); a row of an ellipse or spline is several moves. Both sides keep their order, so one walk through both is enough.</remarks>
+internal static class SegmentMoves
+{
+    /// <summary>Counts by which a segment's predicted end may stand beside the end of its move.</summary>
+    private const double Near = 2.0;
+
+    /// <summary>For each segment the number of its move in the whole toolpath.</summary>
+    /// <param name="path">Of which the program was generated.</param>
+    public static int[] Map(MotionProgram program, Toolpath path)
+    {
+        var moves = new int[program.SegmentCount];
+        var firstMoves = FirstMoves(path);
+        var at = 0;
+        foreach (var stroke in program.Strokes)
+        {
+            var walk = new Walk(path.Strokes[stroke.Index].Moves, program.Profile.Scale);
+            for (var part = 0; part < stroke.Sequences.Count; part++)
+            {
+                var segments = stroke.Sequences[part].Segments;
+                for (var i = 0; i < segments.Count; i++) moves[at++] = firstMoves[stroke.Index] + walk.Take(segments[i]);
+            }
+        }
+
+        return moves;
+    }
+
+    /// <summary>For each move of the toolpath its row; null where every row is one move, so that they have the same numbers.</summary>
+    public static int[]? RowsOf(Toolpath path)
+    {
+        if (path.Strokes.All(stroke => stroke.RowMoves is null)) return null;
+        var rows = new int[path.Strokes.Sum(stroke => stroke.Moves.Count)];
+        var (move, row) = (0, 0);
+        foreach (var stroke in path.Strokes)
+        {
+            var rowsOfStroke = stroke.RowMoves?.Count ?? stroke.Moves.Count;
+            for (var i = 0; i < rowsOfStroke; i++, row++)
+            {
+                for (var pieces = stroke.RowMoves?[i] ?? 1; pieces > 0; pieces--) rows[move++] = row;
+            }
+        }
+
+        return rows;
+    }
+
+    /// <summary>The moves of stroke 0, then of stroke 1 ...</summary>
+    private static int[] FirstMoves(Toolpath path)
+    {
+        var first = new int[path.Strokes.Count];
+        for (var stroke = 1; stroke < first.Length; stroke++) first[stroke] = first[stroke - 1] + path.Strokes[stroke - 1].Moves.Count;
+        return first;
+    }
+
+    private sealed class Walk(IReadOnlyList<StrokeMove> moves, CountsScale scale)
+    {
+        private int _move;
+        private bool _moveIsDone;
+
+        public int Take(in VectorSegment segment)
+        {
+            if (_moveIsDone && _move + 1 < moves.Count) _move++;
+            while (moves[_move].EntityIndex != segment.EntityIndex && _move + 1 < moves.Count) _move++;
+            var exact = scale.Exact(moves[_move].Segment.End);
+            _moveIsDone = Math.Abs(exact.X - segment.End.X) <= Near && Math.Abs(exact.Y - segment.End.Y) <= Near;
+            return _move;
+        }
+    }
+}
