@@ -148,7 +148,9 @@ public sealed partial class FileDialogModel : Observable
     internal void Open(FileWanted wanted, string title, string typed)
     {
         (_wanted, Title, _finding, _chosen, _hovered, _isTyped) = (wanted, title, null, null, null, typed.Length > 0);
-        Filters = FileFilter.For(wanted);
+        (Filters, _filter) = (FileFilter.For(wanted), null);
+        Tell(nameof(Filter));
+        Tell(nameof(Filters)); // a list that shows its new entries before one of them is chosen; it forgets the choice when it gets others
         var ending = wanted.Suggested is { } suggested ? Path.GetExtension(suggested) : null;
         _filter = Filters.FirstOrDefault(filter => ending is not null && filter.Endings.Contains(ending)) ?? Filters[0];
         _name = typed.Length > 0 ? typed : wanted is { Writes: true, Suggested: { } offered } ? Path.GetFileName(offered) : "";

@@ -28,6 +28,24 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
     });
 
+    /// <summary>The second dialog, of another kind of file or of the same (seen: the kind stood empty in the second).</summary>
+    [Fact]
+    public Task The_kind_of_file_is_shown_each_time() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("FILEDIA", "1");
+        foreach (var asks in (string[][])[["OPEN"], ["PLOT", "Path"], ["PLOT", "Path"], ["EXPORT"], ["EXPORT"], ["OPEN"], ["OPEN"]])
+        {
+            here.Enter(asks);
+            Assert.True(Sheet(here).IsVisible);
+            var (list, dialog) = (here.Find<ComboBox>("FilterList"), Dialog(here));
+            Assert.Equal((dialog.Filter, dialog.Filters), (list.SelectedItem, list.ItemsSource));
+            Assert.Contains(list.GetVisualDescendants().OfType<TextBlock>(), text => text.Text == dialog.Filter!.ToString());
+            here.Hands.Press(Key.Escape);
+            here.Rest();
+        }
+    });
+
     [Theory]
     [InlineData("gasket")]
     [InlineData("\"gasket.dxf\"")]

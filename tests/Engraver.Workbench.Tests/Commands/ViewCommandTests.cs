@@ -140,5 +140,14 @@ public class ViewCommandTests
         Assert.Equal(["gasket.dxf", "paper-001.dxf"], talk.Session.Settings.Current.RecentFiles.Select(Path.GetFileName));
     }
 
+    [Fact]
+    public async Task A_drawing_that_is_saved_under_a_name_is_among_the_recent_ones()
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("NEW", "LINE", "0,0", "1,1", "", "SAVEAS", "new.dxf");
+        Assert.Equal(["new.dxf"], talk.Session.Settings.Current.RecentFiles.Select(Path.GetFileName));
+        Assert.True(Path.IsPathRooted(talk.Session.Settings.Current.RecentFiles[0]));
+    }
+
     private static ViewState View(CommandTalk talk) => talk.Session.View.Current;
 }

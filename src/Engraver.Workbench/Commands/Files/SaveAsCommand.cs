@@ -18,6 +18,7 @@ internal sealed class SaveAsCommand : ICommand
         DrawingSaving.WriteDrawing(context, name, path);
         DrawingSaving.WriteSidecar(context, path);
         context.Document.MarkSaved(path);
+        context.Settings.Change(kept => kept.WithRecent(Path.GetFullPath(path)));
     }
 }
 
