@@ -11,7 +11,11 @@ namespace Engraver.App.Desk;
 public sealed class DerivedModel(CommandSession session)
 {
     private PostedLines _lines = PostedLines.None;
-    private int? _segmentsDone;
+    private bool _follows;
+
+    /// <summary>What the machine told last of the job that is planned here, and to which moment of the plan it had come then.</summary>
+    private EngravedProgress? _told;
+    private double _reached;
 
     /// <summary>Raised after the tool of the playback has moved.</summary>
     public event Action? Moved;
@@ -20,7 +24,7 @@ public sealed class DerivedModel(CommandSession session)
     public event Action<Task>? Posting;
 
     /// <summary>The playback follows a job that runs on the machine.</summary>
-    public bool FollowsMachine => _segmentsDone is not null;
+    public bool FollowsMachine => _follows;
 
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
 
@@ -91,9 +95,12 @@ public sealed class DerivedModel(CommandSession session)
         if (seconds != AtSeconds) session.Playback.Scrub(seconds);
     }
 
-    /// <summary>What the plan says is left when so many segments are cut, seconds; dwells at their true length, the exchange over a serial line spread evenly.</summary>
-    public double SecondsLeft(int segmentsDone, int segmentCount) =>
-        Current.Motion is { } motion && segmentsDone < Math.Min(segmentCount, motion.SegmentCount) ? (motion.DurationSeconds - motion.TimeOfSegment(segmentsDone)) * PlannedSeconds / motion.DurationSeconds : 0.0;
+    /// <summary>What the plan says is left of a job, seconds; dwells at their true length, the exchange over a serial line spread evenly.</summary>
+    public double SecondsLeft(EngravedProgress told) => (1.0 - FractionDone(told)) * PlannedSeconds;
+
+    /// <summary>How much of the planned time of a job is over, 0 to 1. Of a job that is not the one that is planned here: of its segments.</summary>
+    public double FractionDone(EngravedProgress told) =>
+        Current.Motion is { DurationSeconds: > 0.0 } motion && motion.SegmentCount == told.SegmentCount ? SecondsDone(motion, told) / motion.DurationSeconds : told.Fraction;
 
     /// <summary>How much longer the plan takes under overrides; less than 1 for shorter.</summary>
     public double TimeUnder(double feed, double rapid) => Current.Plan is { Total: > 0.0 } plan ? plan.Under(feed, rapid) / plan.Total : 1.0;
@@ -106,7 +113,7 @@ public sealed class DerivedModel(CommandSession session)
         if (!ReferenceEquals(session.Playback.Motion, Current.Motion)) session.Playback.Load(Current.Motion);
         var runs = FollowMachine();
         LookWhereToolIs();
-        if (!runs) _segmentsDone = null;
+        if (!runs) _follows = false;
     }
 
     /// <summary>Asks the playback where the tool is.</summary>
@@ -125,10 +132,24 @@ public sealed class DerivedModel(CommandSession session)
         var status = session.Machine.Status;
         var runs = status.State.IsJob();
         if (!runs && !FollowsMachine) return false;
-        if (Current.Motion is not { } motion || status.Progress is not { } told || told.SegmentCount != motion.SegmentCount || told.SegmentsDone == _segmentsDone) return runs;
-        if (!FollowsMachine) session.Playback.Pause();
-        _segmentsDone = told.SegmentsDone;
-        session.Playback.Scrub(told.SegmentsDone < motion.SegmentCount ? motion.TimeOfSegment(told.SegmentsDone) : motion.DurationSeconds);
+        if (Current.Motion is not { } motion || status.Progress is not { } told || told.SegmentCount != motion.SegmentCount) return runs;
+        if (!_follows)
+        {
+            session.Playback.Pause();
+            (_follows, _told) = (true, null);
+        }
+
+        if (told == _told) return runs;
+        (_reached, _told) = (SecondsDone(motion, told), told);
+        session.Playback.Scrub(_reached);
         return runs;
+    }
+
+    /// <summary>To which moment of the plan the machine has come: in a segment as far as the tool, between strokes to the next segment. With the tool off in a segment that is begun (held, stopped) it is not farther back than it was.</summary>
+    private double SecondsDone(PlannedMotion motion, EngravedProgress told)
+    {
+        if (told.SegmentsDone >= motion.SegmentCount) return motion.DurationSeconds;
+        var now = told.ToolOn ? motion.TimeOfPlace(told.SegmentsDone, told.Position) : motion.TimeOfSegment(told.SegmentsDone);
+        return _told?.SegmentsDone == told.SegmentsDone ? Math.Max(now, _reached) : now;
     }
 }

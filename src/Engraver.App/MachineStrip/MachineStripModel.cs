@@ -136,17 +136,18 @@ public sealed class MachineStripModel : Observable
     /// <summary>Bit 0 is output 1; null is not known.</summary>
     public int? Outputs => _status.Outputs;
 
-    public double Progress => _status.Progress?.Fraction ?? 0.0;
+    /// <summary>0 to 1, of the planned time: one long segment counts as much as the many short ones that take as long.</summary>
+    public double Progress => _status.Progress is { } at ? _desk.Derived.FractionDone(at) : 0.0;
 
     public string ProgressText => _status.Progress is { } at
-        ? Text.Get("Machine.ProgressText", at.Fraction * 100.0, ClockText.Format(at.Seconds))
+        ? Text.Get("Machine.ProgressText", Progress * 100.0, ClockText.Format(at.Seconds))
         : Unknown;
 
     /// <summary>How many segments of how many are cut; empty while no job has a progress.</summary>
     public string SegmentsText => _status.Progress is { } at ? Text.Get("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
 
     /// <summary>Empty while no job has a progress.</summary>
-    public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount) * _desk.Derived.TimeUnder(_status.FeedInForce, _status.RapidRatio))) : "";
+    public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at) * _desk.Derived.TimeUnder(_status.FeedInForce, _status.RapidRatio))) : "";
 
     private void Look()
     {

@@ -124,12 +124,26 @@ public sealed class PlannedMotion
     }
 
     /// <summary>When a segment of the motion program begins.</summary>
-    public double TimeOfSegment(int segment)
+    public double TimeOfSegment(int segment) => TimeInside(segment, null);
+
+    /// <summary>When the tool is at a place of a segment: at the nearest one.</summary>
+    /// <param name="place">Drawing millimetres.</param>
+    public double TimeOfPlace(int segment, Point2D place) => TimeInside(segment, _program.Profile.Scale.Exact(place));
+
+    /// <param name="place">Counts; null is the beginning.</param>
+    private double TimeInside(int segment, Point2D? place)
     {
         var (stroke, sequence) = PlaceOf(segment);
-        var span = _timeline.CutOf(_firstSequences[stroke] + sequence);
-        var before = segment == FirstSegment(stroke, sequence) ? 0.0 : _reached[segment - 1];
-        return span.Start + TrapezoidOf(stroke, sequence).TimeAt(before);
+        var (span, first) = (_timeline.CutOf(_firstSequences[stroke] + sequence), FirstSegment(stroke, sequence));
+        var reached = segment == first ? 0.0 : _reached[segment - 1];
+        if (place is { } at)
+        {
+            var cut = _program.Strokes[stroke].Sequences[sequence];
+            var (part, from) = (cut.Segments[segment - first], segment == first ? cut.Start : cut.Segments[segment - first - 1].End);
+            reached += part.Length * SegmentPlace.FractionNear(part, from, at);
+        }
+
+        return span.Start + TrapezoidOf(stroke, sequence).TimeAt(reached);
     }
 
     /// <summary>The speed profile of one sequence, counts.</summary>

@@ -6,6 +6,9 @@ namespace Engraver.Workbench.Playback;
 /// <summary>Finds places inside one segment of a motion program, counts of the job frame.</summary>
 internal static class SegmentPlace
 {
+    /// <summary>Degrees before the start of a full circle at which a tool that begins it may seem to stand.</summary>
+    private const double NearStart = 1.0;
+
     /// <param name="from">Where the segment begins.</param>
     /// <param name="fraction">0 to 1 along it.</param>
     public static Point2D At(in VectorSegment segment, CountsPoint from, double fraction)
@@ -13,6 +16,25 @@ internal static class SegmentPlace
         if (segment.Kind == VectorSegmentKind.Line) return new Point2D(from.X + (fraction * ((double)segment.End.X - from.X)), from.Y + (fraction * ((double)segment.End.Y - from.Y)));
         var centre = new Point2D(from.X, from.Y) - Vector2D.FromPolar(segment.Radius, Angle.FromDegrees(segment.ThetaDegrees));
         return centre + Vector2D.FromPolar(segment.Radius, Angle.FromDegrees(segment.ThetaDegrees + (fraction * segment.DeltaDegrees)));
+    }
+
+    /// <summary>How far along a segment the nearest of its places is, 0 to 1. Beside the common start and end of a full circle it is 0.</summary>
+    /// <param name="from">Where the segment begins.</param>
+    public static double FractionNear(in VectorSegment segment, CountsPoint from, Point2D place)
+    {
+        if (segment.Kind == VectorSegmentKind.Line)
+        {
+            var (x, y) = ((double)segment.End.X - from.X, (double)segment.End.Y - from.Y);
+            var square = (x * x) + (y * y);
+            return square > 0.0 ? Math.Clamp((((place.X - from.X) * x) + ((place.Y - from.Y) * y)) / square, 0.0, 1.0) : 0.0;
+        }
+
+        var centre = new Point2D(from.X, from.Y) - Vector2D.FromPolar(segment.Radius, Angle.FromDegrees(segment.ThetaDegrees));
+        var sweep = Math.Abs(segment.DeltaDegrees);
+        var turned = (((place - centre).Direction.Degrees - segment.ThetaDegrees) * Math.Sign(segment.DeltaDegrees)) % 360.0;
+        if (turned < 0.0) turned += 360.0;
+        var isBeforeStart = turned > Math.Min(180.0 + (sweep / 2.0), 360.0 - NearStart); // nearer to the start than to the end, or within a degree of both
+        return isBeforeStart || sweep == 0.0 ? 0.0 : Math.Min(turned / sweep, 1.0);
     }
 
     /// <summary>A speed along the path (counts/s) as mm/s: with unequal axes it depends on the direction.</summary>

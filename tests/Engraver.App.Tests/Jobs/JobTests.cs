@@ -6,6 +6,7 @@ using Engraver.App.Texts;
 using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.TestKit;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Jobs;
 
@@ -73,7 +74,7 @@ public sealed class JobTests(DesktopFixture fixture)
 
         Assert.True(here.Desk.Derived.PlannedSeconds > network + 1.0);
         Assert.Equal(ClockText.Format(here.Desk.Derived.PlannedSeconds), PlannedTime());
-        Assert.Equal(here.Desk.Derived.PlannedSeconds, here.Desk.Derived.SecondsLeft(0, 70), 3.0);
+        Assert.Equal(here.Desk.Derived.PlannedSeconds, here.Desk.Derived.SecondsLeft(new EngravedProgress(0, 0, 70, default, false, 0.0)), 3.0);
         here.Enter("CNCDISCONNECT");
         Assert.Equal(ClockText.Format(network), PlannedTime());
         var ending = controller.DisposeAsync().AsTask();

@@ -151,6 +151,23 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal((JobOutcome.Stopped, 2), (here.Commands.Machine.LastRun!.Result.Outcome, here.Commands.Machine.LastRun.Result.Holds));
     });
 
+    /// <summary>Two segments of which the second takes a hundred times as long: half of the segments is not half of the job, and within the long one the time goes on.</summary>
+    [Fact]
+    public Task Progress_is_that_of_the_planned_time() => fixture.WithOperator(here =>
+    {
+        here.Enter("NEW", "LINE", "0,0", "1,0", "100,0", "", "CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Hands.Type("CNCRUN");
+        here.Hands.Press(Key.Enter);
+        var strip = here.Window.Model.Machine;
+        here.Until(() => here.Commands.Machine.Status is { State: MachineState.Running, Progress: { SegmentsDone: 1, ToolOn: true } } && strip.Progress > 0.0);
+        Assert.InRange(strip.Progress, 0.0, 0.4);
+        var (before, left) = (strip.Progress, strip.TimeLeft);
+        here.Until(() => strip.Progress > before + 0.1 && strip.TimeLeft != left);
+        Assert.Equal(1, here.Commands.Machine.Status.Progress!.SegmentsDone);
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+    });
+
     /// <summary>An ellipse is one entity and many moves of the machine.</summary>
     [Fact]
     public Task What_is_done_is_shown_behind_an_ellipse_too() => fixture.WithOperator(here =>

@@ -1,5 +1,8 @@
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.VisualTree;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Playback;
 
@@ -37,7 +40,13 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         here.Until(() => here.Commands.Machine.IsRunning && here.Desk.Derived.RowUnderTool > 1);
 
         Assert.False(here.Window.Model.Playback.IsPlaying);
-        Assert.Contains(here.Window.Model.Playback.At, Enumerable.Range(0, here.Desk.Derived.Current.Motion!.SegmentCount).Select(here.Desk.Derived.Current.Motion.TimeOfSegment));
+        here.Hands.Press(Key.Escape);
+        here.Until(() => here.Commands.Machine.Status is { State: MachineState.Held, Progress.ToolOn: false });
+        here.Step();
+        var (motion, told) = (here.Desk.Derived.Current.Motion!, here.Commands.Machine.Status.Progress!);
+        Assert.InRange(here.Window.Model.Playback.At, motion.TimeOfSegment(told.SegmentsDone), motion.TimeOfSegment(told.SegmentsDone + 1));
+        Assert.InRange(here.Desk.Derived.Moment!.Value.Position.DistanceTo(told.Position), 0.0, 3.0); // the last place that was told with the tool on; at five times the speed it went on for some millimetres
+        here.Click(here.Find<Button>("StartKey"));
         Assert.Equal(here.Desk.Derived.RowUnderTool, here.Find<ListBox>("RowList").SelectedIndex);
         Assert.Equal(here.Window.Model.Playback.At, here.Find<Avalonia.Controls.Slider>("Scrub").Value);
         here.Rest();

@@ -150,6 +150,40 @@ public class PlannedMotionTests
         Assert.Equal(0, motion.LineOf(motion.At(begins).Segment));
     }
 
+    /// <summary>Where the tool is in a segment says when it is there: a long segment does not stand still in the time that is left.</summary>
+    [Theory]
+    [InlineData("gasket.dxf")]
+    [InlineData("clock-dial.dxf")]
+    public void A_place_of_a_segment_has_its_moment(string sample)
+    {
+        var (_, motion) = Motion(sample);
+        for (var segment = 0; segment < motion.SegmentCount; segment++)
+        {
+            var begins = motion.TimeOfSegment(segment);
+            var ends = segment + 1 < motion.SegmentCount ? motion.TimeOfSegment(segment + 1) : motion.DurationSeconds;
+            foreach (var part in (double[])[0.0, 0.1, 0.5, 0.9])
+            {
+                var at = motion.At(begins + (part * (ends - begins)));
+                if (at.Segment == segment && at.Kind == MotionSpanKind.Cut) Assert.Equal(at.Seconds, motion.TimeOfPlace(segment, at.Position), tolerance: 0.01);
+            }
+
+            Assert.InRange(motion.TimeOfPlace(segment, new Point2D(1e4, -3e4)), begins, ends);
+        }
+    }
+
+    [Fact]
+    public void A_full_circle_begins_and_goes_on_and_never_jumps_to_its_end()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Circle(0, 0, 10).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var begins = motion.TimeOfSegment(0);
+        var start = motion.At(begins).Position;
+        foreach (var aside in (double[])[-0.02, 0.0, 0.02]) Assert.Equal(begins, motion.TimeOfPlace(0, start + new Vector2D(0, aside)), tolerance: 0.05);
+        var half = motion.TimeOfPlace(0, new Point2D(-start.X, -start.Y));
+
+        Assert.Equal(begins + (Math.PI * 10.0 / 20.0), half, tolerance: 0.2);
+    }
+
     [Fact]
     public void A_rapid_moves_each_axis_at_its_own_pace()
     {
