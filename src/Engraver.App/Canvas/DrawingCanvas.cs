@@ -43,7 +43,11 @@ public sealed partial class DrawingCanvas : Panel
         (Background, Focusable, ClipToBounds, Cursor) = (Brushes.Transparent, true, true, new Cursor(StandardCursorType.None));
         _refiner = new PictureRefiner(_keeper);
         _ghosts = new GhostRunner(ShowCursor);
-        _keeper.Refined += (_, _) => _picture.InvalidateVisual();
+        _keeper.Refined += (_, _) =>
+        {
+            _picture.InvalidateVisual();
+            PictureDrawn?.Invoke();
+        };
     }
 
     /// <summary>The drawing; null: none is open.</summary>
@@ -101,6 +105,9 @@ public sealed partial class DrawingCanvas : Panel
         get => GetValue(EngravedMovesProperty);
         set => SetValue(EngravedMovesProperty, value);
     }
+
+    /// <summary>A finished picture is there.</summary>
+    internal event Action? PictureDrawn;
 
     /// <summary>Takes what the operator does on the canvas; null: the canvas only shows.</summary>
     public ICanvasCommands? Commands { get; set; }

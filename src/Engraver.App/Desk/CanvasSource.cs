@@ -21,11 +21,15 @@ public sealed class CanvasSource
     private MachineOverlay? _machine;
     private TrajectoryList _trajectories = TrajectoryList.Empty;
     private bool _machineLeads;
+    private readonly FirstPicture _first;
 
     public CanvasSource(DesktopModel desk, DrawingCanvas canvas)
     {
         (_desk, _canvas) = (desk, canvas);
         canvas.View = desk.Session.View;
+        _first = new FirstPicture(desk.Time);
+        desk.Session.Derivation.Before = state => _first.Of(state.Drawing);
+        canvas.PictureDrawn += () => _first.Show(canvas.HasPictureOfScene ? canvas.Scene?.Drawing : null);
         desk.Changed += Look;
         desk.Derived.Moved += OnPlaybackMoved;
         Look();

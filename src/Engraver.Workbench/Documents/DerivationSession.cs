@@ -70,6 +70,9 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
+    /// <summary>What is waited for before anything is computed for a document, of which nothing is known yet: a window shows a drawing before it plans it. How that ends does not matter. Null: nothing. Asked under a lock, so it must not wait itself.</summary>
+    public Func<DocumentState, Task>? Before { get; set; }
+
     /// <summary>What follows from the document as it stands now. Never computes on the caller's thread.</summary>
     /// <param name="cancellation">Ends the waiting; the work goes on for others.</param>
     /// <exception cref="OperationCanceledException">The waiting was ended, or the document changed before the work was done.</exception>
@@ -117,7 +120,14 @@ public sealed class DerivationSession : IDisposable
         _givenUp = null;
         var cancel = new CancellationTokenSource();
         var known = IsOf(Current, wanted.State, wanted.Mode) ? Current : null;
-        var work = Task.Run(() => (known ?? DerivedDocument.Create(wanted.State, wanted.Mode, cancel.Token, Progress.For(cancel.Token))).Over(wanted.Line), cancel.Token);
+        var before = known is null && Before?.Invoke(wanted.State) is { } wait ? wait.WaitAsync(cancel.Token) : Task.CompletedTask;
+        var work = Task.Run(
+            async () =>
+            {
+                await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+                return (known ?? DerivedDocument.Create(wanted.State, wanted.Mode, cancel.Token, Progress.For(cancel.Token))).Over(wanted.Line);
+            },
+            cancel.Token);
         _work = new Work(wanted, cancel, FinishAsync(work, cancel));
     }
 
