@@ -33,6 +33,35 @@ public sealed class DerivationSessionTests : IDisposable
         Assert.True(_derivation.IsCurrent);
     }
 
+    /// <summary>A window shows a drawing before it plans it; that the picture fails or never comes does not keep anybody from the plan.</summary>
+    [Fact]
+    public async Task Nothing_is_computed_before_what_is_waited_for_has_ended_however_it_ends()
+    {
+        var picture = new TaskCompletionSource();
+        _derivation.Before = state => ReferenceEquals(state, _document.Current) ? picture.Task : throw new InvalidOperationException();
+        var derived = _derivation.ForCurrentAsync(CancellationToken.None);
+        Assert.Null(_derivation.Progress.Stage);
+        Assert.False(derived.IsCompleted);
+        picture.SetException(new TimeoutException());
+
+        Assert.Equal(2, (await derived).Analysed!.Count);
+        _derivation.Before = _ => new TaskCompletionSource().Task;
+        _derivation.Line = new SerialAddress("/dev/ttyS0", 9600); // of a job that is known only the plan is made anew
+        Assert.NotNull((await _derivation.ForCurrentAsync(CancellationToken.None)).Plan);
+    }
+
+    [Fact]
+    public async Task What_waits_is_given_up_and_left_like_what_is_computed()
+    {
+        _derivation.Before = _ => new TaskCompletionSource().Task;
+        var derived = _derivation.ForCurrentAsync(CancellationToken.None);
+        Assert.True(_derivation.GiveUp());
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => derived);
+        Assert.True(_derivation.IsGivenUp);
+        _derivation.Before = null;
+        Assert.Equal(2, (await _derivation.ForCurrentAsync(CancellationToken.None)).Analysed!.Count);
+    }
+
     [Fact]
     public async Task The_same_state_is_computed_once_and_a_selection_is_no_other_state()
     {

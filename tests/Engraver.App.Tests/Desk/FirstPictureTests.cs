@@ -1,0 +1,64 @@
+using Engraver.App.Desk;
+using Engraver.Core.Drawings;
+using Engraver.TestKit;
+
+namespace Engraver.App.Tests.Desk;
+
+public sealed class FirstPictureTests
+{
+    private static readonly Drawing s_large = Lines(50_000);
+    private readonly ManualTimeProvider _clock = new();
+    private readonly FirstPicture _first;
+
+    public FirstPictureTests() => _first = new FirstPicture(_clock);
+
+    [Fact]
+    public void Nothing_is_waited_for_where_the_picture_is_quick_or_there_is_none()
+    {
+        Assert.True(_first.Of(null).IsCompletedSuccessfully);
+        Assert.True(_first.Of(Lines(100)).IsCompletedSuccessfully);
+    }
+
+    [Fact]
+    public async Task A_large_drawing_is_waited_for_until_its_own_picture_is_there()
+    {
+        var awaited = _first.Of(s_large);
+        _first.Show(null);
+        _first.Show(Lines(100));
+        Assert.False(awaited.IsCompleted);
+        _first.Show(s_large);
+
+        await awaited;
+        Assert.True(_first.Of(s_large).IsCompletedSuccessfully);
+        _first.Show(null);
+        Assert.False(_first.Of(s_large).IsCompleted); // opened again, it is drawn again
+    }
+
+    [Fact]
+    public async Task A_drawing_in_the_place_of_another_lets_that_go()
+    {
+        var awaited = _first.Of(s_large);
+        var other = _first.Of(Lines(50_001));
+
+        await awaited;
+        Assert.False(other.IsCompleted);
+    }
+
+    [Fact]
+    public async Task A_picture_that_does_not_come_is_not_waited_for()
+    {
+        var awaited = _first.Of(s_large);
+        _clock.Advance(TimeSpan.FromSeconds(1.9));
+        Assert.False(awaited.IsCompleted);
+        _clock.Advance(TimeSpan.FromSeconds(0.2));
+
+        await Assert.ThrowsAsync<TimeoutException>(() => awaited);
+    }
+
+    private static Drawing Lines(int count)
+    {
+        var builder = new DrawingBuilder();
+        for (var i = 0; i < count; i++) builder.Line(i, 0, i, 1);
+        return builder.Build();
+    }
+}
