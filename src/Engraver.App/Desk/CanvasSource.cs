@@ -126,7 +126,7 @@ public sealed class CanvasSource
     /// <summary>How many moves of the job's toolpath are cut; a segment of the controller is a move or a part of one.</summary>
     private int MovesDone(int segmentsDone)
     {
-        if (segmentsDone == 0 || _desk.Session.Machine.ShownJob?.Followed is not null) return 0; // trajectories are no rows of the table
+        if (segmentsDone == 0 || _desk.Session.Machine.ShownJob?.Followed is not null) return 0; // trajectories are no moves of the toolpath
         if (_desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
         return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Move;
     }

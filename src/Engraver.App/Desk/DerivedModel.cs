@@ -11,6 +11,9 @@ namespace Engraver.App.Desk;
 public sealed class DerivedModel(CommandSession session)
 {
     private PostedLines _lines = PostedLines.None;
+    /// <summary>Seconds of the plan; a smaller step does not move the playback, which an operator may look through while the job is held.</summary>
+    private const double LeastStep = 0.001;
+
     private bool _follows;
 
     /// <summary>What the machine told last of the job that is planned here, and to which moment of the plan it had come then.</summary>
@@ -99,8 +102,7 @@ public sealed class DerivedModel(CommandSession session)
     public double SecondsLeft(EngravedProgress told) => (1.0 - FractionDone(told)) * PlannedSeconds;
 
     /// <summary>How much of the planned time of a job is over, 0 to 1. Of a job that is not the one that is planned here: of its segments.</summary>
-    public double FractionDone(EngravedProgress told) =>
-        Current.Motion is { DurationSeconds: > 0.0 } motion && motion.SegmentCount == told.SegmentCount ? SecondsDone(motion, told) / motion.DurationSeconds : told.Fraction;
+    public double FractionDone(EngravedProgress told) => IsPlannedHere(told) && Current.Motion is { DurationSeconds: > 0.0 } motion ? SecondsDone(motion, told) / motion.DurationSeconds : told.Fraction;
 
     /// <summary>How much longer the plan takes under overrides; less than 1 for shorter.</summary>
     public double TimeUnder(double feed, double rapid) => Current.Plan is { Total: > 0.0 } plan ? plan.Under(feed, rapid) / plan.Total : 1.0;
@@ -132,24 +134,27 @@ public sealed class DerivedModel(CommandSession session)
         var status = session.Machine.Status;
         var runs = status.State.IsJob();
         if (!runs && !FollowsMachine) return false;
-        if (Current.Motion is not { } motion || status.Progress is not { } told || told.SegmentCount != motion.SegmentCount) return runs;
+        if (Current.Motion is not { } motion || status.Progress is not { } told || !IsPlannedHere(told)) return runs;
         if (!_follows)
         {
             session.Playback.Pause();
             (_follows, _told) = (true, null);
         }
 
-        if (told == _told) return runs;
-        (_reached, _told) = (SecondsDone(motion, told), told);
-        session.Playback.Scrub(_reached);
+        var now = SecondsDone(motion, told);
+        if (_told is null || Math.Abs(now - _reached) >= LeastStep) session.Playback.Scrub(_reached = now);
+        _told = told;
         return runs;
     }
 
-    /// <summary>To which moment of the plan the machine has come: in a segment as far as the tool, between strokes to the next segment. With the tool off in a segment that is begun (held, stopped) it is not farther back than it was.</summary>
+    /// <summary>The job that runs is the one that is planned here, not one of trajectories or one fitted to a slow line.</summary>
+    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.ShownJob?.Followed is null;
+
+    /// <summary>To which moment of the plan the machine has come: in a segment as far as it has come along it, between strokes to the next segment. In a segment that is begun it is not farther back than it was (held and moved away, or stopped).</summary>
     private double SecondsDone(PlannedMotion motion, EngravedProgress told)
     {
         if (told.SegmentsDone >= motion.SegmentCount) return motion.DurationSeconds;
-        var now = told.ToolOn ? motion.TimeOfPlace(told.SegmentsDone, told.Position) : motion.TimeOfSegment(told.SegmentsDone);
+        var now = told.IsOnPath ? motion.TimeOfPlace(told.SegmentsDone, told.Position) : motion.TimeOfSegment(told.SegmentsDone);
         return _told?.SegmentsDone == told.SegmentsDone ? Math.Max(now, _reached) : now;
     }
 }

@@ -330,14 +330,19 @@ public sealed class DesktopModel : IAsyncDisposable
         await _hearing.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
     }
 
-    /// <summary>At once, and again when the input that was on its way to the session has begun its command.</summary>
+    /// <summary>At once, and again when the input that was on its way to the session has begun its command; before what is clicked behind Esc.</summary>
     private async Task EndAfterAsync(Task before)
     {
-        var heard = _hearing; // what is clicked behind Esc is not meant
+        var again = Hear(EndBesideNowAsync);
         await Task.Run(Session.EndBesideAsync);
-        await heard.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
-        await Task.Run(Session.EndBesideAsync);
+        await again;
         await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+    }
+
+    private async Task<InputResult> EndBesideNowAsync()
+    {
+        await Session.EndBesideAsync().ConfigureAwait(false);
+        return new InputResult.Cancelled();
     }
 
     private Task<InputResult> Enqueue(Func<Task<InputResult>> work)

@@ -22,7 +22,9 @@ internal sealed class FirstPicture(TimeProvider time)
     {
         lock (_guard)
         {
-            if (drawing is null || drawing.Entities.Count < Large || ReferenceEquals(drawing, _shown)) return Task.CompletedTask;
+            var isAwaited = drawing is { Entities.Count: >= Large } && !ReferenceEquals(drawing, _shown);
+            if (!isAwaited && _awaited is not null) Await(null); // a drawing that is gone is not held
+            if (!isAwaited) return Task.CompletedTask;
             if (!ReferenceEquals(drawing, _awaited)) Await(drawing);
             return _there.Task.WaitAsync(s_longest, time);
         }

@@ -98,6 +98,7 @@ public partial class ShellWindow : Window
     /// <summary>The command of an entry of menus and tools.</summary>
     private Act ActOf(string name) => name switch
     {
+        "QUIT" => new Act(() => Close()), // also while a script runs or something asks, which goes on when the window stays
         "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
         "Window.Pages" => new Act(() => _panels.FoldPages()),
         "Window.Clean" => new Act(() => _panels.FoldAll()),

@@ -9,10 +9,12 @@ namespace Engraver.Workbench.Commands;
 internal sealed class CommandFrame : IDisposable
 {
     private readonly CancellationTokenSource _cancel = new();
+    private readonly CancellationToken _cancelled;
+    private readonly TaskCompletionSource<InputResult> _ended = new();
     private TaskCompletionSource _asks = new();
     private volatile bool _isCancelled;
 
-    public CommandFrame(CommandInfo info) => Info = info;
+    public CommandFrame(CommandInfo info) => (Info, _cancelled) = (info, _cancel.Token);
 
     public CommandInfo Info { get; }
 
@@ -31,10 +33,13 @@ internal sealed class CommandFrame : IDisposable
     /// <summary>What the operator has picked for it so far, indices into the drawing's entities; null while nothing was asked for.</summary>
     public IReadOnlyList<int>? Picked { get; set; }
 
-    /// <summary>How it ended; runs until then.</summary>
-    public Task<InputResult> Ended { get; private set; } = Task.FromResult<InputResult>(new InputResult.Done());
+    /// <summary>It has asked something, be it answered or not.</summary>
+    public bool HasAsked { get; private set; }
 
-    public void Start(ICommand command, CommandContext context) => Ended = RunAsync(command, context);
+    /// <summary>How it ended; runs until then, also before it is started.</summary>
+    public Task<InputResult> Ended => _ended.Task;
+
+    public void Start(ICommand command, CommandContext context) => _ = EndAsync(RunAsync(command, context));
 
     /// <summary>Called by the command: waits for the operator.</summary>
     public async Task<Answer<T>> AskAsync<T>(ValuePrompt<T> prompt)
@@ -83,17 +88,23 @@ internal sealed class CommandFrame : IDisposable
     /// <summary>From now on the question waits; where Esc came just before it (from another thread), it ends at once.</summary>
     private void Await(PendingAsk pending)
     {
-        Pending = pending;
+        (Pending, HasAsked) = (pending, true);
         Interlocked.MemoryBarrier(); // the question is seen by Cancel, or Cancel is seen here
         if (IsCancelled) pending.Cancel();
         _asks.TrySetResult();
+    }
+
+    private async Task EndAsync(Task<InputResult> run)
+    {
+        await ((Task)run).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+        _ended.SetFromTask(run);
     }
 
     private async Task<InputResult> RunAsync(ICommand command, CommandContext context)
     {
         try
         {
-            await command.RunAsync(context, _cancel.Token).ConfigureAwait(false);
+            await command.RunAsync(context, _cancelled).ConfigureAwait(false);
             return new InputResult.Done();
         }
         catch (CommandException failed)

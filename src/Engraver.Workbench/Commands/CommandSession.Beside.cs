@@ -33,14 +33,15 @@ public sealed partial class CommandSession
     public string? WhyNotBeside(string input) => Meant(input) is { Info: { IsHeardBeside: false } info } ? ReasonFor(info) : null;
 
     /// <summary>Ends a command that asks or works beside the one at work; that one goes on. A command between two questions ends too: nothing is asked any more.</summary>
-    /// <returns>False when there is none.</returns>
+    /// <returns>True when it had asked something; false also when there is none.</returns>
     public async Task<bool> EndBesideAsync()
     {
         if (_aside is not { } aside || Interlocked.CompareExchange(ref _aside, null, aside) != aside) return false;
         aside.Cancel();
         await aside.Ended.ConfigureAwait(false);
+        Interlocked.CompareExchange(ref _aside, null, aside); // its question may have come in the same moment
         aside.Dispose();
-        return true;
+        return aside.HasAsked;
     }
 
     /// <summary>Takes an input while a command is at work: only a command that is heard then is run.</summary>
@@ -88,7 +89,8 @@ public sealed partial class CommandSession
         if (result is InputResult.Asking)
         {
             if (Interlocked.Exchange(ref _aside, frame) is { } other && other != frame) other.Cancel();
-            return result;
+            if (!frame.IsCancelled) return result;
+            result = await frame.Ended.ConfigureAwait(false);
         }
 
         Interlocked.CompareExchange(ref _aside, null, frame);

@@ -267,7 +267,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     {
         if (input.Length == 0) return await RepeatAsync(cancellation).ConfigureAwait(false);
         if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
-        _last = command;
+        _last = command.Info.IsRepeated ? command : null;
         return await StartAsync(command, cancellation, CommandWord.HasDash(input)).ConfigureAwait(false);
     }
 

@@ -43,6 +43,9 @@ public sealed record CommandInfo(string Name, CommandGroup Group)
     /// <summary>True when it is heard while another command is at work, a job or a computation, though it may not be used inside one that asks. What it asks is asked beside the other.</summary>
     public bool HeardDuringJob { get; init; }
 
+    /// <summary>False when Enter alone does not run it once more.</summary>
+    public bool IsRepeated { get; init; } = true;
+
     /// <summary>True when it is run at once while another command is at work.</summary>
     public bool IsHeardBeside => HeardDuringJob || Transparent;
 

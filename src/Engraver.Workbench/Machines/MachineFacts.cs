@@ -160,7 +160,7 @@ internal sealed record MachineFacts
         : Poll?.Position;
 
     private static EngravedProgress Engraved(MachineProfile profile, in JobProgress told) =>
-        new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.Place), told.ToolOn, told.Seconds);
+        new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.Place), told.ToolOn, told.Seconds) { IsOnPath = told.IsOnPath };
 
     private static Point2D Millimetres(MachineProfile profile, CountsPoint counts) => profile.Scale.ToMillimetres(counts.X, counts.Y);
 }

@@ -105,6 +105,9 @@ public sealed record MachineStatus
 /// <param name="Seconds">Controller time since the job began.</param>
 public sealed record EngravedProgress(int Stroke, int SegmentsDone, int SegmentCount, Point2D Position, bool ToolOn, double Seconds)
 {
-    /// <summary>Progress from Progress from 0 to 1, by segments.</summary>
+    /// <summary>The controller runs a vector sequence: the place is on the segment after those that are done.</summary>
+    public bool IsOnPath { get; init; }
+
+    /// <summary>From 0 to 1, by segments.</summary>
     public double Fraction => SegmentCount == 0 ? 0.0 : (double)SegmentsDone / SegmentCount;
 }

@@ -180,10 +180,10 @@ public sealed class PlannedMotion
         return first;
     }
 
-    /// <param name="numberOf">Of a segment; it never becomes less along the program.</param>
+    /// <param name="numberOf">Of a segment. In several passes it begins anew.</param>
     private int[] FirstSegments(Func<int, int> numberOf)
     {
-        var first = new int[_moves.Length == 0 ? 0 : numberOf(_moves.Length - 1) + 1];
+        var first = new int[_moves.Length == 0 ? 0 : Enumerable.Range(0, _moves.Length).Max(numberOf) + 1];
         for (var segment = 0; segment < _moves.Length; segment++)
         {
             ref var of = ref first[numberOf(segment)];

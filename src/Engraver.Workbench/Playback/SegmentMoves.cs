@@ -1,3 +1,4 @@
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
@@ -65,10 +66,18 @@ internal static class SegmentMoves
         public int Take(in VectorSegment segment)
         {
             if (_moveIsDone && _move + 1 < moves.Count) _move++;
-            while (moves[_move].EntityIndex != segment.EntityIndex && _move + 1 < moves.Count) _move++;
-            var exact = scale.Exact(moves[_move].Segment.End);
-            _moveIsDone = Math.Abs(exact.X - segment.End.X) <= Near && Math.Abs(exact.Y - segment.End.Y) <= Near;
+            while (_move + 1 < moves.Count && (moves[_move].EntityIndex != segment.EntityIndex || (IsShort(moves[_move].Segment) && !EndsWith(segment)))) _move++;
+            _moveIsDone = EndsWith(segment);
             return _move;
+        }
+
+        /// <summary>Shorter than a count, so that it may have no segment of its own.</summary>
+        private bool IsShort(Segment move) => move.Length * Math.Max(scale.X, scale.Y) < 1.0;
+
+        private bool EndsWith(in VectorSegment segment)
+        {
+            var exact = scale.Exact(moves[_move].Segment.End);
+            return Math.Abs(exact.X - segment.End.X) <= Near && Math.Abs(exact.Y - segment.End.Y) <= Near;
         }
     }
 }

@@ -44,6 +44,27 @@ public sealed class FirstPictureTests
         Assert.False(other.IsCompleted);
     }
 
+    /// <summary>Closed, or another drawing opened, before its picture was there.</summary>
+    [Fact]
+    public async Task A_drawing_that_is_gone_is_let_go()
+    {
+        var awaited = _first.Of(s_large);
+        Assert.True(_first.Of(null).IsCompletedSuccessfully);
+        await awaited;
+        var (again, held) = Awaited();
+        Assert.True(_first.Of(Lines(100)).IsCompletedSuccessfully);
+        await again;
+        GC.Collect();
+        Assert.False(held.TryGetTarget(out _));
+
+        [System.Runtime.CompilerServices.MethodImpl(System.Runtime.CompilerServices.MethodImplOptions.NoInlining)]
+        (Task, WeakReference<Drawing>) Awaited()
+        {
+            var drawing = Lines(50_000);
+            return (_first.Of(drawing), new WeakReference<Drawing>(drawing));
+        }
+    }
+
     [Fact]
     public async Task A_picture_that_does_not_come_is_not_waited_for()
     {

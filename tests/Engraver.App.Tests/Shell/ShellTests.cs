@@ -173,6 +173,8 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Step();
         Assert.True(here.Window.IsVisible);
         Assert.Contains("Close once more to leave without saving.", here.History.Last(), StringComparison.Ordinal);
+        here.Enter("");
+        Assert.True(here.Window.IsVisible, "Enter alone was the second QUIT");
         here.Hands.Type("quit");
         here.Hands.Press(Key.Enter);
         here.Until(() => !here.Window.IsVisible);

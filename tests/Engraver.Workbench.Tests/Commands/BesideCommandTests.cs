@@ -13,12 +13,13 @@ public sealed class BesideCommandTests : IAsyncDisposable
     private readonly List<CommandMessage> _said = [];
     private readonly WorkCommand _work = new();
     private readonly LookCommand _look = new();
+    private readonly CountCommand _count = new();
     private readonly CommandSession _session;
 
     public BesideCommandTests()
     {
         var built = CommandCatalog.Built();
-        _session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, new CommandCatalog([.. built.All.Select(info => built.Find(info.Name)!), _work, _look]));
+        _session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, new CommandCatalog([.. built.All.Select(info => built.Find(info.Name)!), _work, _look, _count]));
         _session.Said += (_, message) =>
         {
             lock (_said) _said.Add(message);
@@ -93,7 +94,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
     {
         var working = EnterAsync("WORK");
         var before = _session.Document.Current;
-        foreach (var info in _session.Catalog.All.Where(info => info.Name is not ("WORK" or "LOOK")))
+        foreach (var info in _session.Catalog.All.Where(info => info.Name is not ("WORK" or "LOOK" or "COUNT")))
         {
             var result = await EnterAsync(info.Name);
             Assert.True(info.IsHeardBeside == result is not InputResult.NotUnderstood, $"{info.Name}: {result}");
@@ -152,6 +153,24 @@ public sealed class BesideCommandTests : IAsyncDisposable
         Assert.Null(_session.Prompt.Command);
         Assert.False(_session.AsksBeside);
         Assert.True(_session.IsBusy);
+        _work.LetGo();
+        Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
+    }
+
+    /// <summary>Esc from another thread while a command beside the work has begun and not come back yet (LIST of a large drawing): it is waited for, and the token it was given still answers.</summary>
+    [Fact]
+    public async Task Esc_while_a_command_beside_the_work_computes_waits_until_it_has_ended()
+    {
+        var working = EnterAsync("WORK");
+        var counting = Task.Run(() => EnterAsync("COUNT"));
+        await _count.Begun.WaitAsync(_limit.Token);
+        var ending = _session.EndBesideAsync();
+        Assert.False(ending.IsCompleted);
+        _count.LetGo();
+
+        Assert.False(await ending.WaitAsync(_limit.Token)); // it had asked nothing
+        Assert.IsType<InputResult.Cancelled>(await counting.WaitAsync(_limit.Token));
+        Assert.DoesNotContain(_said, message => message.Kind == MessageKind.Error);
         _work.LetGo();
         Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
     }
@@ -217,6 +236,28 @@ public sealed class BesideCommandTests : IAsyncDisposable
             await context.AskAsync(new PointPrompt("Specify first point"));
             await _go.Task;
             await context.AskAsync(new PointPrompt("Specify second point"));
+        }
+    }
+
+    /// <summary>Computes on the caller's thread until it is let go, and then looks at its token.</summary>
+    private sealed class CountCommand : ICommand
+    {
+        private readonly TaskCompletionSource _begun = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        private readonly TaskCompletionSource _go = new();
+
+        public CommandInfo Info { get; } = new("COUNT", CommandGroup.Drawing) { Transparent = true };
+
+        public Task Begun => _begun.Task;
+
+        public void LetGo() => _go.TrySetResult();
+
+        public Task RunAsync(CommandContext context, CancellationToken cancellation)
+        {
+            _begun.TrySetResult();
+            _go.Task.Wait(TimeSpan.FromSeconds(60), CancellationToken.None);
+            cancellation.WaitHandle.WaitOne(0); // throws where its source is gone
+            cancellation.ThrowIfCancellationRequested();
+            return Task.CompletedTask;
         }
     }
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
@@ -148,6 +149,17 @@ public class PlannedMotionTests
         Assert.False(motion.At(begins - 0.15).ToolOn);
         Assert.False(motion.At(motion.DurationSeconds).ToolOn);
         Assert.Equal(0, motion.LineOf(motion.At(begins).Segment));
+    }
+
+    /// <summary>A move that is shorter than a count has no segment: those behind it are not taken for it.</summary>
+    [Fact]
+    public void What_follows_a_move_without_a_segment_is_on_its_own_move()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Curve(CurveType.LwPolyline, Segment.FromLine(new(0, 0), new(10, 0)), Segment.FromLine(new(10, 0), new(10.0003, 0)), Segment.FromLine(new(10.0003, 0), new(20, 5)), Segment.FromLine(new(20, 5), new(30, 5))).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        Assert.Equal((3, 4), (motion.SegmentCount, job.Toolpath.Strokes[0].Moves.Count));
+
+        Assert.Equal([0, 2, 3], Enumerable.Range(0, 3).Select(segment => motion.At(motion.TimeOfSegment(segment) + 0.01).Move));
     }
 
     /// <summary>Where the tool is in a segment says when it is there: a long segment does not stand still in the time that is left.</summary>

@@ -2,10 +2,10 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
 
-/// <summary>QUIT: Closes the window, which asks first where a job runs or the drawing was edited.</summary>
+/// <summary>QUIT: Closes the window, which asks first where a job runs or the drawing was edited. Enter alone is not the second QUIT that leaves without saving.</summary>
 internal sealed class QuitCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("QUIT", CommandGroup.File) { HeardDuringJob = true };
+    public CommandInfo Info { get; } = new("QUIT", CommandGroup.File) { HeardDuringJob = true, IsRepeated = false };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation) =>
         context.OpensDialog() ? Task.CompletedTask : throw new CommandException(CommandFailure.Usage, Wording.Get("Quit.NoWindow"));
