@@ -7,6 +7,7 @@ namespace Engraver.App.Tests.Desk;
 public sealed class FirstPictureTests
 {
     private static readonly Drawing s_large = Lines(50_000);
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
     private readonly ManualTimeProvider _clock = new();
     private readonly FirstPicture _first;
 
@@ -28,7 +29,7 @@ public sealed class FirstPictureTests
         Assert.False(awaited.IsCompleted);
         _first.Show(s_large);
 
-        await awaited;
+        await awaited.WaitAsync(s_patience);
         Assert.True(_first.Of(s_large).IsCompletedSuccessfully);
         _first.Show(null);
         Assert.False(_first.Of(s_large).IsCompleted); // opened again, it is drawn again
@@ -40,7 +41,7 @@ public sealed class FirstPictureTests
         var awaited = _first.Of(s_large);
         var other = _first.Of(Lines(50_001));
 
-        await awaited;
+        await awaited.WaitAsync(s_patience);
         Assert.False(other.IsCompleted);
     }
 
@@ -50,10 +51,10 @@ public sealed class FirstPictureTests
     {
         var awaited = _first.Of(s_large);
         Assert.True(_first.Of(null).IsCompletedSuccessfully);
-        await awaited;
+        await awaited.WaitAsync(s_patience);
         var (again, held) = Awaited();
         Assert.True(_first.Of(Lines(100)).IsCompletedSuccessfully);
-        await again;
+        await again.WaitAsync(s_patience);
         GC.Collect();
         Assert.False(held.TryGetTarget(out _));
 

@@ -44,10 +44,10 @@ public sealed class DerivationSessionTests : IDisposable
         Assert.False(derived.IsCompleted);
         picture.SetException(new TimeoutException());
 
-        Assert.Equal(2, (await derived).Analysed!.Count);
+        Assert.Equal(2, (await derived.WaitAsync(TimeSpan.FromSeconds(60))).Analysed!.Count);
         _derivation.Before = _ => new TaskCompletionSource().Task;
         _derivation.Line = new SerialAddress("/dev/ttyS0", 9600); // of a job that is known only the plan is made anew
-        Assert.NotNull((await _derivation.ForCurrentAsync(CancellationToken.None)).Plan);
+        Assert.NotNull((await _derivation.ForCurrentAsync(CancellationToken.None).WaitAsync(TimeSpan.FromSeconds(60))).Plan);
     }
 
     [Fact]
