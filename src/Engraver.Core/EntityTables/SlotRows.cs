@@ -1,4 +1,7 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
 
 namespace Engraver.Core.EntityTables;
 
@@ -32,17 +35,18 @@ internal sealed class SlotRows
     /// <param name="first">The chunk's first row.</param>
     internal sealed class SlotChunk(in EntitySlots first)
     {
-        private const sbyte Same = -1;
-
         /// <summary>The value of all rows where they do not differ.</summary>
         private readonly EntitySlots _first = first;
 
-        /// <summary>For each slot its place among those that differ; <see cref="Same"/> for the others.</summary>
+        /// <summary>For each slot its place among those that differ; negative for the others.</summary>
         private PlacesOfSlots _placeOf = PlacesOfSlots.AllSame;
 
         /// <summary>The slots that differ, in the order in which they began to.</summary>
         private PlacesOfSlots _differing;
         private int _width;
+
+        /// <summary>A bit for each slot that is the same in all rows.</summary>
+        private uint _same = (1U << EntitySlot.Count) - 1;
 
         /// <summary>Row by row the slots that differ.</summary>
         private double[] _cells = [];
@@ -60,11 +64,7 @@ internal sealed class SlotRows
         public void Write(int place, in EntitySlots slots)
         {
             var width = _width;
-            for (var slot = 0; slot < EntitySlot.Count; slot++)
-            {
-                if (_placeOf[slot] == Same && BitConverter.DoubleToInt64Bits(slots[slot]) != BitConverter.DoubleToInt64Bits(_first[slot])) Begin(slot);
-            }
-
+            for (var begun = Unlike(slots, _first) & _same; begun != 0; begun &= begun - 1) Begin(BitOperations.TrailingZeroCount(begun));
             if (_width > width) Widen(width, place);
             var row = _cells.AsSpan(place * _width, _width);
             for (var at = 0; at < row.Length; at++) row[at] = slots[_differing[at]];
@@ -74,6 +74,17 @@ internal sealed class SlotRows
         {
             _differing[_width] = (sbyte)slot;
             _placeOf[slot] = (sbyte)_width++;
+            _same &= ~(1U << slot);
+        }
+
+        /// <summary>A bit for each slot whose eight bytes differ: a negative zero is not a zero.</summary>
+        private static uint Unlike(in EntitySlots left, in EntitySlots right)
+        {
+            var ours = MemoryMarshal.Cast<double, Vector256<long>>(left);
+            var theirs = MemoryMarshal.Cast<double, Vector256<long>>(right);
+            var unlike = 0U;
+            for (var part = 0; part < ours.Length; part++) unlike |= (~Vector256.Equals(ours[part], theirs[part])).ExtractMostSignificantBits() << (part * Vector256<long>.Count);
+            return unlike;
         }
 
         /// <summary>Makes room for slots that differ from now on; they were the same in all rows so far.</summary>

@@ -23,14 +23,19 @@ public static class Sequencer
         var segments = analysed.ToSegments();
         var kept = analysed;
         var findings = new SequencingFindings(drawing, options);
+        var ends = default(SegmentEnds); // of the segments as they are at last
         if (!options.KeepDuplicates)
         {
-            var rows = DuplicateRemoval.Keep(segments, options.DuplicateTolerance, options.CutsHeights ? EndHeights.From(analysed, options.JoinTolerance) : EndHeights.Flat);
+            ends = new SegmentEnds(segments, options.JoinTolerance);
+            var heights = options.CutsHeights ? EndHeights.From(analysed, options.JoinTolerance) : EndHeights.Flat;
+            var rows = ends.MayCoincide(segments, options.DuplicateTolerance) is { } candidates
+                ? DuplicateRemoval.Keep(segments, options.DuplicateTolerance, heights, candidates)
+                : DuplicateRemoval.Keep(segments, options.DuplicateTolerance, heights);
             if (rows.Length < segments.Length)
             {
                 findings.AddDuplicates(analysed, rows);
                 kept = analysed.Picking(rows);
-                segments = kept.ToSegments();
+                (segments, ends) = (kept.ToSegments(), null);
             }
         }
 
@@ -40,10 +45,10 @@ public static class Sequencer
         {
             findings.AddArcs(recovered);
             kept = recovered.Table;
-            segments = kept.ToSegments();
+            (segments, ends) = (kept.ToSegments(), null);
         }
 
-        var chain = ContourChainer.Chain(segments, options.JoinTolerance, EndHeights.From(kept, options.JoinTolerance));
+        var chain = ContourChainer.Chain(segments, ends ?? new SegmentEnds(segments, options.JoinTolerance), options.JoinTolerance, EndHeights.From(kept, options.JoinTolerance));
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
         findings.SumUp();

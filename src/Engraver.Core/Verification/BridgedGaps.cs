@@ -13,12 +13,14 @@ public static class BridgedGaps
     public static IReadOnlyList<StrokeMove> Beyond(Toolpath toolpath, double deviation)
     {
         var gaps = new List<StrokeMove>();
-        foreach (var moves in toolpath.Strokes.Select(stroke => stroke.Moves))
+        foreach (var stroke in toolpath.Strokes)
         {
-            for (var i = 1; i < moves.Count; i++)
+            var (isFirst, from, height) = (true, default(Point2D), 0.0);
+            foreach (var move in stroke.Moves)
             {
-                var (from, to) = (moves[i - 1].Segment.End, moves[i].Segment.Start);
-                if (from.DistanceTo(to) > 2.0 * deviation) gaps.Add(new StrokeMove(Segment.FromLine(from, to), moves[i].EntityIndex, moves[i - 1].EndZ, moves[i].StartZ));
+                var to = move.Segment.Start;
+                if (!isFirst && !from.IsNear(to, 2.0 * deviation)) gaps.Add(new StrokeMove(Segment.FromLine(from, to), move.EntityIndex, height, move.StartZ));
+                (isFirst, from, height) = (false, move.Segment.End, move.EndZ);
             }
         }
 

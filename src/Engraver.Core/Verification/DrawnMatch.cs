@@ -11,7 +11,10 @@ namespace Engraver.Core.Verification;
 /// <param name="Moves">Moves without a row: what replaces those rows, and superfluous ones.</param>
 internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<StrokeMove> Moves)
 {
-    public static DrawnMatch From(EntityTable drawn, Toolpath toolpath)
+    /// <param name="drawn">As drawn.</param>
+    /// <param name="toolpath">For it.</param>
+    /// <param name="joint">Told of every move behind another of its stroke, the one before first.</param>
+    public static DrawnMatch From(EntityTable drawn, Toolpath toolpath, Joint joint)
     {
         var pairs = new RowsByPair(drawn);
         var rows = new List<StrokeMove>();
@@ -19,8 +22,11 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         var paired = new bool[drawn.Count];
         foreach (var stroke in toolpath.Strokes)
         {
+            var before = default(StrokeMove?);
             foreach (var move in stroke.Moves)
             {
+                if (before is { } last) joint(last, move);
+                before = move;
                 if (!Pair(drawn, move, pairs, paired)) moves.Add(move);
             }
         }
@@ -32,6 +38,9 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
 
         return new DrawnMatch(rows, moves);
     }
+
+    /// <summary>Two moves of a stroke, one behind the other.</summary>
+    public delegate void Joint(in StrokeMove last, in StrokeMove move);
 
     private static bool Pair(EntityTable drawn, in StrokeMove move, RowsByPair pairs, bool[] paired)
     {

@@ -25,25 +25,17 @@ public static class ToolpathCheck
     public static IReadOnlyList<Diagnostic> Findings(EntityTable drawn, Toolpath toolpath, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
     {
         var findings = new Dictionary<(DiagnosticRule Rule, int Entity), Misfit>();
-        var match = DrawnMatch.From(drawn, toolpath);
-        AddJumps(toolpath, tolerances, findings);
+        var match = DrawnMatch.From(drawn, toolpath, (in last, in move) => AddJump(last, move, tolerances, findings));
         if (match.Moves.Count > 0 || match.Rows.Count > 0) AddRest(match, toolpath, tolerances, findings);
         return [.. findings.Take(MostFindings).Select(found => Diagnostic(found.Key.Rule, found.Value, sourceOf(found.Key.Entity)))];
     }
 
-    /// <summary>Checks the gaps between moves: the tool stays on from the first move of a stroke to the last, so what lies between two moves is cut too.</summary>
-    private static void AddJumps(Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
+    /// <summary>Checks the gap between two moves: the tool stays on from the first move of a stroke to the last, so what lies between two moves is cut too.</summary>
+    private static void AddJump(in StrokeMove last, in StrokeMove move, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
-        foreach (var stroke in toolpath.Strokes)
-        {
-            StrokeMove? before = null;
-            foreach (var move in stroke.Moves)
-            {
-                if (before is { } last && last.Segment.End.DistanceTo(move.Segment.Start) is var gap && gap > tolerances.JoinTolerance + tolerances.For(move.Segment))
-                    Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Misfit(gap, last.Segment.End, 0.0));
-                before = move;
-            }
-        }
+        if (last.Segment.End.IsNear(move.Segment.Start, tolerances.JoinTolerance)) return;
+        var gap = last.Segment.End.DistanceTo(move.Segment.Start);
+        if (gap > tolerances.JoinTolerance + tolerances.For(move.Segment)) Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Misfit(gap, last.Segment.End, 0.0));
     }
 
     private static void AddRest(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)

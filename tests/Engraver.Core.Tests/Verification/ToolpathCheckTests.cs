@@ -121,7 +121,7 @@ public class ToolpathCheckTests
         var builder = new DrawingBuilder();
         for (var i = 0; i < Curves; i++) builder.Free(FreeCurves.Spline(3, [.. Enumerable.Range(0, 8).Select(_ => new Point2D(300 * random.NextDouble(), 300 * random.NextDouble()))], [1, 1, 1, 1, 1, 1, 1, 1]));
         var planned = Planned(builder.Build());
-        var match = DrawnMatch.From(planned.Drawn, planned.Path);
+        var match = DrawnMatch.From(planned.Drawn, planned.Path, (in _, in _) => { });
         var drawing = new DrawnRest(match.Rows, new ToolpathTolerances(MaxError, 0.01, ArcsRecovered: false));
 
         Assert.All(match.Moves, move => Assert.True(drawing.Stray(move) is var stray && stray.Distance <= stray.Allowed));

@@ -16,14 +16,16 @@ public static class ContourChainer
     /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are in plan.</summary>
     public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance, EndHeights heights)
     {
-        return Chain(segments.ToArray(), joinTolerance, heights);
+        ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
+        var read = segments.ToArray();
+        return Chain(read, new SegmentEnds(read, joinTolerance), joinTolerance, heights);
     }
 
     /// <summary>The same; the segments are read, not copied.</summary>
-    internal static ChainResult Chain(Segment[] segments, double joinTolerance, EndHeights heights)
+    /// <param name="ends">Of the segments, within the join tolerance. Chaining uses them up.</param>
+    internal static ChainResult Chain(Segment[] segments, SegmentEnds ends, double joinTolerance, EndHeights heights)
     {
-        ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
-        var walker = new ContourWalker(segments, joinTolerance, heights);
+        var walker = new ContourWalker(segments, ends, joinTolerance, heights);
         var contours = walker.WalkAll();
         return new ChainResult(contours, OpenEndSearch.Find(contours, segments, heights), walker.Branches) { Looks = walker.Looks };
     }

@@ -18,8 +18,6 @@ internal sealed class ContourWalker
     private readonly EndGrid _ends;
     private readonly bool[] _used;
     private readonly CrowdedJunctions _crowded;
-
-    /// <summary>For each end what <see cref="EndGrid.OnlyNeighbours"/> says: at most junctions the one segment that goes on, so that nothing need be searched.</summary>
     private readonly int[] _onlyNeighbours;
     private readonly List<int> _near = [];
     private readonly List<ContourPiece> _ahead = [];
@@ -29,16 +27,22 @@ internal sealed class ContourWalker
     private int _level;
 
     public ContourWalker(Segment[] segments, double joinTolerance, EndHeights heights)
+        : this(segments, new SegmentEnds(segments, joinTolerance), joinTolerance, heights)
+    {
+    }
+
+    /// <param name="segments">Rows by index.</param>
+    /// <param name="ends">Theirs, within the join tolerance; the walk takes them.</param>
+    /// <param name="joinTolerance">Millimetres.</param>
+    /// <param name="heights">Of their ends.</param>
+    public ContourWalker(Segment[] segments, SegmentEnds ends, double joinTolerance, EndHeights heights)
     {
         _segments = segments;
         _tolerance = joinTolerance;
         _heights = heights;
         _used = new bool[segments.Length];
-        var places = new Point2D[2 * segments.Length];
-        for (var row = 0; row < segments.Length; row++) (places[2 * row], places[(2 * row) + 1]) = (segments[row].Start, segments[row].End);
-        _ends = new EndGrid(places, joinTolerance);
-        _onlyNeighbours = _ends.OnlyNeighbours();
-        _crowded = new CrowdedJunctions(_ends, places, joinTolerance);
+        (_ends, _onlyNeighbours) = (ends.Grid, ends.OnlyNeighbours);
+        _crowded = new CrowdedJunctions(_ends, ends.Places, joinTolerance);
         _counts = end => (!_used[end / 2] || end / 2 == _closingRow) && (_heights.AreFlat || _heights.LevelOf(end) == _level);
         for (var row = 0; row < segments.Length; row++)
         {

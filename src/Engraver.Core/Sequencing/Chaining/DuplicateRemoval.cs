@@ -21,29 +21,38 @@ public static class DuplicateRemoval
     public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance, EndHeights heights)
     {
         ArgumentNullException.ThrowIfNull(heights);
-        var middles = new Point2D[segments.Length];
-        for (var row = 0; row < middles.Length; row++) middles[row] = MiddleOf(segments[row]);
+        return Keep(segments, tolerance, heights, [.. Enumerable.Range(0, segments.Length)]);
+    }
+
+    /// <param name="segments">Rows by index.</param>
+    /// <param name="tolerance">As above.</param>
+    /// <param name="heights">Of their ends.</param>
+    /// <param name="candidates">The rows that may coincide with another one, ascending: the others are kept unseen.</param>
+    internal static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance, EndHeights heights, int[] candidates)
+    {
+        var middles = new Point2D[candidates.Length];
+        for (var i = 0; i < middles.Length; i++) middles[i] = MiddleOf(segments[candidates[i]]);
         var grid = new EndGrid(middles, tolerance);
         var neighbours = grid.OnlyNeighbours();
-        var kept = new List<int>(segments.Length);
         var near = new List<int>();
         var isDuplicate = new bool[segments.Length];
-        for (var row = 0; row < middles.Length; row++)
+        for (var i = 0; i < candidates.Length; i++)
         {
+            var row = candidates[i];
             if (isDuplicate[row]) continue;
-            kept.Add(row);
-            grid.Take(row);
-            if (neighbours[row] == EndGrid.None) continue;
-            grid.Near(middles[row], near);
+            grid.Take(i);
+            if (neighbours[i] == EndGrid.None) continue;
+            grid.Near(middles[i], near);
             foreach (var other in near)
             {
-                if (!AreAsHigh(heights, row, other) || !AreSame(segments[row], segments[other], middles[row].DistanceTo(middles[other]), tolerance)) continue;
-                isDuplicate[other] = true;
+                var otherRow = candidates[other];
+                if (!AreAsHigh(heights, row, otherRow) || !AreSame(segments[row], segments[otherRow], middles[i].DistanceTo(middles[other]), tolerance)) continue;
+                isDuplicate[otherRow] = true;
                 grid.Take(other);
             }
         }
 
-        return [.. kept];
+        return [.. Enumerable.Range(0, segments.Length).Where(row => !isDuplicate[row])];
     }
 
     /// <summary>At both ends, in the same or the opposite direction.</summary>

@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Sequencing.Chaining;
 
 /// <summary>A hash grid of points (segment ends, midpoints) that finds the points within the tolerance of another in constant time.</summary>
-/// <remarks>Cells are a little wider than twice the tolerance, so at most four are searched. The points of a cell lie side by side in memory, because a drawing's segments come in no order of place; points that were taken are removed as they are met.</remarks>
+/// <remarks>Cells are five times as wide as the tolerance, so at most four are searched, and in the mean two. The points of a cell lie side by side in memory, because a drawing's segments come in no order of place; points that were taken are removed as they are met.</remarks>
 internal sealed class EndGrid
 {
     /// <summary>No point is near (<see cref="OnlyNeighbours"/>).</summary>
@@ -16,6 +16,10 @@ internal sealed class EndGrid
     /// <summary>Points that are tested for one neighbour.</summary>
     private const int MostForNeighbour = 64;
     private const int BitsForEach = 8;
+    private const double CellInTolerances = 5.0;
+
+    /// <summary>Binary logarithm of the number of blocks of buckets: as many as places of the memory can be written to in turn without waiting.</summary>
+    private const int BlockBits = 10;
     private const double OutermostCell = 1L << 60;
 
     /// <summary>By bucket where its points begin and how many are left of them.</summary>
@@ -27,14 +31,14 @@ internal sealed class EndGrid
     private readonly ulong[] _occupied;
     private readonly bool[] _taken;
     private readonly double _tolerance;
-    private readonly double _cell;
+    private readonly double _cellsPerMillimetre;
 
     /// <param name="places">Numbered by their index.</param>
     /// <param name="tolerance">Millimetres, zero or more: zero finds exactly equal places only.</param>
     public EndGrid(ReadOnlySpan<Point2D> places, double tolerance)
     {
         _tolerance = tolerance;
-        _cell = Math.Max(2.5 * tolerance, 1e-6);
+        _cellsPerMillimetre = 1.0 / Math.Max(CellInTolerances * tolerance, 1e-6);
         _starts = new int[(int)BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, places.Length))];
         _counts = new int[_starts.Length];
         _occupied = new ulong[_starts.Length / (64 / BitsForEach)];
@@ -145,22 +149,49 @@ internal sealed class EndGrid
         _counts[bucket] -= tested - kept;
     }
 
-    /// <summary>Sorts the points by bucket; those of one stay in ascending order.</summary>
+    /// <summary>Sorts the points by bucket; those of one stay in ascending order. First by blocks of buckets, because points in no order of place that are written to their bucket at once wait for the memory each time.</summary>
     private void Distribute(ReadOnlySpan<Point2D> places)
     {
-        var buckets = GC.AllocateUninitializedArray<int>(places.Length);
-        for (var i = 0; i < places.Length; i++)
+        var shift = Math.Max(0, BitOperations.Log2((uint)_starts.Length) - BlockBits);
+        var blocks = new int[(_starts.Length >> shift) + 1];
+        foreach (var place in places)
         {
-            var hash = HashOf(CellAt(places[i]));
+            var hash = HashOf(CellAt(place));
             var bit = BitOf(hash);
             _occupied[bit >> 6] |= 1UL << (bit & 63);
-            _counts[buckets[i] = IndexOf(hash)]++;
+            blocks[(IndexOf(hash) >> shift) + 1]++;
         }
 
-        var sum = 0;
-        for (var bucket = 0; bucket < _starts.Length; bucket++) (_starts[bucket], sum) = (sum, sum + _counts[bucket]);
-        for (var i = 0; i < places.Length; i++) _entries[_starts[buckets[i]]++] = new Entry(places[i], i);
-        for (var bucket = 0; bucket < _starts.Length; bucket++) _starts[bucket] -= _counts[bucket];
+        for (var block = 1; block < blocks.Length; block++) blocks[block] += blocks[block - 1];
+        for (var i = 0; i < places.Length; i++)
+        {
+            var bucket = IndexOf(HashOf(CellAt(places[i])));
+            _entries[blocks[bucket >> shift]++] = new Entry(places[i], i, bucket);
+        }
+
+        var (begin, unsorted) = (0, Array.Empty<Entry>());
+        for (var block = 0; block < blocks.Length - 1; block++)
+        {
+            SortBlock(begin, blocks[block] - begin, (block << shift, 1 << shift), ref unsorted);
+            begin = blocks[block];
+        }
+    }
+
+    /// <param name="begin">The first entry of the block.</param>
+    /// <param name="length">Number of its entries.</param>
+    /// <param name="buckets">The first bucket of the block, and how many it has.</param>
+    /// <param name="unsorted">Room for the entries as they were; grows.</param>
+    private void SortBlock(int begin, int length, (int First, int Count) buckets, ref Entry[] unsorted)
+    {
+        if (unsorted.Length < length) unsorted = new Entry[length];
+        var entries = unsorted.AsSpan(0, length);
+        _entries.AsSpan(begin, length).CopyTo(entries);
+        var starts = _starts.AsSpan(buckets.First, buckets.Count);
+        var counts = _counts.AsSpan(buckets.First, buckets.Count);
+        foreach (ref readonly var entry in entries) counts[entry.Bucket - buckets.First]++;
+        for (var bucket = 0; bucket < starts.Length; bucket++) (starts[bucket], begin) = (begin, begin + counts[bucket]);
+        foreach (ref readonly var entry in entries) _entries[starts[entry.Bucket - buckets.First]++] = entry;
+        for (var bucket = 0; bucket < starts.Length; bucket++) starts[bucket] -= counts[bucket];
     }
 
     private Span<Entry> BucketOf(ulong hash)
@@ -170,7 +201,7 @@ internal sealed class EndGrid
     }
 
     /// <summary>The cell of a coordinate. Extreme coordinates share the outermost cell, because a number that overflowed would never be found again.</summary>
-    private long CellOf(double coordinate) => (long)Math.Floor(Math.Clamp(coordinate / _cell, -OutermostCell, OutermostCell));
+    private long CellOf(double coordinate) => (long)Math.Floor(Math.Clamp(coordinate * _cellsPerMillimetre, -OutermostCell, OutermostCell));
 
     private int IndexOf(ulong hash) => (int)(hash >> 33) & (_starts.Length - 1);
 
@@ -188,7 +219,7 @@ internal sealed class EndGrid
         return (hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9UL;
     }
 
-    private readonly record struct Entry(Point2D At, int Place);
+    private readonly record struct Entry(Point2D At, int Place, int Bucket);
 
     /// <summary>The cells of a small rectangle, column by column.</summary>
     public readonly record struct CellRange(long Left, long Right, long Lower, long Upper)

@@ -23,12 +23,15 @@ internal static class ChordBudget
     {
         var error = ArcChords.ErrorOf(maxErrorMm, scale);
         var (all, most, worst) = (0.0, 0.0, default(StrokeMove));
-        foreach (var move in toolpath.Strokes.SelectMany(stroke => stroke.Moves))
+        foreach (var stroke in toolpath.Strokes)
         {
-            if (move.Segment.Kind == SegmentKind.Line || (scale.KeepsCircles && ArcAim.CanHold(scale.Exact(move.Segment.Arc).Radius))) continue;
-            var count = ArcChords.Count(move.Segment.Arc, error);
-            all += count;
-            if (count > most) (most, worst) = (count, move);
+            foreach (var move in stroke.Moves)
+            {
+                if (move.Segment.Kind == SegmentKind.Line || (scale.KeepsCircles && ArcAim.CanHold(scale.Exact(move.Segment.Arc).Radius))) continue;
+                var count = ArcChords.Count(move.Segment.Arc, error);
+                all += count;
+                if (count > most) (most, worst) = (count, move);
+            }
         }
 
         if (all <= Most) return null;

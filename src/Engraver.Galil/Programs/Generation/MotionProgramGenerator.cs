@@ -33,7 +33,7 @@ public static class MotionProgramGenerator
 
         var start = profile.Scale.ToCounts(toolpath.ToolStart);
         SourceRef Source(int entity) => sourceOf?.Invoke(entity) ?? default;
-        findings.AddRange(toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Refusal(move, profile.Scale, start, Source)).OfType<Diagnostic>());
+        AddRefusals(toolpath, profile.Scale, start, Source, findings);
         if (profile.Height is { } drive) findings.AddRange(DrawnHeights.Findings(toolpath, drive, profile.Scale, Source));
         var isRefused = findings.Any(finding => finding.Severity == Severity.Error);
         if (!isRefused && ChordBudget.Refusal(toolpath, profile.Scale, maxErrorMm, Source) is { } unbounded)
@@ -55,6 +55,17 @@ public static class MotionProgramGenerator
         }
 
         return new MotionGeneration(new MotionProgram(profile, start, strokes) { Style = style }, findings);
+    }
+
+    private static void AddRefusals(Toolpath toolpath, CountsScale scale, CountsPoint start, Func<int, SourceRef> source, List<Diagnostic> findings)
+    {
+        foreach (var stroke in toolpath.Strokes)
+        {
+            foreach (var move in stroke.Moves)
+            {
+                if (Refusal(move, scale, start, source) is { } refusal) findings.Add(refusal);
+            }
+        }
     }
 
     private static Diagnostic? Refusal(in StrokeMove move, CountsScale scale, CountsPoint start, Func<int, SourceRef> source)

@@ -66,13 +66,14 @@ internal sealed class StrokeGenerator
         _corners.Cut(segment);
     }
 
-    /// <summary>A change of slope is a corner like one in plan.</summary>
+    /// <summary>A change of slope is a corner like one in plan, where heights are cut.</summary>
     private bool IsBentUpOrDown(in StrokeMove move)
     {
+        if (_profile.Height is null) return false;
         var slope = Math.Atan2(move.EndZ - move.StartZ, move.Segment.Length) * (180.0 / Math.PI);
         var bend = _slope is { } before ? Math.Abs(slope - before) : 0.0;
         _slope = slope;
-        return _profile.Height is not null && bend > _profile.SharpCornerDegrees;
+        return bend > _profile.SharpCornerDegrees;
     }
 
     private CountsPoint Place(Point2D millimetres, double z) => _scale.ToCounts(millimetres) with { Z = HeightOf(z, _profile, _lift) };

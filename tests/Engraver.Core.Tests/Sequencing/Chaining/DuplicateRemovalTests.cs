@@ -1,5 +1,7 @@
+using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing.Chaining;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Sequencing.Chaining;
 
@@ -54,6 +56,59 @@ public class DuplicateRemovalTests
     [Fact]
     public void Tiny_steps_of_one_curve_are_no_duplicates() =>
         Assert.Equal(3, DuplicateRemoval.Keep([Line(0, 0, 0.0004, 0), Line(0.0004, 0, 0.0008, 0), Line(0.0008, 0, 0.0012, 0)], Tolerance).Length);
+
+    /// <summary>Chains, stars, circles, splines and pieces shorter than the tolerance, of which some are drawn again, turned round, or a little aside.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void Rows_whose_ends_rule_it_out_need_not_be_compared(int seed)
+    {
+        const int Drawn = 300;
+        var random = new Random(seed);
+        var segments = new List<Segment>();
+        while (segments.Count < Drawn) segments.Add(segments.Count > 0 && random.Next(4) == 0 ? Again(segments[random.Next(segments.Count)], random) : Random(random));
+        var ends = new SegmentEnds([.. segments], 10 * Tolerance);
+        var candidates = ends.MayCoincide([.. segments], Tolerance);
+
+        var kept = DuplicateRemoval.Keep([.. segments], Tolerance);
+
+        Assert.NotNull(candidates);
+        Assert.InRange(candidates.Length, 1, Drawn - 1);
+        Assert.InRange(kept.Length, 1, Drawn - 1);
+        Assert.Equal(kept, DuplicateRemoval.Keep([.. segments], Tolerance, EndHeights.Flat, candidates));
+    }
+
+    [Fact]
+    public void Ends_sought_within_less_than_the_tolerance_rule_nothing_out()
+    {
+        Segment[] twice = [Line(0, 0, 10, 0), Line(0, 0.0009, 10, 0.0009)];
+
+        Assert.Null(new SegmentEnds(twice, Tolerance / 2.0).MayCoincide(twice, Tolerance));
+    }
+
+    private static Segment Random(Random random)
+    {
+        var (from, to) = (Place(random), Place(random));
+        return random.Next(6) switch
+        {
+            0 => Segment.FromArc(ArcSegment.FromBulge(from, to + new Vector2D(0.5, 0.0), 0.4)),
+            1 => Segment.FromArc(new ArcSegment(from, 1 + random.Next(3), Angle.Zero, Angle.FullTurn)),
+            2 => Segment.FromCurve(FreeCurves.Spline(3, [from, from + new Vector2D(1, 2), to, to + new Vector2D(1, 1)], [1, 1, 1, 1])),
+            3 => Segment.FromLine(from, from + new Vector2D(Tolerance * random.NextDouble(), 0.0)),
+            _ => Segment.FromLine(from, to),
+        };
+    }
+
+    /// <summary>A point of a coarse grid, so that many segments meet.</summary>
+    private static Point2D Place(Random random) => new(random.Next(5), random.Next(5));
+
+    private static Segment Again(Segment segment, Random random)
+    {
+        var aside = Transform2D.Move(new Vector2D(1.5 * Tolerance * random.NextDouble(), 0.0));
+        return random.Next(3) switch { 0 => segment, 1 => segment.Reversed(), _ => segment.Mapped(aside) };
+    }
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
 
