@@ -31,6 +31,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     private volatile bool _isKnown;
     private bool _isHostWaiting;
     private bool _isAsked;
+    private int _patience;
     private long _askedFor;
     private long _begun;
 
@@ -162,7 +163,9 @@ public sealed class OfferedClock : TimeProvider, IDisposable
             if (_isHostWaiting && !_isLost) AskToWait();
         }
 
-        Fire(due);
+        // The wait that is over goes on in this thread, which has nothing else to do; another would have to be woken.
+        Fire(due.GetRange(0, Math.Max(0, due.Count - 1)));
+        if (due.Count > 0) due[^1].Fire();
     }
 
     /// <summary>Under the lock.</summary>
@@ -214,7 +217,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
     private long Read(int milliseconds)
     {
-        _socket.ReceiveTimeout = milliseconds;
+        if (milliseconds != _patience) _socket.ReceiveTimeout = _patience = milliseconds;
         for (var count = 0; ;)
         {
             var more = _socket.Receive(_answer.AsSpan(count));

@@ -10,6 +10,7 @@ namespace Engraver.Simulator.Protocol;
 /// <remarks>
 /// Lines of ASCII, each ended by LF; numbers are whole microseconds of controller time. <c>now</c> is answered with the time. <c>wait N</c> lets N microseconds pass and is then answered with the
 /// time; a <c>stop</c> meanwhile ends the wait, which is then answered at once. Any other line closes the connection.
+/// A host asks at almost every command. Each connection therefore has a thread that reads and answers: waking threads of the pool for each line took more processor time than the controller itself.
 /// </remarks>
 internal sealed class ClockFrontEnd : IAsyncDisposable
 {
@@ -19,49 +20,87 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
     public ClockFrontEnd(ControllerCore core)
     {
         _core = core;
-        _listener = new LoopbackListener(core, 0, (socket, cancellation) => Task.Run(() => ServeAsync(socket, cancellation), CancellationToken.None));
+        _listener = new LoopbackListener(core, 0, ServeAsync);
     }
 
     public IPEndPoint EndPoint => _listener.EndPoint;
 
     public ValueTask DisposeAsync() => _listener.DisposeAsync();
 
-    private async Task ServeAsync(Socket socket, CancellationToken cancellation)
+    private Task ServeAsync(Socket socket, CancellationToken cancellation)
     {
-        await using var stream = new NetworkStream(socket, ownsSocket: true);
-        using var clock = _core.Hosts.Join();
-        using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
-        var next = reader.ReadLineAsync(cancellation).AsTask();
+        var served = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        new Thread(() => Serve(socket, served, cancellation)) { IsBackground = true, Name = "a host's clock" }.Start();
+        return served.Task;
+    }
+
+    private void Serve(Socket socket, TaskCompletionSource served, CancellationToken cancellation)
+    {
         try
         {
-            while (await next.ConfigureAwait(false) is { } line)
-            {
-                next = reader.ReadLineAsync(cancellation).AsTask();
-                if (line.StartsWith("wait ", StringComparison.Ordinal) && long.TryParse(line.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds))
-                    next = await WaitAsync(clock, microseconds, next, reader, cancellation).ConfigureAwait(false);
-                else if (line == "stop") continue; // the wait that this line was to end had already ended
-                else if (line != "now") return;
-                await stream.WriteAsync(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{clock.GetTimestamp() / TimeSpan.TicksPerMicrosecond}\n")), cancellation).ConfigureAwait(false);
-            }
+            using var stopping = cancellation.UnsafeRegister(static reading => ((Socket)reading!).Dispose(), socket);
+            using var clock = _core.Hosts.Join();
+            using var stream = new NetworkStream(socket, ownsSocket: true);
+            using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
+            var host = new ClockLine(clock, socket);
+            while (reader.ReadLine() is { } line && host.Takes(line)) { }
+            served.SetResult();
         }
-        catch (Exception gone) when (gone is IOException or ObjectDisposedException or OperationCanceledException)
+        catch (Exception gone) when (gone is IOException or ObjectDisposedException or SocketException)
         {
-            // The host has gone, or the controller is disposed; the clock is given back in either case.
+            served.SetResult(); // the host has gone, or the controller is disposed; the clock is given back in either case
+        }
+        catch (Exception failure)
+        {
+            served.SetException(failure);
         }
     }
 
-    /// <summary>Waits until the time has passed or the next line has come: stop, or the end of the stream when the host has gone.</summary>
-    /// <returns>The read of the line after that.</returns>
-    private static async Task<Task<string?>> WaitAsync(HostClock clock, long microseconds, Task<string?> next, StreamReader reader, CancellationToken cancellation)
+    /// <summary>One connection. Lines come in its thread; a wait ends in that thread or in the one that lets the time pass.</summary>
+    private sealed class ClockLine(HostClock clock, Socket socket)
     {
-        var passed = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        private ITimer? _wait;
+        private int _unanswered;
 
-        // Task.Delay truncates to whole milliseconds: a wait of less would pass no time, and its host would ask for it again and again.
-        await using (clock.CreateTimer(_ => passed.TrySetResult(), null, TimeSpan.FromMicroseconds(microseconds), Timeout.InfiniteTimeSpan).ConfigureAwait(false))
+        /// <returns>False when the line is none of the clock's.</returns>
+        public bool Takes(string line)
         {
-            if (await Task.WhenAny(passed.Task, next).ConfigureAwait(false) == passed.Task) return next;
+            if (TakeWait())
+            {
+                _wait!.Dispose();
+                Answer();
+                return true;
+            }
+
+            if (line.StartsWith("wait ", StringComparison.Ordinal) && long.TryParse(line.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds)) Wait(microseconds);
+            else if (line == "now") Answer();
+            else return line == "stop"; // the wait that it was to end had already ended
+            return true;
         }
 
-        return await next.ConfigureAwait(false) is null ? Task.FromResult<string?>(null) : reader.ReadLineAsync(cancellation).AsTask();
+        private void Wait(long microseconds)
+        {
+            Volatile.Write(ref _unanswered, 1);
+
+            // Task.Delay truncates to whole milliseconds: a wait of less would pass no time, and its host would ask for it again and again.
+            _wait = clock.CreateTimer(_ => Passed(), null, TimeSpan.FromMicroseconds(microseconds), Timeout.InfiniteTimeSpan);
+        }
+
+        private void Passed()
+        {
+            try
+            {
+                if (TakeWait()) Answer();
+            }
+            catch (Exception gone) when (gone is SocketException or ObjectDisposedException)
+            {
+                // The connection's own thread sees it too, and ends.
+            }
+        }
+
+        /// <summary>True once for each wait: who gets it answers.</summary>
+        private bool TakeWait() => Interlocked.Exchange(ref _unanswered, 0) == 1;
+
+        private void Answer() => socket.Send(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{clock.GetTimestamp() / TimeSpan.TicksPerMicrosecond}\n")));
     }
 }

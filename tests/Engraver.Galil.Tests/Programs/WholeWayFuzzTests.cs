@@ -37,7 +37,7 @@ public class WholeWayFuzzTests
         var fuzzer = new DrawingFuzzer(Originals());
         var first = TestExtent.Number("ENGRAVER_FUZZ_FIRST", 1);
         var log = Environment.GetEnvironmentVariable("ENGRAVER_FUZZ_LOG");
-        var cases = TestExtent.Cases(perCommit: 1_000, full: 40_000, "ENGRAVER_FUZZ_CASES");
+        var cases = TestExtent.Cases(perCommit: 500, full: 40_000, "ENGRAVER_FUZZ_CASES");
         for (var seed = first; seed < first + cases; seed++)
         {
             var file = fuzzer.Case(seed);

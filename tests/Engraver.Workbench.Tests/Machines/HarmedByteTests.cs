@@ -57,16 +57,13 @@ public sealed class HarmedByteTests : IDisposable
     public async Task One_vertex_moved_by_a_few_counts_is_never_called_complete_when_the_part_is_wrong(JobMode mode)
     {
         var wrong = new List<string>();
-        foreach (var counts in new[] { 3, 5, 8, 12, 20, 40 })
+        foreach (var (counts, (x, y), _) in TestExtent.InTurn([3, 5, 8, 12, 20, 40], [(1, 0), (0, 1), (-1, 0)], [0]))
         {
-            foreach (var (x, y) in new[] { (counts, 0), (0, counts), (-counts, 0) })
-            {
-                var wire = new VertexWire(mode == JobMode.Program ? 3 : 23 + counts, x, y);
-                var run = await RunAsync(mode, wire, ShortChords());
+            var wire = new VertexWire(mode == JobMode.Program ? 3 : 23 + counts, x * counts, y * counts);
+            var run = await RunAsync(mode, wire, ShortChords());
 
-                Assert.True(wire.Harmed is not null, "no vertex was sent");
-                if (run is { Outcome: "complete", IsCutRight: false }) wrong.Add(Text($"'{wire.Harmed?.Was}' -> '{wire.Harmed?.Became}': {run}"));
-            }
+            Assert.True(wire.Harmed is not null, "no vertex was sent");
+            if (run is { Outcome: "complete", IsCutRight: false }) wrong.Add(Text($"'{wire.Harmed?.Was}' -> '{wire.Harmed?.Became}': {run}"));
         }
 
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
@@ -84,16 +81,13 @@ public sealed class HarmedByteTests : IDisposable
         var longest = Chord + ((2.0 + (0.5 * Segments)) / 2.0);
         var hidden = Math.Sqrt((longest * longest) - (Chord * Chord));
         var wrong = new List<string>();
-        foreach (var counts in new[] { 5, 20, 40, 60, 64, 70, 80, 100, 160, 400, 3000 })
+        foreach (var (counts, (x, y), _) in TestExtent.InTurn([5, 20, 40, 60, 64, 70, 80, 100, 160, 400, 3000], [(1, 0), (0, 1), (-1, 0), (0, -1)], [0]))
         {
-            foreach (var (x, y) in new[] { (counts, 0), (0, counts), (-counts, 0), (0, -counts) })
-            {
-                var wire = new VertexWire(23 + (counts % 50), x, y);
-                var run = await RunAsync(mode, wire, ShortChords(withArc: true));
+            var wire = new VertexWire(23 + (counts % 50), x * counts, y * counts);
+            var run = await RunAsync(mode, wire, ShortChords(withArc: true));
 
-                Assert.True(wire.Harmed is not null, "no vertex was sent");
-                if (run.Outcome == "complete" && !(run.Record.MaxDeviationMm <= hidden / 1000.0)) wrong.Add(Text($"{counts}: '{wire.Harmed?.Was}' -> '{wire.Harmed?.Became}': {run}"));
-            }
+            Assert.True(wire.Harmed is not null, "no vertex was sent");
+            if (run.Outcome == "complete" && !(run.Record.MaxDeviationMm <= hidden / 1000.0)) wrong.Add(Text($"{counts}: '{wire.Harmed?.Was}' -> '{wire.Harmed?.Became}': {run}"));
         }
 
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
@@ -131,7 +125,7 @@ public sealed class HarmedByteTests : IDisposable
             lines[mode] = wire.Harmable;
         }
 
-        var (first, cases) = (TestExtent.Number("ENGRAVER_HARM_FIRST", 1), TestExtent.Cases(perCommit: 120, full: 1_000, "ENGRAVER_HARM_CASES"));
+        var (first, cases) = (TestExtent.Number("ENGRAVER_HARM_FIRST", 1), TestExtent.Cases(perCommit: 60, full: 1_000, "ENGRAVER_HARM_CASES"));
         var wrong = new List<string>();
         var outcomes = new SortedDictionary<string, int>(StringComparer.Ordinal);
         for (var seed = first; seed < first + cases; seed++)
