@@ -19,7 +19,7 @@ public static class BridgedGaps
             foreach (var move in stroke.Moves)
             {
                 var to = move.Segment.Start;
-                if (!isFirst && !from.IsNear(to, 2.0 * deviation)) gaps.Add(new StrokeMove(Segment.FromLine(from, to), move.EntityIndex, height, move.StartZ));
+                if (!isFirst && from != to && from.DistanceTo(to) > 2.0 * deviation) gaps.Add(new StrokeMove(Segment.FromLine(from, to), move.EntityIndex, height, move.StartZ));
                 (isFirst, from, height) = (false, move.Segment.End, move.EndZ);
             }
         }

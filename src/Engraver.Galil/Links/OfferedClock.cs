@@ -163,9 +163,9 @@ public sealed class OfferedClock : TimeProvider, IDisposable
             if (_isHostWaiting && !_isLost) AskToWait();
         }
 
-        // The wait that is over goes on in this thread, which has nothing else to do; another would have to be woken.
-        Fire(due.GetRange(0, Math.Max(0, due.Count - 1)));
-        if (due.Count > 0) due[^1].Fire();
+        // What waits alone goes on in this thread, which has nothing else to do; another would have to be woken.
+        if (due is [var only]) only.Fire();
+        else Fire(due);
     }
 
     /// <summary>Under the lock.</summary>

@@ -38,36 +38,42 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
     {
         try
         {
-            using var stopping = cancellation.UnsafeRegister(static reading => ((Socket)reading!).Dispose(), socket);
-            using var clock = _core.Hosts.Join();
-            using var stream = new NetworkStream(socket, ownsSocket: true);
-            using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
-            var host = new ClockLine(clock, socket);
-            while (reader.ReadLine() is { } line && host.Takes(line)) { }
-            served.SetResult();
+            Talk(socket, cancellation);
+            served.TrySetResult();
         }
         catch (Exception gone) when (gone is IOException or ObjectDisposedException or SocketException)
         {
-            served.SetResult(); // the host has gone, or the controller is disposed; the clock is given back in either case
+            served.TrySetResult(); // the host has gone, or the controller is disposed; the clock is given back in either case
         }
         catch (Exception failure)
         {
-            served.SetException(failure);
+            served.TrySetException(failure);
         }
+    }
+
+    /// <summary>Until the host has gone. The clock is given back at the end.</summary>
+    private void Talk(Socket socket, CancellationToken cancellation)
+    {
+        using var stopping = cancellation.UnsafeRegister(static reading => ((Socket)reading!).Dispose(), socket);
+        using var clock = _core.Hosts.Join();
+        using var stream = new NetworkStream(socket, ownsSocket: true);
+        using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
+        var host = new ClockLine(clock, socket);
+        while (reader.ReadLine() is { } line && host.Takes(line)) { }
     }
 
     /// <summary>One connection. Lines come in its thread; a wait ends in that thread or in the one that lets the time pass.</summary>
     private sealed class ClockLine(HostClock clock, Socket socket)
     {
-        private ITimer? _wait;
-        private int _unanswered;
+        /// <summary>The last wait that the host asked for; null before the first.</summary>
+        private OpenWait? _wait;
 
         /// <returns>False when the line is none of the clock's.</returns>
         public bool Takes(string line)
         {
-            if (TakeWait())
+            if (_wait?.TryEnd() == true)
             {
-                _wait!.Dispose();
+                _wait.Timer?.Dispose();
                 Answer();
                 return true;
             }
@@ -80,17 +86,18 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
 
         private void Wait(long microseconds)
         {
-            Volatile.Write(ref _unanswered, 1);
+            var wait = new OpenWait();
+            _wait = wait;
 
             // Task.Delay truncates to whole milliseconds: a wait of less would pass no time, and its host would ask for it again and again.
-            _wait = clock.CreateTimer(_ => Passed(), null, TimeSpan.FromMicroseconds(microseconds), Timeout.InfiniteTimeSpan);
+            wait.Timer = clock.CreateTimer(_ => Passed(wait), null, TimeSpan.FromMicroseconds(microseconds), Timeout.InfiniteTimeSpan);
         }
 
-        private void Passed()
+        private void Passed(OpenWait wait)
         {
             try
             {
-                if (TakeWait()) Answer();
+                if (wait.TryEnd()) Answer();
             }
             catch (Exception gone) when (gone is SocketException or ObjectDisposedException)
             {
@@ -98,9 +105,17 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
             }
         }
 
-        /// <summary>True once for each wait: who gets it answers.</summary>
-        private bool TakeWait() => Interlocked.Exchange(ref _unanswered, 0) == 1;
-
         private void Answer() => socket.Send(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{clock.GetTimestamp() / TimeSpan.TicksPerMicrosecond}\n")));
+
+        /// <summary>A wait that is ended and answered once: by the time that passed or by the next line. A time that comes late cannot end the wait after it.</summary>
+        private sealed class OpenWait
+        {
+            private int _isOver;
+
+            public ITimer? Timer { get; set; }
+
+            /// <summary>True for the first who asks.</summary>
+            public bool TryEnd() => Interlocked.Exchange(ref _isOver, 1) == 0;
+        }
     }
 }

@@ -23,38 +23,36 @@ public sealed class PlannedMotion
     /// <summary>For each sequence of the program: its first segment.</summary>
     private readonly int[] _firstSegments;
 
-    /// <summary>Of each segment its move. This and what follows is made when somebody asks for it.</summary>
-    private readonly Lazy<int[]> _moves;
+    /// <summary>Of each segment.</summary>
+    private readonly int[] _moves;
 
-    /// <summary>Of each move its row; null where they have the same numbers.</summary>
-    private readonly Lazy<int[]?> _rows;
+    /// <summary>Of each move; null where they have the same numbers.</summary>
+    private readonly int[]? _rows;
     private readonly Lazy<int[]> _lines;
 
-    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none.</summary>
+    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none. Made when somebody asks by them.</summary>
     private readonly Lazy<int[]> _segmentOfEntity;
     private readonly Lazy<int[]> _segmentOfMove;
     private readonly Lazy<int[]> _segmentOfRow;
 
-    private PlannedMotion(MotionTimeline timeline, Toolpath path, Func<IReadOnlyList<int>>? lines)
+    private PlannedMotion(MotionTimeline timeline, int[] moves, int[]? rows, Func<IReadOnlyList<int>>? lines)
     {
         _timeline = timeline;
         _program = timeline.Program;
-        _moves = new Lazy<int[]>(() => SegmentMoves.Map(_program, path));
-        _rows = new Lazy<int[]?>(() => SegmentMoves.RowsOf(path));
-        _lines = new Lazy<int[]>(() => [.. lines?.Invoke() ?? []]);
-        _reached = new double[_program.SegmentCount];
+        (_moves, _rows, _lines) = (moves, rows, new Lazy<int[]>(() => [.. lines?.Invoke() ?? []]));
+        _reached = new double[moves.Length];
         _firstSequences = new int[_program.Strokes.Count + 1];
         for (var stroke = 0; stroke < _program.Strokes.Count; stroke++) _firstSequences[stroke + 1] = _firstSequences[stroke] + _program.Strokes[stroke].Sequences.Count;
         _firstSegments = new int[_firstSequences[^1]];
         NumberSegments();
         _segmentOfEntity = new Lazy<int[]>(SegmentsOfEntities);
         _segmentOfMove = new Lazy<int[]>(() => FirstSegments(MoveOf));
-        _segmentOfRow = new Lazy<int[]>(() => _rows.Value is null ? _segmentOfMove.Value : FirstSegments(RowOf));
+        _segmentOfRow = rows is null ? _segmentOfMove : new Lazy<int[]>(() => FirstSegments(RowOf));
     }
 
     public double DurationSeconds => _timeline.Seconds;
 
-    public int SegmentCount => _reached.Length;
+    public int SegmentCount => _moves.Length;
 
     /// <summary>The spans of time, for plots.</summary>
     public MotionTimeline Timeline => _timeline;
@@ -65,8 +63,9 @@ public sealed class PlannedMotion
     public static PlannedMotion Create(MotionProgram program, Toolpath path, CommandTimes commands, Func<IReadOnlyList<int>>? lines, CancellationToken cancellation)
     {
         var timeline = MotionTimeline.From(program, commands, cancellation);
+        var (moves, rows) = (SegmentMoves.Map(program, path), SegmentMoves.RowsOf(path));
         cancellation.ThrowIfCancellationRequested();
-        return new PlannedMotion(timeline, path, lines);
+        return new PlannedMotion(timeline, moves, rows, lines);
     }
 
     /// <summary>The motion at a moment; before 0 its beginning, after the end its end. A job with nothing to cut stands at its start.</summary>
@@ -174,7 +173,7 @@ public sealed class PlannedMotion
         foreach (var entity in _program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments).Select(segment => segment.EntityIndex))
         {
             next++;
-            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, SegmentCount)));
+            if (entity >= first.Length) Array.Resize(ref first, Math.Max(entity + 1, Math.Min(2 * first.Length, _moves.Length)));
             if (entity >= 0 && first[entity] == 0) first[entity] = next;
         }
 
@@ -184,8 +183,8 @@ public sealed class PlannedMotion
     /// <param name="numberOf">Of a segment. In several passes it begins anew.</param>
     private int[] FirstSegments(Func<int, int> numberOf)
     {
-        var first = new int[SegmentCount == 0 ? 0 : Enumerable.Range(0, SegmentCount).Max(numberOf) + 1];
-        for (var segment = 0; segment < SegmentCount; segment++)
+        var first = new int[_moves.Length == 0 ? 0 : Enumerable.Range(0, _moves.Length).Max(numberOf) + 1];
+        for (var segment = 0; segment < _moves.Length; segment++)
         {
             ref var of = ref first[numberOf(segment)];
             if (of == 0) of = segment + 1;
@@ -194,9 +193,9 @@ public sealed class PlannedMotion
         return first;
     }
 
-    private int MoveOf(int segment) => _moves.Value[segment];
+    private int MoveOf(int segment) => _moves[segment];
 
-    private int RowOf(int segment) => _rows.Value is { } rows ? rows[MoveOf(segment)] : MoveOf(segment);
+    private int RowOf(int segment) => _rows is null ? _moves[segment] : _rows[_moves[segment]];
 
     private static int? First(int[] segments, int of) => (uint)of < (uint)segments.Length && segments[of] is > 0 and var place ? place - 1 : null;
 

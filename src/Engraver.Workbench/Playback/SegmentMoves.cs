@@ -58,26 +58,40 @@ internal static class SegmentMoves
         return first;
     }
 
-    private sealed class Walk(IReadOnlyList<StrokeMove> moves, CountsScale scale)
+    private sealed class Walk
     {
-        private int _move;
-        private bool _moveIsDone;
+        private readonly IReadOnlyList<StrokeMove> _moves;
+        private readonly CountsScale _scale;
+        private int _at;
+        private bool _isDone;
+
+        /// <summary>The move at <see cref="_at"/>, which many segments may ask for, and its end in counts.</summary>
+        private StrokeMove _move;
+        private Point2D _end;
+
+        public Walk(IReadOnlyList<StrokeMove> moves, CountsScale scale)
+        {
+            (_moves, _scale) = (moves, scale);
+            GoTo(0);
+        }
 
         public int Take(in VectorSegment segment)
         {
-            if (_moveIsDone && _move + 1 < moves.Count) _move++;
-            while (_move + 1 < moves.Count && (moves[_move].EntityIndex != segment.EntityIndex || (IsShort(moves[_move].Segment) && !EndsWith(segment)))) _move++;
-            _moveIsDone = EndsWith(segment);
-            return _move;
+            if (_isDone && _at + 1 < _moves.Count) GoTo(_at + 1);
+            while (_at + 1 < _moves.Count && (_move.EntityIndex != segment.EntityIndex || (!EndsWith(segment) && IsShort()))) GoTo(_at + 1);
+            _isDone = EndsWith(segment);
+            return _at;
+        }
+
+        private void GoTo(int move)
+        {
+            (_at, _move) = (move, _moves[move]);
+            _end = _scale.Exact(_move.Segment.End);
         }
 
         /// <summary>Shorter than a count, so that it may have no segment of its own.</summary>
-        private bool IsShort(Segment move) => move.Length * Math.Max(scale.X, scale.Y) < 1.0;
+        private bool IsShort() => _move.Segment.Length * Math.Max(_scale.X, _scale.Y) < 1.0;
 
-        private bool EndsWith(in VectorSegment segment)
-        {
-            var exact = scale.Exact(moves[_move].Segment.End);
-            return Math.Abs(exact.X - segment.End.X) <= Near && Math.Abs(exact.Y - segment.End.Y) <= Near;
-        }
+        private bool EndsWith(in VectorSegment segment) => Math.Abs(_end.X - segment.End.X) <= Near && Math.Abs(_end.Y - segment.End.Y) <= Near;
     }
 }

@@ -203,6 +203,46 @@ public class HostClockTests
         Assert.Equal(1, rig.Value("n"));
     }
 
+    [Fact]
+    public async Task A_wait_over_a_socket_is_ended_by_stop_and_by_the_end_of_the_controller()
+    {
+        var rig = new Rig();
+        var place = await rig.Controller.ListenClockAsync(CancellationToken.None);
+        var other = rig.Controller.JoinClock(); // a second host that is at work: no time passes
+        using var client = new TcpClient();
+        await client.ConnectAsync(place);
+        using var reader = new StreamReader(client.GetStream(), Encoding.ASCII);
+        async Task SayAsync(string lines) => await client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(lines));
+
+        for (var time = 0; time < 20; time++)
+        {
+            await SayAsync("wait 1000000\nstop\n");
+            Assert.Equal("0", await reader.ReadLineAsync());
+        }
+
+        await SayAsync("wait 5000\n");
+        other.Dispose();
+        Assert.Equal("5000", await reader.ReadLineAsync());
+        using var third = rig.Controller.JoinClock();
+        await SayAsync("wait 1000000\n");
+        await rig.DisposeAsync();
+
+        Assert.Null(await EndOfAsync(reader));
+    }
+
+    /// <summary>What a connection still says; null when it is closed, with a reset too.</summary>
+    private static async Task<string?> EndOfAsync(StreamReader reader)
+    {
+        try
+        {
+            return await reader.ReadLineAsync();
+        }
+        catch (IOException)
+        {
+            return null;
+        }
+    }
+
     /// <summary>The same commands and waits, with the host held up at random between them: by the wall and by other threads.</summary>
     private static async Task<MotionSample[]> RecordAsync(int seed)
     {

@@ -16,7 +16,6 @@ public static class ContourChainer
     /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are in plan.</summary>
     public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance, EndHeights heights)
     {
-        ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
         var read = segments.ToArray();
         return Chain(read, new SegmentEnds(read, joinTolerance), joinTolerance, heights);
     }

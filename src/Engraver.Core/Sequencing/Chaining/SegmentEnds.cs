@@ -11,6 +11,7 @@ internal sealed class SegmentEnds
     /// <param name="tolerance">Within which two ends are near, millimetres.</param>
     public SegmentEnds(Segment[] segments, double tolerance)
     {
+        ArgumentOutOfRangeException.ThrowIfNegative(tolerance);
         _tolerance = tolerance;
         Places = GC.AllocateUninitializedArray<Point2D>(2 * segments.Length);
         for (var row = 0; row < segments.Length; row++) (Places[2 * row], Places[(2 * row) + 1]) = (segments[row].Start, segments[row].End);
