@@ -134,7 +134,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
     {
         here.Enter("CNCDISCONNECT");
         here.Open(Path.Combine(RepositoryFolder.Samples, "gasket.dxf")); // not the copy, which may have been saved as something that no machine can cut
-        here.Enter("CNCUNITS", "1", "CNCFEED", "60"); // inches, slowly: with the unit and the feed that are left the job may be over before a busy computer presses the key
+        here.Enter("TOOLSTART", "0,0", "CNCUNITS", "1", "CNCFEED", "60"); // from where a machine can count; inches, slowly: with the unit and the feed that are left the job may be over before a busy computer presses the key
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         if (here.Commands.Prompt.Command is not null) here.Enter("Yes"); // with the settings that are left there may be something to confirm
         var earlier = here.Commands.Machine.LastRun;
