@@ -10,10 +10,10 @@ namespace Engraver.App.Desk;
 /// <summary>What follows from the document, and where the tool of the playback stands in it, as the palettes want it. UI thread only.</summary>
 public sealed class DerivedModel(CommandSession session)
 {
-    private PostedLines _lines = PostedLines.None;
     /// <summary>Seconds of the plan; a smaller step does not move the playback, which an operator may look through while the job is held.</summary>
     private const double LeastStep = 0.001;
 
+    private PostedLines _lines = PostedLines.None;
     private bool _follows;
 
     /// <summary>What the machine told last of the job that is planned here, and to which moment of the plan it had come then.</summary>

@@ -31,7 +31,6 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     private volatile bool _isKnown;
     private bool _isHostWaiting;
     private bool _isAsked;
-    private int _patience;
     private long _askedFor;
     private long _begun;
 
@@ -163,9 +162,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
             if (_isHostWaiting && !_isLost) AskToWait();
         }
 
-        // What waits alone goes on in this thread, which has nothing else to do; another would have to be woken.
-        if (due is [var only]) only.Fire();
-        else Fire(due);
+        Fire(due);
     }
 
     /// <summary>Under the lock.</summary>
@@ -217,7 +214,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
     private long Read(int milliseconds)
     {
-        if (milliseconds != _patience) _socket.ReceiveTimeout = _patience = milliseconds;
+        _socket.ReceiveTimeout = milliseconds;
         for (var count = 0; ;)
         {
             var more = _socket.Receive(_answer.AsSpan(count));

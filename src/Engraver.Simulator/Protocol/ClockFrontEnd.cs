@@ -10,7 +10,6 @@ namespace Engraver.Simulator.Protocol;
 /// <remarks>
 /// Lines of ASCII, each ended by LF; numbers are whole microseconds of controller time. <c>now</c> is answered with the time. <c>wait N</c> lets N microseconds pass and is then answered with the
 /// time; a <c>stop</c> meanwhile ends the wait, which is then answered at once. Any other line closes the connection.
-/// A host asks at almost every command. Each connection therefore has a thread that reads and answers: waking threads of the pool for each line took more processor time than the controller itself.
 /// </remarks>
 internal sealed class ClockFrontEnd : IAsyncDisposable
 {
@@ -20,102 +19,49 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
     public ClockFrontEnd(ControllerCore core)
     {
         _core = core;
-        _listener = new LoopbackListener(core, 0, ServeAsync);
+        _listener = new LoopbackListener(core, 0, (socket, cancellation) => Task.Run(() => ServeAsync(socket, cancellation), CancellationToken.None));
     }
 
     public IPEndPoint EndPoint => _listener.EndPoint;
 
     public ValueTask DisposeAsync() => _listener.DisposeAsync();
 
-    private Task ServeAsync(Socket socket, CancellationToken cancellation)
+    private async Task ServeAsync(Socket socket, CancellationToken cancellation)
     {
-        var served = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-        new Thread(() => Serve(socket, served, cancellation)) { IsBackground = true, Name = "a host's clock" }.Start();
-        return served.Task;
-    }
-
-    private void Serve(Socket socket, TaskCompletionSource served, CancellationToken cancellation)
-    {
+        await using var stream = new NetworkStream(socket, ownsSocket: true);
+        using var clock = _core.Hosts.Join();
+        using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
+        var next = reader.ReadLineAsync(cancellation).AsTask();
         try
         {
-            Talk(socket, cancellation);
-            served.TrySetResult();
+            while (await next.ConfigureAwait(false) is { } line)
+            {
+                next = reader.ReadLineAsync(cancellation).AsTask();
+                if (line.StartsWith("wait ", StringComparison.Ordinal) && long.TryParse(line.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds))
+                    next = await WaitAsync(clock, microseconds, next, reader, cancellation).ConfigureAwait(false);
+                else if (line == "stop") continue; // the wait that this line was to end had already ended
+                else if (line != "now") return;
+                await stream.WriteAsync(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{clock.GetTimestamp() / TimeSpan.TicksPerMicrosecond}\n")), cancellation).ConfigureAwait(false);
+            }
         }
-        catch (Exception gone) when (gone is IOException or ObjectDisposedException or SocketException)
+        catch (Exception gone) when (gone is IOException or ObjectDisposedException or OperationCanceledException)
         {
-            served.TrySetResult(); // the host has gone, or the controller is disposed; the clock is given back in either case
-        }
-        catch (Exception failure)
-        {
-            served.TrySetException(failure);
+            // The host has gone, or the controller is disposed; the clock is given back in either case.
         }
     }
 
-    /// <summary>Until the host has gone. The clock is given back at the end.</summary>
-    private void Talk(Socket socket, CancellationToken cancellation)
+    /// <summary>Waits until the time has passed or the next line has come: stop, or the end of the stream when the host has gone.</summary>
+    /// <returns>The read of the line after that.</returns>
+    private static async Task<Task<string?>> WaitAsync(HostClock clock, long microseconds, Task<string?> next, StreamReader reader, CancellationToken cancellation)
     {
-        using var stopping = cancellation.UnsafeRegister(static reading => ((Socket)reading!).Dispose(), socket);
-        using var clock = _core.Hosts.Join();
-        using var stream = new NetworkStream(socket, ownsSocket: true);
-        using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
-        var host = new ClockLine(clock, socket);
-        while (reader.ReadLine() is { } line && host.Takes(line)) { }
-    }
+        var passed = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
 
-    /// <summary>One connection. Lines come in its thread; a wait ends in that thread or in the one that lets the time pass.</summary>
-    private sealed class ClockLine(HostClock clock, Socket socket)
-    {
-        /// <summary>The last wait that the host asked for; null before the first.</summary>
-        private OpenWait? _wait;
-
-        /// <returns>False when the line is none of the clock's.</returns>
-        public bool Takes(string line)
+        // Task.Delay truncates to whole milliseconds: a wait of less would pass no time, and its host would ask for it again and again.
+        await using (clock.CreateTimer(_ => passed.TrySetResult(), null, TimeSpan.FromMicroseconds(microseconds), Timeout.InfiniteTimeSpan).ConfigureAwait(false))
         {
-            if (_wait?.TryEnd() == true)
-            {
-                _wait.Timer?.Dispose();
-                Answer();
-                return true;
-            }
-
-            if (line.StartsWith("wait ", StringComparison.Ordinal) && long.TryParse(line.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds)) Wait(microseconds);
-            else if (line == "now") Answer();
-            else return line == "stop"; // the wait that it was to end had already ended
-            return true;
+            if (await Task.WhenAny(passed.Task, next).ConfigureAwait(false) == passed.Task) return next;
         }
 
-        private void Wait(long microseconds)
-        {
-            var wait = new OpenWait();
-            _wait = wait;
-
-            // Task.Delay truncates to whole milliseconds: a wait of less would pass no time, and its host would ask for it again and again.
-            wait.Timer = clock.CreateTimer(_ => Passed(wait), null, TimeSpan.FromMicroseconds(microseconds), Timeout.InfiniteTimeSpan);
-        }
-
-        private void Passed(OpenWait wait)
-        {
-            try
-            {
-                if (wait.TryEnd()) Answer();
-            }
-            catch (Exception gone) when (gone is SocketException or ObjectDisposedException)
-            {
-                // The connection's own thread sees it too, and ends.
-            }
-        }
-
-        private void Answer() => socket.Send(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{clock.GetTimestamp() / TimeSpan.TicksPerMicrosecond}\n")));
-
-        /// <summary>A wait that is ended and answered once: by the time that passed or by the next line. A time that comes late cannot end the wait after it.</summary>
-        private sealed class OpenWait
-        {
-            private int _isOver;
-
-            public ITimer? Timer { get; set; }
-
-            /// <summary>True for the first who asks.</summary>
-            public bool TryEnd() => Interlocked.Exchange(ref _isOver, 1) == 0;
-        }
+        return await next.ConfigureAwait(false) is null ? Task.FromResult<string?>(null) : reader.ReadLineAsync(cancellation).AsTask();
     }
 }
