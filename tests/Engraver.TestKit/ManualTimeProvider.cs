@@ -5,6 +5,7 @@ public sealed class ManualTimeProvider : TimeProvider
 {
     private readonly Lock _gate = new();
     private readonly List<ManualTimer> _timers = [];
+    private TaskCompletionSource _timerSet = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private DateTimeOffset _now = new(2026, 1, 1, 0, 0, 0, TimeSpan.Zero);
 
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
@@ -33,6 +34,22 @@ public sealed class ManualTimeProvider : TimeProvider
         lock (_gate) end = _now + by;
         while (NextDue(end) is { } timer) timer.Fire();
         lock (_gate) _now = end;
+    }
+
+    /// <summary>Completes when a timer falls due within a span from now: whoever waits for time is ready for it.</summary>
+    public async Task FallsDueAsync(TimeSpan within)
+    {
+        while (true)
+        {
+            Task set;
+            lock (_gate)
+            {
+                if (_timers.Any(timer => timer.Due <= _now + within)) return;
+                set = _timerSet.Task;
+            }
+
+            await set.ConfigureAwait(false);
+        }
     }
 
     private ManualTimer? NextDue(DateTimeOffset end)
@@ -65,7 +82,10 @@ public sealed class ManualTimeProvider : TimeProvider
                 _period = period;
                 Due = dueTime == Timeout.InfiniteTimeSpan ? null : owner._now + dueTime;
                 owner._timers.Remove(this);
-                if (Due is not null) owner._timers.Add(this);
+                if (Due is null) return true;
+                owner._timers.Add(this);
+                owner._timerSet.SetResult();
+                owner._timerSet = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
                 return true;
             }
         }

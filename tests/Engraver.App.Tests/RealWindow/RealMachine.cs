@@ -76,11 +76,12 @@ internal sealed class RealMachine : IAsyncDisposable
     }
 
     /// <summary>Time goes on until the controller is so, and stands then.</summary>
-    public async Task<ControllerStatus> GoUntilAsync(Func<ControllerStatus, bool> condition)
+    /// <exception cref="TimeoutException">It did not become so.</exception>
+    public async Task<ControllerStatus> GoUntilAsync(Func<ControllerStatus, bool> condition, TimeSpan? patience = null)
     {
         var met = new TaskCompletionSource<ControllerStatus>(TaskCreationOptions.RunContinuationsAsynchronously);
         lock (_gate) (_until, _met, _goes) = (condition, met, true);
-        return await met.Task.WaitAsync(s_patience);
+        return await met.Task.WaitAsync(patience ?? s_patience);
     }
 
     /// <summary>Moves the clock on at once, when no host has it.</summary>

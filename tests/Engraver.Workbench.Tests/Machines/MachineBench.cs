@@ -12,6 +12,7 @@ namespace Engraver.Workbench.Tests.Machines;
 internal sealed class MachineBench : IAsyncDisposable
 {
     private static readonly TimeSpan s_untilNextStep = TimeSpan.FromSeconds(1); // of the wall
+    private static readonly TimeSpan s_step = TimeSpan.FromMilliseconds(100);
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
 
     /// <summary>A drawing whose zero lies where the controller counts 0.</summary>
@@ -61,12 +62,13 @@ internal sealed class MachineBench : IAsyncDisposable
         }
     }
 
-    /// <summary>Moves the clock on until there is something to see: a step may come before the next look is set.</summary>
+    /// <summary>Moves the clock on until there is something to see: a step waits for the next look to be set, where one will be.</summary>
     private async Task PassAsync(Task changed)
     {
         while (true)
         {
-            Time.Advance(TimeSpan.FromMilliseconds(100));
+            await Task.WhenAny(Time.FallsDueAsync(s_step), changed, Task.Delay(s_untilNextStep, Limit));
+            Time.Advance(s_step);
             try
             {
                 await changed.WaitAsync(s_untilNextStep, Limit);
