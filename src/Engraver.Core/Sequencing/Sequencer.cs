@@ -66,14 +66,14 @@ public static class Sequencer
         return new SequencingResult
         {
             Strokes = strokes,
-            Discontinuities = [.. chained.Chain.Discontinuities.Select(end => findings.Describe(end, chained.Kept))],
+            Discontinuities = new OpenEndList(chained, options),
             Table = table,
             Segments = strokes.Sum(stroke => stroke.Segments),
             Reversed = reversed,
             DuplicatesRemoved = chained.DuplicatesRemoved,
             PathLength = strokes.Sum(stroke => stroke.Length),
             Travel = travel,
-            TravelAndBack = travel + (strokes.Length == 0 ? 0.0 : strokes[^1].End.DistanceTo(options.ToolStart)),
+            TravelAndBack = travel + (strokes.Count == 0 ? 0.0 : strokes[^1].End.DistanceTo(options.ToolStart)),
             TravelAsDrawn = Travels.AsDrawn(options.ToolStart, chained.Analysed),
             Diagnostics = findings.Diagnostics,
         };
@@ -99,20 +99,17 @@ public static class Sequencer
             : TravelOrder.Nearest(contours, chained.Segments, inside, depth, options.ToolStart, first);
     }
 
-    private static SequencedStroke[] Strokes(ChainedTable chained, IReadOnlyList<StrokeEntry> entries, EntityTable table)
+    private static StrokeList Strokes(ChainedTable chained, IReadOnlyList<StrokeEntry> entries, EntityTable table)
     {
         var place = new int[entries.Count];
         for (var i = 0; i < place.Length; i++) place[entries[i].Contour] = i;
         var curves = new CurveCount(chained.Drawing);
-        var strokes = new SequencedStroke[entries.Count];
-        var row = 0;
-        for (var i = 0; i < strokes.Length; i++)
+        var strokes = new StrokeList(table, entries.Count);
+        foreach (var entry in entries)
         {
-            var contour = chained.Chain.Contours[entries[i].Contour];
-            var outer = chained.Inside[entries[i].Contour];
-            var moves = new TableMoves(table, row, contour.Pieces.Length);
-            strokes[i] = new SequencedStroke(i, contour.Closed, moves, curves.Add(moves), moves.Length, outer < 0 ? -1 : place[outer]);
-            row += moves.Count;
+            var contour = chained.Chain.Contours[entry.Contour];
+            var outer = chained.Inside[entry.Contour];
+            strokes.Add(contour.Closed, contour.Pieces.Length, outer < 0 ? -1 : place[outer], curves);
         }
 
         return strokes;

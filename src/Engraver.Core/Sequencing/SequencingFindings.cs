@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.InteropServices;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
@@ -45,15 +46,15 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (table.Count == 0 && drawing is not { HasErrors: true, Entities.Count: 0 }) _diagnostics.Add(SequencingRules.NothingToCut.At(default));
         if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, Number(chain.Branches)));
         AddShortSegments(table, segments);
-        var wide = new List<Discontinuity>();
+        var (wide, first) = (0, default(Discontinuity));
         foreach (var end in chain.Discontinuities)
         {
             if (IsSuspicious(end)) AddSmallGap(end, table);
-            else wide.Add(end);
+            else if (wide++ == 0) first = end;
         }
 
-        if (wide.Count == 0) return;
-        Add(SequencingRules.OpenEnds, table.EntityIndexOf(wide[0].Row), wide[0].Place, Number(wide.Count), Number(options.SuspiciousGap), Number(wide[0].Place.X), Number(wide[0].Place.Y));
+        if (wide == 0) return;
+        Add(SequencingRules.OpenEnds, table.EntityIndexOf(first.Row), first.Place, Number(wide), Number(options.SuspiciousGap), Number(first.Place.X), Number(first.Place.Y));
     }
 
     /// <summary>Says of which rules there are more findings than are listed. To be called once, when all are in.</summary>
@@ -81,21 +82,15 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (within > 0) _diagnostics.Add(SequencingRules.EntryWaits.At(default, Number(within)));
     }
 
-    public OpenEnd Describe(Discontinuity end, EntityTable table)
-    {
-        var nearest = end.NearestRow < 0 ? -1 : table.EntityIndexOf(end.NearestRow);
-        var rule = IsSuspicious(end) ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
-        return new OpenEnd(end.Place, table.EntityIndexOf(end.Row), end.Gap, nearest, nearest < 0 ? null : HandleOf(nearest), rule.Id);
-    }
-
     private static string Number(double value) => Math.Round(value, 6).ToString("0.######", CultureInfo.InvariantCulture);
 
-    private bool IsSuspicious(Discontinuity end) => end.Gap < options.SuspiciousGap;
+    private bool IsSuspicious(in Discontinuity end) => OpenEndList.IsSuspicious(end, options.SuspiciousGap);
 
     private void AddSmallGap(Discontinuity end, EntityTable table)
     {
+        if (!IsListed(SequencingRules.SmallGap)) return; // there may be two million of them
         var nearest = HandleOf(table.EntityIndexOf(end.NearestRow)) ?? Wording.Get("SequencingFindings.WithoutHandle");
-        Add(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), end.Place, Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
+        List(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), end.Place, Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
     }
 
     private void AddShortSegments(EntityTable table, ReadOnlySpan<Segment> segments)
@@ -114,18 +109,14 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     private void Add(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts)
     {
-        var count = _counts[rule] = _counts.GetValueOrDefault(rule) + 1;
-        if (count <= ShownPerRule) _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts) with { Place = place });
+        if (IsListed(rule)) List(rule, entity, place, facts);
     }
+
+    private void List(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts) => _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts) with { Place = place });
+
+    /// <summary>Counts a finding of a rule.</summary>
+    /// <returns>Whether it is listed.</returns>
+    private bool IsListed(DiagnosticRule rule) => ++CollectionsMarshal.GetValueRefOrAddDefault(_counts, rule, out _) <= ShownPerRule;
 
     private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;
 }
-
-/// <summary>A discontinuity in the operator's terms: where, which entity, how far to the nearest other open end, and under which diagnostic it is reported.</summary>
-/// <param name="Place">Millimetres.</param>
-/// <param name="EntityIndex">The drawing entity that ends here.</param>
-/// <param name="Gap">Distance to the nearest other open end; null without one.</param>
-/// <param name="NearestEntityIndex">The entity of that other end; -1 without one.</param>
-/// <param name="NearestHandle">Its handle; null without one or when the drawing has none.</param>
-/// <param name="DiagnosticId">SEQ0003 when the gap is suspiciously small, SEQ0002 otherwise.</param>
-public sealed record OpenEnd(Point2D Place, int EntityIndex, double? Gap, int NearestEntityIndex, string? NearestHandle, string DiagnosticId);

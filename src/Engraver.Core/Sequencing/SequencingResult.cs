@@ -10,7 +10,7 @@ public sealed record SequencingResult
     public required IReadOnlyList<SequencedStroke> Strokes { get; init; }
 
     /// <summary>Every end of every open stroke.</summary>
-    public required IReadOnlyList<OpenEnd> Discontinuities { get; init; }
+    public required OpenEndList Discontinuities { get; init; }
 
     /// <summary>The rows in sequence order, slot 13 = 1..n, reversed rows and circles rewritten.</summary>
     public required EntityTable Table { get; init; }

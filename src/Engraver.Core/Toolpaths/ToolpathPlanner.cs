@@ -14,9 +14,11 @@ public static class ToolpathPlanner
     public static Toolpath Plan(SequencingResult sequenced, Point2D toolStart, double maxErrorMm)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
-        var hasCurves = sequenced.Table.HasFreeCurves;
-        return new Toolpath(toolStart, [.. sequenced.Strokes.Select(stroke => hasCurves ? Cuttable(stroke, maxErrorMm) : new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
+        return new Toolpath(toolStart, sequenced.Table.HasFreeCurves ? [.. sequenced.Strokes.Select(stroke => Cuttable(stroke, maxErrorMm))] : new SameStrokes(sequenced.Strokes));
     }
+
+    /// <summary>Strokes with their ellipses and splines as they are, for machines that cut them.</summary>
+    public static Toolpath WithCurves(SequencingResult sequenced, Point2D toolStart) => new(toolStart, new SameStrokes(sequenced.Strokes));
 
     private static ToolpathStroke Cuttable(SequencedStroke stroke, double maxErrorMm)
     {

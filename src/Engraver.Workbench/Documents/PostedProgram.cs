@@ -56,7 +56,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return NothingCut(drawing, settings, found);
-        var path = post.Geometry == PostGeometry.LinesAndArcs ? JobPreparation.PathOf(sequence, settings) : new Toolpath(settings.Start, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
+        var path = post.Geometry == PostGeometry.LinesAndArcs ? JobPreparation.PathOf(sequence, settings) : ToolpathPlanner.WithCurves(sequence, settings.Start);
         if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.NotAsDrawn(faults) };
         var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.Machine, MaxErrorMm = settings.MaxErrorMm });
         return Written(written, found);

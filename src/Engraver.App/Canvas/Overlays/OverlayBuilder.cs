@@ -20,12 +20,22 @@ internal static class OverlayBuilder
         Rapids = Rapids(toolpath, scale),
         Recorded = RecordedPath(inputs.Recorded),
         Machine = Envelope(inputs.MachineEnvelope),
-        StartMarks = [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Start))],
-        FindingMarks = [.. sequence.Discontinuities.Select(end => new SceneMark(Scaled(end.Place, scale), MarkKind.Finding)), .. inputs.Findings.Select(place => new SceneMark(place, MarkKind.Finding))],
+        StartMarks = StartMarks(toolpath, scale),
+        FindingMarks = FindingMarks(sequence.Discontinuities, scale, inputs.Findings),
         OriginMarks = OriginMark(inputs.WorkOrigin),
         LastEnd = LastEndOf(toolpath, scale),
         Finish = WayTo(LastEndOf(toolpath, scale), inputs.Finish),
     };
+
+    private static MarkList StartMarks(Toolpath toolpath, double scale)
+    {
+        Point2D[] places = [.. toolpath.Strokes.Select(stroke => Scaled(stroke.Start, scale))];
+        return new MarkList(places.Length, index => new SceneMark(places[index], MarkKind.Start));
+    }
+
+    /// <param name="findings">Places of others, drawing units.</param>
+    private static MarkList FindingMarks(OpenEndList ends, double scale, IReadOnlyList<Point2D> findings) =>
+        new(ends.Count + findings.Count, index => new SceneMark(index < ends.Count ? Scaled(ends.PlaceOf(index), scale) : findings[index - ends.Count], MarkKind.Finding));
 
     private static SceneMark[] OrderMarks(Toolpath toolpath, double scale) =>
         [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Order, stroke.Moves[0].Segment.StartTangent, stroke.Index + 1))];

@@ -5,7 +5,7 @@ namespace Engraver.Core.Sequencing.Chaining;
 /// <summary>Segments joined end to start. An open contour begins at one of its ends, a closed one at its lowest row; both run in the direction of their lowest row.</summary>
 /// <param name="Pieces">At least one.</param>
 /// <param name="Closed">True when the last piece ends within the join tolerance of the start of the first.</param>
-public sealed record Contour(ReadOnlyMemory<ContourPiece> Pieces, bool Closed)
+public readonly record struct Contour(ReadOnlyMemory<ContourPiece> Pieces, bool Closed)
 {
     public Point2D StartIn(ReadOnlySpan<Segment> segments) => Pieces.Span[0].StartIn(segments);
 

@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
@@ -22,6 +23,7 @@ internal sealed class ContourWalker
     private readonly List<int> _near = [];
     private readonly List<ContourPiece> _ahead = [];
     private readonly List<ContourPiece> _behind = [];
+    private readonly PieceMemory _pieces = new();
     private readonly Predicate<int> _counts;
     private int _closingRow;
     private int _level;
@@ -71,7 +73,9 @@ internal sealed class ContourWalker
     private Contour Alone(int row)
     {
         _used[row] = true;
-        return new Contour(new[] { new ContourPiece(row, Reversed: false) }, Closed: true);
+        var pieces = _pieces.Take(1);
+        pieces.Span[0] = new ContourPiece(row, Reversed: false);
+        return new Contour(pieces, Closed: true);
     }
 
     private Contour WalkFrom(int row)
@@ -79,14 +83,20 @@ internal sealed class ContourWalker
         var first = new ContourPiece(row, Reversed: false);
         _used[row] = true;
         _ends.Take((2 * row) + 1); // the start stays in the grid: reaching it again closes the contour
-        if (Grow(_ahead, first, row)) return new Contour(_ahead.ToArray(), Closed: true);
+        var isClosed = Grow(_ahead, first, row);
+        if (isClosed) _behind.Clear();
+        else GrowBehind(first);
+        var before = Math.Max(0, _behind.Count - 1);
+        var pieces = _pieces.Take(before + _ahead.Count);
+        for (var i = 1; i <= before; i++) pieces.Span[before - i] = _behind[i].Turned();
+        CollectionsMarshal.AsSpan(_ahead).CopyTo(pieces.Span[before..]);
+        return new Contour(pieces, isClosed);
+    }
 
-        _ends.Take(2 * row);
+    private void GrowBehind(ContourPiece first)
+    {
+        _ends.Take(2 * first.Row);
         Grow(_behind, first.Turned(), closingRow: -1);
-        var pieces = new ContourPiece[_behind.Count - 1 + _ahead.Count];
-        for (var i = 1; i < _behind.Count; i++) pieces[_behind.Count - 1 - i] = _behind[i].Turned();
-        _ahead.CopyTo(pieces, _behind.Count - 1);
-        return new Contour(pieces, Closed: false);
     }
 
     /// <summary>Appends continuations of a first piece until there is none. True when the contour reached the start of <paramref name="closingRow"/> again.</summary>
@@ -200,4 +210,20 @@ internal sealed class ContourWalker
     private Vector2D TravelAtEnd(ContourPiece piece) => piece.Reversed ? -_segments[piece.Row].StartTangent : _segments[piece.Row].EndTangent;
 
     private Vector2D TravelInto(int end) => (end & 1) == 0 ? _segments[end / 2].StartTangent : -_segments[end / 2].EndTangent;
+
+    /// <summary>Hands out parts of large arrays: an array for each of a million contours would be an object more for each.</summary>
+    private sealed class PieceMemory
+    {
+        private const int PiecesInBlock = 4096;
+        private Memory<ContourPiece> _free;
+
+        public Memory<ContourPiece> Take(int count)
+        {
+            if (count >= PiecesInBlock) return new ContourPiece[count];
+            if (count > _free.Length) _free = new ContourPiece[PiecesInBlock];
+            var taken = _free[..count];
+            _free = _free[count..];
+            return taken;
+        }
+    }
 }

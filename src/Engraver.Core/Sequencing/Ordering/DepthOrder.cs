@@ -16,6 +16,9 @@ internal sealed class DepthOrder
     /// <summary>All at one height.</summary>
     public static DepthOrder None { get; } = new([], [], 0.0);
 
+    /// <summary>Every contour may be begun at either end.</summary>
+    public bool IsNone => _rises.Length == 0;
+
     /// <summary>Each contour with the next one below it, by their indices.</summary>
     public IReadOnlyCollection<(int Upper, int Lower)> Over { get; }
 
@@ -49,7 +52,7 @@ internal sealed class DepthOrder
     /// <param name="isTurned">It is begun at its far end.</param>
     public bool MayBegin(int contour, bool isTurned)
     {
-        if (_rises.Length == 0) return true;
+        if (IsNone) return true;
         var ahead = isTurned ? -_rises[contour] : _rises[contour];
         return ahead <= _tolerance;
     }

@@ -10,18 +10,17 @@ internal sealed class NearestStartSearch
     private readonly ReadOnlyMemory<Segment> _segments;
     private readonly int[] _inside;
     private readonly int[] _waitsFor;
+
+    /// <summary>By contour those that wait for it because they lie below; empty where none does.</summary>
     private readonly List<int>?[] _below;
-    private readonly DepthOrder _depth;
     private readonly bool[] _done;
-    private readonly StartRuns _starts;
-    private readonly BoxTree _tree;
-    private readonly BoxTree.Measure _measure;
+    private readonly ShownStarts _starts;
     private bool[]? _within;
     private int _left;
 
     public NearestStartSearch(IReadOnlyList<Contour> contours, ReadOnlyMemory<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth)
     {
-        (_contours, _depth, _left) = (contours, depth, contours.Count);
+        (_contours, _left) = (contours, contours.Count);
         _segments = segments;
         _inside = inside.ToArray();
         _done = new bool[contours.Count];
@@ -31,32 +30,33 @@ internal sealed class NearestStartSearch
             if (outer >= 0) _waitsFor[outer]++;
         }
 
-        _below = new List<int>?[contours.Count];
+        _below = new List<int>?[depth.Over.Count == 0 ? 0 : contours.Count];
         foreach (var (upper, lower) in depth.Over)
         {
             _waitsFor[lower]++;
             (_below[upper] ??= []).Add(lower);
         }
 
-        _starts = new StartRuns(contours, segments.Span);
-        _tree = BoxTree.Build(_starts.Boxes());
-        _measure = _starts.Distance;
-        ForEach(_ => true, contour => Set(contour, _waitsFor[contour] == 0));
+        _starts = new ShownStarts(contours, segments.Span, depth);
+        for (var contour = 0; contour < contours.Count; contour++)
+        {
+            if (_waitsFor[contour] > 0 || !depth.IsNone) _starts.Set(contour, _waitsFor[contour] == 0);
+        }
     }
 
     /// <summary>The nearest start, or null when nothing is left to choose.</summary>
     public StrokeEntry? Next(Point2D tool)
     {
-        var run = Nearest(tool, out var distance);
-        if (run < 0 && _left > 0 && _within is null)
+        var start = _starts.Nearest(tool);
+        if (start is null && _left > 0 && _within is null)
         {
-            ForEach(contour => !_done[contour], contour => Set(contour, true)); // they wait for each other, as where an outline lies over parts of what it encloses: nothing is left out for that
-            run = Nearest(tool, out distance);
+            ForEach(contour => !_done[contour], contour => _starts.Set(contour, true)); // they wait for each other, as where an outline lies over parts of what it encloses: nothing is left out for that
+            start = _starts.Nearest(tool);
         }
 
-        if (run < 0) return null;
-        var (contour, number) = _starts.StartAt(run, tool, distance);
-        return StrokeEntry.At(number, contour, _contours[contour], _segments.Span);
+        if (start is not var (index, number, place)) return null;
+        var contour = _contours[index];
+        return contour.Closed ? StrokeEntry.At(number, index, contour, _segments.Span) : StrokeEntry.AtEnd(number, index, contour, place); // a segment that need not be read saves a walk through the memory for each of a million
     }
 
     /// <summary>Removes a contour that was cut, and admits those that waited for it alone.</summary>
@@ -64,8 +64,9 @@ internal sealed class NearestStartSearch
     {
         _left--;
         _done[contour] = true;
-        Set(contour, false);
+        _starts.Set(contour, false);
         if (_inside[contour] is >= 0 and var outer) Release(outer);
+        if (_below.Length == 0) return;
         foreach (var lower in _below[contour] ?? []) Release(lower);
     }
 
@@ -73,24 +74,26 @@ internal sealed class NearestStartSearch
     public void RestrictTo(int contour)
     {
         var within = _within = WithinFlags(contour);
-        ForEach(other => !within[other], other => Set(other, false));
+        ForEach(other => !within[other], other => _starts.Set(other, false));
         _done[contour] = true; // the caller enters it; it is not chosen here
-        Set(contour, false);
+        _starts.Set(contour, false);
     }
 
     public void Unrestrict()
     {
         _within = null;
-        ForEach(contour => !_done[contour] && _waitsFor[contour] == 0, contour => Set(contour, true));
+        ForEach(contour => !_done[contour] && _waitsFor[contour] == 0, contour => _starts.Set(contour, true));
     }
 
-    public Point2D EndOf(StrokeEntry entry) => TravelOrder.EndOf(entry, _contours[entry.Contour], _segments.Span);
-
-    private int Nearest(Point2D tool, out double distance) => _tree.Nearest(tool, _measure, double.PositiveInfinity, out distance);
+    public Point2D EndOf(StrokeEntry entry)
+    {
+        var contour = _contours[entry.Contour];
+        return contour.Closed ? TravelOrder.EndOf(entry, contour, _segments.Span) : _starts.FarFrom(entry.Contour, entry.Kind == StrokeEntryKind.Turned ? 1 : 0);
+    }
 
     private void Release(int contour)
     {
-        if (--_waitsFor[contour] == 0 && !_done[contour] && _within?[contour] != false) Set(contour, true);
+        if (--_waitsFor[contour] == 0 && !_done[contour] && _within?[contour] != false) _starts.Set(contour, true);
     }
 
     private bool[] WithinFlags(int contour)
@@ -120,15 +123,6 @@ internal sealed class NearestStartSearch
         for (var contour = 0; contour < _contours.Count; contour++)
         {
             if (chosen(contour)) action(contour);
-        }
-    }
-
-    private void Set(int contour, bool shown)
-    {
-        for (var run = _starts.FirstOf(contour); run < _starts.FirstOf(contour + 1); run++)
-        {
-            if (shown && _depth.MayBegin(contour, _starts.IsFarEnd(run, contour))) _tree.Show(run);
-            else _tree.Hide(run);
         }
     }
 }

@@ -37,6 +37,23 @@ internal sealed class StartRuns
     /// <summary>The first run of a contour; of the number of contours the number of runs.</summary>
     public int FirstOf(int contour) => _runs[contour];
 
+    /// <summary>All starts, contour by contour.</summary>
+    public ReadOnlySpan<Point2D> Places => _places;
+
+    /// <summary>The numbers of a contour's starts among all.</summary>
+    /// <returns>The first, and the one behind the last.</returns>
+    public (int First, int End) NumbersOf(int contour) => (_starts[contour], _starts[contour + 1]);
+
+    public bool IsOpen(int contour) => !_contours[contour].Closed;
+
+    /// <summary>By start its contour.</summary>
+    public int[] Contours()
+    {
+        var contours = GC.AllocateUninitializedArray<int>(_places.Length);
+        for (var contour = 0; contour < _contours.Count; contour++) contours.AsSpan(_starts[contour].._starts[contour + 1]).Fill(contour);
+        return contours;
+    }
+
     /// <summary>True for the far end of an open contour.</summary>
     public bool IsFarEnd(int run, int contour) => !_contours[contour].Closed && run > _runs[contour];
 

@@ -17,11 +17,17 @@ public readonly record struct StrokeEntry(int Contour, int Piece, StrokeEntryKin
     public static StrokeEntry At(int number, int index, Contour contour, ReadOnlySpan<Segment> segments)
     {
         if (number == 0) return AsDrawn(index, contour, segments);
-        if (!contour.Closed) return new StrokeEntry(index, contour.Pieces.Length - 1, StrokeEntryKind.Turned, contour.EndIn(segments));
+        if (!contour.Closed) return AtEnd(1, index, contour, contour.EndIn(segments));
         return contour.IsCircleIn(segments)
             ? LeftOf(index, segments[contour.Pieces.Span[0].Row].Arc)
             : new StrokeEntry(index, number, StrokeEntryKind.Forward, contour.Pieces.Span[number].StartIn(segments));
     }
+
+    /// <summary>One of the two begins of an open contour, whose place is known.</summary>
+    /// <param name="number">0 at its start, 1 at its end.</param>
+    public static StrokeEntry AtEnd(int number, int index, Contour contour, Point2D place) => number == 0
+        ? new StrokeEntry(index, 0, StrokeEntryKind.Forward, place)
+        : new StrokeEntry(index, contour.Pieces.Length - 1, StrokeEntryKind.Turned, place);
 
     /// <summary>Adds every possible begin of a contour, the drawn one first.</summary>
     public static void AddAll(int index, Contour contour, ReadOnlySpan<Segment> segments, List<StrokeEntry> entries)

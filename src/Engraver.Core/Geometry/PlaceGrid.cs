@@ -1,0 +1,294 @@
+namespace Engraver.Core.Geometry;
+
+/// <summary>Places in square cells, about two to a cell: the nearest one is mostly found by a look at a few cells, otherwise by way of larger squares that know how many are shown in them.</summary>
+/// <remarks>For places that are spread evenly, many times faster than a <see cref="BoxTree"/>; for others there is none. Places can be hidden and shown again. Not safe for use from several threads while places are hidden or shown.</remarks>
+internal sealed class PlaceGrid
+{
+    private const double PlacesInCell = 2.0;
+
+    /// <summary>Of the cell of a place, the mean over all places: where there are more, the places crowd together and a tree is faster.</summary>
+    private const double MostInCell = 24.0;
+
+    /// <summary>Cells to either side that are looked at before larger squares are.</summary>
+    private const int Rings = 3;
+
+    /// <summary>Squares of a level along the side of one of the next.</summary>
+    private const int Fanout = 4;
+
+    /// <summary>Distances that are squared are as exact as this.</summary>
+    private const double Rounding = 1e-9;
+
+    private readonly Bounds2D _bounds;
+    private readonly double _cell;
+    private readonly int _columns;
+    private readonly int _rows;
+
+    /// <summary>Margin for the rounding of a cell's edges, millimetres.</summary>
+    private readonly double _margin;
+
+    /// <summary>By cell its first entry; one more than there are cells.</summary>
+    private readonly int[] _starts;
+
+    /// <summary>By cell how many of its entries, from the first, are shown: the lowest of the levels.</summary>
+    private readonly int[] _shown;
+    private readonly Level[] _levels;
+    private readonly Entry[] _entries;
+
+    /// <summary>By place its entry.</summary>
+    private readonly int[] _entryOf;
+
+    private PlaceGrid(ReadOnlySpan<Point2D> places, Bounds2D bounds, double cell, int columns, int rows)
+    {
+        (_bounds, _cell, _columns, _rows) = (bounds, cell, columns, rows);
+        _margin = (1e-6 * cell) + (1e-12 * Math.Max(Math.Max(Math.Abs(bounds.MinX), Math.Abs(bounds.MaxX)), Math.Max(Math.Abs(bounds.MinY), Math.Abs(bounds.MaxY))));
+        _starts = new int[(columns * rows) + 1];
+        _shown = new int[columns * rows];
+        _entries = GC.AllocateUninitializedArray<Entry>(places.Length);
+        _entryOf = GC.AllocateUninitializedArray<int>(places.Length);
+        Distribute(places);
+        _levels = LevelsOver(new Level(_shown, columns, rows, cell));
+    }
+
+    /// <summary>A grid of places, all shown, numbered by their index; null where they crowd together, or are so few that nothing is gained.</summary>
+    public static PlaceGrid? TryBuild(ReadOnlySpan<Point2D> places)
+    {
+        var bounds = Bounds2D.Empty;
+        foreach (var place in places) bounds = bounds.Including(place);
+        var (width, height) = (bounds.MaxX - bounds.MinX, bounds.MaxY - bounds.MinY);
+        var cells = Math.Max(1.0, places.Length / PlacesInCell);
+        var cell = Math.Max(Math.Sqrt(width * height / cells), Math.Max(width, height) / cells);
+        if (!double.IsFinite(cell) || !(cell > 0.0)) return null;
+        var grid = new PlaceGrid(places, bounds, cell, (int)(width / cell) + 1, (int)(height / cell) + 1);
+        return grid.IsEven() ? grid : null;
+    }
+
+    /// <summary>The shown places cell by cell: asked in this order, questions that follow each other look at the same memory.</summary>
+    public IEnumerable<int> ByCell()
+    {
+        for (var cell = 0; cell < _shown.Length; cell++)
+        {
+            for (var entry = _starts[cell]; entry < _starts[cell] + _shown[cell]; entry++) yield return _entries[entry].Place;
+        }
+    }
+
+    /// <summary>Leaves a place out of every answer until it is shown again. Hiding it twice has no further effect.</summary>
+    public void Hide(int place)
+    {
+        var entry = _entryOf[place];
+        var (column, row) = CellOf(_entries[entry].At);
+        var cell = (row * _columns) + column;
+        var last = _starts[cell] + _shown[cell] - 1;
+        if (entry > last) return;
+        Swap(entry, last);
+        Count(column, row, -1);
+    }
+
+    public void Show(int place)
+    {
+        var entry = _entryOf[place];
+        var (column, row) = CellOf(_entries[entry].At);
+        var cell = (row * _columns) + column;
+        var next = _starts[cell] + _shown[cell];
+        if (entry < next) return;
+        Swap(entry, next);
+        Count(column, row, 1);
+    }
+
+    /// <summary>The nearest shown place, of equally near ones the lower number; -1 when none is shown.</summary>
+    /// <param name="from">Point to measure from.</param>
+    /// <param name="except">A place that is left out; -1 for none.</param>
+    /// <param name="distance">Distance of the answer; infinity without one.</param>
+    public int Nearest(Point2D from, int except, out double distance)
+    {
+        var best = new Best { Distance = double.PositiveInfinity, Squared = double.PositiveInfinity, Place = -1 };
+        if (!TryRings(from, except, ref best)) Descend(_levels.Length - 1, 0, 0, from, except, ref best);
+        distance = best.Distance;
+        return best.Place;
+    }
+
+    private static Level[] LevelsOver(Level cells)
+    {
+        var levels = new List<Level> { cells };
+        while (levels[^1].Shown.Length > 1)
+        {
+            var below = levels[^1];
+            var (columns, rows) = ((below.Columns + Fanout - 1) / Fanout, (below.Rows + Fanout - 1) / Fanout);
+            var shown = new int[columns * rows];
+            for (var row = 0; row < below.Rows; row++)
+            {
+                for (var column = 0; column < below.Columns; column++) shown[(row / Fanout * columns) + (column / Fanout)] += below.Shown[(row * below.Columns) + column];
+            }
+
+            levels.Add(new Level(shown, columns, rows, below.Side * Fanout));
+        }
+
+        return [.. levels];
+    }
+
+    private void Count(int column, int row, int more)
+    {
+        foreach (var level in _levels)
+        {
+            level.Shown[(row * level.Columns) + column] += more;
+            (column, row) = (column / Fanout, row / Fanout);
+        }
+    }
+
+    /// <returns>False when the cells around do not tell which is the nearest.</returns>
+    private bool TryRings(Point2D from, int except, ref Best best)
+    {
+        var (column, row) = CellOf(from);
+        for (var ring = 0; ring <= Rings; ring++)
+        {
+            LookAtRing(column, row, ring, from, except, ref best);
+            if (best.Distance < Beyond(column, row, ring, from)) return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>Looks through a square for a nearer place, the nearest of the squares in it first.</summary>
+    private void Descend(int level, int column, int row, Point2D from, int except, ref Best best)
+    {
+        if (level == 0)
+        {
+            LookAt((row * _columns) + column, from, except, ref best);
+            return;
+        }
+
+        var below = _levels[level - 1];
+        Span<double> distances = stackalloc double[Fanout * Fanout];
+        for (var i = 0; i < distances.Length; i++)
+        {
+            var (x, y) = ((column * Fanout) + (i % Fanout), (row * Fanout) + (i / Fanout));
+            distances[i] = x < below.Columns && y < below.Rows && below.Shown[(y * below.Columns) + x] > 0 ? DistanceTo(below.Side, x, y, from) : double.PositiveInfinity;
+        }
+
+        for (var visits = 0; visits < distances.Length; visits++)
+        {
+            var nearest = IndexOfSmallest(distances);
+            if (double.IsPositiveInfinity(distances[nearest]) || distances[nearest] > best.Distance) return;
+            distances[nearest] = double.PositiveInfinity;
+            Descend(level - 1, (column * Fanout) + (nearest % Fanout), (row * Fanout) + (nearest / Fanout), from, except, ref best);
+        }
+    }
+
+    /// <summary>A place in a square is at least so far away.</summary>
+    private double DistanceTo(double side, int column, int row, Point2D from)
+    {
+        var (left, low) = (_bounds.MinX + (column * side), _bounds.MinY + (row * side));
+        var x = Math.Max(0.0, Math.Max(left - from.X, from.X - left - side));
+        var y = Math.Max(0.0, Math.Max(low - from.Y, from.Y - low - side));
+        return Math.Sqrt((x * x) + (y * y)) - (2.0 * _margin);
+    }
+
+    private static int IndexOfSmallest(ReadOnlySpan<double> values)
+    {
+        var smallest = 0;
+        for (var i = 1; i < values.Length; i++)
+        {
+            if (values[i] < values[smallest]) smallest = i;
+        }
+
+        return smallest;
+    }
+
+    private static int Clamped(double cell, int count) => cell > 0.0 ? (int)Math.Min(cell, count - 1) : 0;
+
+    private void Distribute(ReadOnlySpan<Point2D> places)
+    {
+        foreach (var place in places) _shown[IndexOf(place)]++;
+        for (var cell = 0; cell < _shown.Length; cell++) _starts[cell + 1] = _starts[cell] + _shown[cell];
+        Array.Clear(_shown);
+        for (var place = 0; place < places.Length; place++)
+        {
+            var cell = IndexOf(places[place]);
+            var entry = _starts[cell] + _shown[cell]++;
+            _entries[entry] = new Entry(places[place], place);
+            _entryOf[place] = entry;
+        }
+    }
+
+    private bool IsEven()
+    {
+        var pairs = 0.0;
+        foreach (var count in _shown) pairs += (double)count * count;
+        return pairs <= MostInCell * _entries.Length;
+    }
+
+    /// <summary>The cells whose farther distance from a cell, in columns or in rows, is <paramref name="ring"/>.</summary>
+    private void LookAtRing(int column, int row, int ring, Point2D from, int except, ref Best best)
+    {
+        var (left, right) = (Math.Max(0, column - ring), Math.Min(_columns - 1, column + ring));
+        for (var y = Math.Max(0, row - ring); y <= Math.Min(_rows - 1, row + ring); y++)
+        {
+            var isWhole = y == row - ring || y == row + ring;
+            if (isWhole)
+            {
+                for (var x = left; x <= right; x++) LookAt((y * _columns) + x, from, except, ref best);
+                continue;
+            }
+
+            if (column - ring >= 0) LookAt((y * _columns) + column - ring, from, except, ref best);
+            if (column + ring < _columns) LookAt((y * _columns) + column + ring, from, except, ref best);
+        }
+    }
+
+    private void LookAt(int cell, Point2D from, int except, ref Best best)
+    {
+        foreach (ref readonly var entry in _entries.AsSpan(_starts[cell], _shown[cell]))
+        {
+            var (x, y) = (entry.At.X - from.X, entry.At.Y - from.Y);
+            if ((x * x) + (y * y) > best.Squared || entry.Place == except) continue;
+            best.Offer(entry.Place, entry.At.DistanceTo(from));
+        }
+    }
+
+    /// <summary>Places outside of the rings are at least so far away.</summary>
+    private double Beyond(int column, int row, int ring, Point2D from)
+    {
+        var beyond = double.PositiveInfinity;
+        if (column - ring > 0) beyond = Math.Min(beyond, from.X - (_bounds.MinX + ((column - ring) * _cell)));
+        if (column + ring < _columns - 1) beyond = Math.Min(beyond, _bounds.MinX + ((column + ring + 1) * _cell) - from.X);
+        if (row - ring > 0) beyond = Math.Min(beyond, from.Y - (_bounds.MinY + ((row - ring) * _cell)));
+        if (row + ring < _rows - 1) beyond = Math.Min(beyond, _bounds.MinY + ((row + ring + 1) * _cell) - from.Y);
+        return beyond - _margin;
+    }
+
+    private void Swap(int one, int other)
+    {
+        (_entries[one], _entries[other]) = (_entries[other], _entries[one]);
+        _entryOf[_entries[one].Place] = one;
+        _entryOf[_entries[other].Place] = other;
+    }
+
+    private (int Column, int Row) CellOf(Point2D place) => (Clamped((place.X - _bounds.MinX) / _cell, _columns), Clamped((place.Y - _bounds.MinY) / _cell, _rows));
+
+    private int IndexOf(Point2D place)
+    {
+        var (column, row) = CellOf(place);
+        return (row * _columns) + column;
+    }
+
+    /// <summary>Squares of one size.</summary>
+    /// <param name="Shown">How many places are shown in each, row by row.</param>
+    /// <param name="Side">Millimetres.</param>
+    private sealed record Level(int[] Shown, int Columns, int Rows, double Side);
+
+    private readonly record struct Entry(Point2D At, int Place);
+
+    private struct Best
+    {
+        public int Place;
+        public double Distance;
+
+        /// <summary>A little more than the square of the distance, so that no equally near place is left out.</summary>
+        public double Squared;
+
+        public void Offer(int place, double distance)
+        {
+            if (distance > Distance || (distance == Distance && Place >= 0 && place > Place)) return;
+            (Place, Distance, Squared) = (place, distance, distance * distance * (1.0 + Rounding));
+        }
+    }
+}

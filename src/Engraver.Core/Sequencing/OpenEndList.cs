@@ -1,0 +1,56 @@
+using System.Collections;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>The discontinuities of a chained table in the operator's terms. Each is made when it is asked for: there may be two million of them, of which a screen shows a few.</summary>
+public sealed class OpenEndList : IReadOnlyList<OpenEnd>
+{
+    private readonly IReadOnlyList<Discontinuity> _ends;
+    private readonly EntityTable _table;
+    private readonly Drawing? _drawing;
+    private readonly double _suspiciousGap;
+
+    internal OpenEndList(ChainedTable chained, SequencingOptions options) =>
+        (_ends, _table, _drawing, _suspiciousGap) = (chained.Chain.Discontinuities, chained.Kept, chained.Drawing, options.SuspiciousGap);
+
+    public int Count => _ends.Count;
+
+    public OpenEnd this[int index]
+    {
+        get
+        {
+            var end = _ends[index];
+            var nearest = end.NearestRow < 0 ? -1 : _table.EntityIndexOf(end.NearestRow);
+            var rule = IsSuspicious(end, _suspiciousGap) ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
+            return new OpenEnd(end.Place, _table.EntityIndexOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
+        }
+    }
+
+    /// <summary>Where one of them lies, millimetres.</summary>
+    public Point2D PlaceOf(int index) => _ends[index].Place;
+
+    /// <summary>The other end is so near that the drawing may mean them to be one.</summary>
+    /// <param name="within">Millimetres.</param>
+    internal static bool IsSuspicious(in Discontinuity end, double within) => end.Gap < within;
+
+    public IEnumerator<OpenEnd> GetEnumerator()
+    {
+        for (var i = 0; i < Count; i++) yield return this[i];
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+}
+
+/// <summary>A discontinuity in the operator's terms: where, which entity, how far to the nearest other open end, and under which diagnostic it is reported.</summary>
+/// <param name="Place">Millimetres.</param>
+/// <param name="EntityIndex">The drawing entity that ends here.</param>
+/// <param name="Gap">Distance to the nearest other open end; null without one.</param>
+/// <param name="NearestEntityIndex">The entity of that other end; -1 without one.</param>
+/// <param name="NearestHandle">Its handle; null without one or when the drawing has none.</param>
+/// <param name="DiagnosticId">SEQ0003 when the gap is suspiciously small, SEQ0002 otherwise.</param>
+public sealed record OpenEnd(Point2D Place, int EntityIndex, double? Gap, int NearestEntityIndex, string? NearestHandle, string DiagnosticId);

@@ -1,0 +1,46 @@
+using System.Collections;
+using Engraver.Core.EntityTables;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>Strokes as columns beside the sequenced table; each is made when it is asked for. A million of them kept as objects would be moved about in memory with every collection.</summary>
+internal sealed class StrokeList(EntityTable table, int count) : IReadOnlyList<SequencedStroke>
+{
+    /// <summary>By stroke its first row; one more than there are strokes.</summary>
+    private readonly int[] _rows = new int[count + 1];
+    private readonly bool[] _closed = new bool[count];
+    private readonly int[] _segments = new int[count];
+    private readonly int[] _inside = new int[count];
+    private readonly double[] _lengths = new double[count];
+
+    public int Count { get; private set; }
+
+    public SequencedStroke this[int index]
+    {
+        get
+        {
+            if ((uint)index >= (uint)Count) throw new ArgumentOutOfRangeException(nameof(index));
+            return new SequencedStroke(index, _closed[index], new TableMoves(table, _rows[index], _rows[index + 1] - _rows[index]), _segments[index], _lengths[index], _inside[index]);
+        }
+    }
+
+    /// <summary>The next stroke, on the next rows.</summary>
+    /// <param name="closed">It ends where it begins.</param>
+    /// <param name="rows">How many rows it has.</param>
+    /// <param name="inside">The stroke around it, -1 for none.</param>
+    /// <param name="curves">Counts lines, arcs and curves.</param>
+    public void Add(bool closed, int rows, int inside, CurveCount curves)
+    {
+        var moves = new TableMoves(table, _rows[Count], rows);
+        (_closed[Count], _inside[Count], _segments[Count], _lengths[Count]) = (closed, inside, curves.Add(moves), moves.Length);
+        _rows[Count + 1] = _rows[Count] + rows;
+        Count++;
+    }
+
+    public IEnumerator<SequencedStroke> GetEnumerator()
+    {
+        for (var i = 0; i < Count; i++) yield return this[i];
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+}
