@@ -2,7 +2,7 @@ using System.Collections;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 32 bytes a line, 24 more an arc, 12 a sequence. Objects are made only while somebody looks at them.</summary>
+/// <summary>The segments and sequences of a motion program as columns: 32 bytes a line, 24 more an arc, 12 a sequence, 28 a stroke. Objects are made only while somebody looks at them.</summary>
 /// <remarks>One writer appends stroke by stroke; what a stroke has got does not change any more and may be read from all threads.</remarks>
 /// <param name="segments">About how many there will be: room for so many is taken at once.</param>
 public sealed class VectorColumns(int segments)
@@ -11,6 +11,7 @@ public sealed class VectorColumns(int segments)
     private readonly List<SegmentCells> _segments = new(segments);
     private readonly List<ArcCells> _arcs = [];
     private readonly List<SequenceCells> _sequences = [];
+    private readonly List<StrokeCells> _strokes = [];
 
     /// <summary>Number of segments so far.</summary>
     public int SegmentCount => _segments.Count;
@@ -26,10 +27,26 @@ public sealed class VectorColumns(int segments)
         for (var i = 0; i < cut.Count; i++) Append(cut[i]);
     }
 
-    /// <summary>The sequences from one on as the sequences of a stroke.</summary>
-    /// <param name="start">Where the stroke begins.</param>
-    /// <param name="first">The number of sequences when the stroke began.</param>
-    public IReadOnlyList<VectorSequence> StrokeFrom(CountsPoint start, int first) => new StrokeSequences(this, start, first, _sequences.Count - first, _segments.Count);
+    /// <summary>Appends a stroke of the sequences that were appended since the last one.</summary>
+    /// <param name="index">Of the stroke of the toolpath.</param>
+    /// <param name="start">Where it begins.</param>
+    /// <returns>False when there are none: nothing is appended.</returns>
+    public bool EndStroke(int index, CountsPoint start)
+    {
+        var first = _strokes.Count == 0 ? 0 : _strokes[^1].EndOfSequences;
+        if (first == _sequences.Count) return false;
+        _strokes.Add(new StrokeCells { Index = index, Start = start, FirstSequence = first, EndOfSequences = _sequences.Count, EndOfSegments = _segments.Count });
+        return true;
+    }
+
+    /// <summary>The strokes so far, each made when it is asked for.</summary>
+    public IReadOnlyList<MotionStroke> Strokes() => new ColumnStrokes(this, _strokes.Count);
+
+    internal MotionStroke Stroke(int index)
+    {
+        var cells = _strokes[index];
+        return new MotionStroke(cells.Index, cells.Start, new StrokeSequences(this, cells.Start, cells.FirstSequence, cells.EndOfSequences - cells.FirstSequence, cells.EndOfSegments));
+    }
 
     internal VectorSegment Segment(int index)
     {
@@ -70,12 +87,36 @@ public sealed class VectorColumns(int segments)
         public int Radius;
     }
 
+    private struct StrokeCells
+    {
+        public CountsPoint Start;
+        public int Index;
+        public int FirstSequence;
+        public int EndOfSequences;
+        public int EndOfSegments;
+    }
+
     private struct SequenceCells
     {
         public int First;
         public int Speed;
         public bool ChangesHeight;
     }
+}
+
+/// <summary>The strokes of a program, read from its columns.</summary>
+internal sealed class ColumnStrokes(VectorColumns columns, int count) : IReadOnlyList<MotionStroke>
+{
+    public int Count => count;
+
+    public MotionStroke this[int index] => (uint)index < (uint)count ? columns.Stroke(index) : throw new ArgumentOutOfRangeException(nameof(index));
+
+    public IEnumerator<MotionStroke> GetEnumerator()
+    {
+        for (var i = 0; i < count; i++) yield return columns.Stroke(i);
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
 
 /// <summary>The sequences of one stroke, read from the columns of its program.</summary>

@@ -24,6 +24,9 @@ public sealed class CornerDetector(MachineProfile profile, double vectorSpeed)
     private double _bend;
     private double _countsSinceStop;
 
+    /// <summary>A stroke begins: nothing is known of moves before it.</summary>
+    public void Begin() => (_lastCut, _lastSeen, _sharpest, _bend, _countsSinceStop) = (default, default, 0.0, 0.0, 0.0);
+
     /// <summary>True when the path must stop before this move, which will be cut.</summary>
     public bool IsCornerBefore(in Segment move)
     {

@@ -27,12 +27,11 @@ public static class MotionTime
     }
 
     /// <summary>A rapid goes in plan: X and Y.</summary>
-    private const int PlaneAxes = 2;
-
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
     {
         var profile = program.Profile;
-        var moving = profile.Axes.All.Take(PlaneAxes).Select((axis, i) => Sampled(Math.Abs((double)target[i] - from[i]), commands.RapidSpeed(profile, axis), profile.AccelerationCounts, commands)).Max();
+        double Seconds(MachineAxis axis, int to, int at) => Sampled(Math.Abs((double)to - at), commands.RapidSpeed(profile, axis), profile.AccelerationCounts, commands);
+        var moving = Math.Max(Seconds(profile.Axes.X, target.X, from.X), Seconds(profile.Axes.Y, target.Y, from.Y));
         return new MotionTimes(0.0, moving, commands.Rapid(from, target, moving, program));
     }
 

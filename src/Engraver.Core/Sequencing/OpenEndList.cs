@@ -10,7 +10,7 @@ namespace Engraver.Core.Sequencing;
 /// <summary>The discontinuities of a chained table in the operator's terms. Each is made when it is asked for: there may be two million of them, of which a screen shows a few.</summary>
 public sealed class OpenEndList : IReadOnlyList<OpenEnd>
 {
-    private readonly IReadOnlyList<Discontinuity> _ends;
+    private readonly OpenEnds _ends;
     private readonly EntityTable _table;
     private readonly Drawing? _drawing;
     private readonly double _suspiciousGap;
@@ -26,17 +26,13 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
         {
             var end = _ends[index];
             var nearest = end.NearestRow < 0 ? -1 : _table.EntityIndexOf(end.NearestRow);
-            var rule = IsSuspicious(end, _suspiciousGap) ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
+            var rule = end.Gap < _suspiciousGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
             return new OpenEnd(end.Place, _table.EntityIndexOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
         }
     }
 
     /// <summary>Where one of them lies, millimetres.</summary>
-    public Point2D PlaceOf(int index) => _ends[index].Place;
-
-    /// <summary>The other end is so near that the drawing may mean them to be one.</summary>
-    /// <param name="within">Millimetres.</param>
-    internal static bool IsSuspicious(in Discontinuity end, double within) => end.Gap < within;
+    public Point2D PlaceOf(int index) => _ends.PlaceOf(index);
 
     public IEnumerator<OpenEnd> GetEnumerator()
     {

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Runtime.InteropServices;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
@@ -46,15 +45,13 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (table.Count == 0 && drawing is not { HasErrors: true, Entities.Count: 0 }) _diagnostics.Add(SequencingRules.NothingToCut.At(default));
         if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, Number(chain.Branches)));
         AddShortSegments(table, segments);
-        var (wide, first) = (0, default(Discontinuity));
-        foreach (var end in chain.Discontinuities)
-        {
-            if (IsSuspicious(end)) AddSmallGap(end, table);
-            else if (wide++ == 0) first = end;
-        }
-
-        if (wide == 0) return;
-        Add(SequencingRules.OpenEnds, table.EntityIndexOf(first.Row), first.Place, Number(wide), Number(options.SuspiciousGap), Number(first.Place.X), Number(first.Place.Y));
+        var ends = chain.Discontinuities;
+        var nearby = ends.FindNearby(options.SuspiciousGap, ShownPerRule);
+        foreach (var end in nearby.Measured) AddSmallGap(end, table);
+        if (nearby.Count > nearby.Measured.Count) _counts[SequencingRules.SmallGap] = nearby.Count;
+        if (nearby.FirstFar < 0) return;
+        var (place, row) = (ends.PlaceOf(nearby.FirstFar), ends.RowOf(nearby.FirstFar));
+        Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, Number(ends.Count - nearby.Count), Number(options.SuspiciousGap), Number(place.X), Number(place.Y));
     }
 
     /// <summary>Says of which rules there are more findings than are listed. To be called once, when all are in.</summary>
@@ -84,13 +81,10 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     private static string Number(double value) => Math.Round(value, 6).ToString("0.######", CultureInfo.InvariantCulture);
 
-    private bool IsSuspicious(in Discontinuity end) => OpenEndList.IsSuspicious(end, options.SuspiciousGap);
-
     private void AddSmallGap(Discontinuity end, EntityTable table)
     {
-        if (!IsListed(SequencingRules.SmallGap)) return; // there may be two million of them
         var nearest = HandleOf(table.EntityIndexOf(end.NearestRow)) ?? Wording.Get("SequencingFindings.WithoutHandle");
-        List(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), end.Place, Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
+        Add(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), end.Place, Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
     }
 
     private void AddShortSegments(EntityTable table, ReadOnlySpan<Segment> segments)
@@ -109,14 +103,9 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     private void Add(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts)
     {
-        if (IsListed(rule)) List(rule, entity, place, facts);
+        var count = _counts[rule] = _counts.GetValueOrDefault(rule) + 1;
+        if (count <= ShownPerRule) _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts) with { Place = place });
     }
-
-    private void List(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts) => _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts) with { Place = place });
-
-    /// <summary>Counts a finding of a rule.</summary>
-    /// <returns>Whether it is listed.</returns>
-    private bool IsListed(DiagnosticRule rule) => ++CollectionsMarshal.GetValueRefOrAddDefault(_counts, rule, out _) <= ShownPerRule;
 
     private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;
 }

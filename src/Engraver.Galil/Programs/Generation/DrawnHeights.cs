@@ -9,6 +9,8 @@ namespace Engraver.Galil.Programs.Generation;
 /// <summary>The heights of a toolpath on a machine whose tool is moved by an axis: what of them cannot be cut, and in which passes the rest is.</summary>
 internal static class DrawnHeights
 {
+    private static readonly double[] s_atDepth = [0.0];
+
     /// <summary>Curves that rise, heights that are not below the retract height or cannot be counted; a warning when the tool takes nothing off.</summary>
     public static IEnumerable<Diagnostic> Findings(Toolpath toolpath, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
     {
@@ -27,7 +29,7 @@ internal static class DrawnHeights
     }
 
     /// <summary>How far above its depth each pass of a stroke runs, millimetres, the highest first.</summary>
-    public static IEnumerable<double> Lifts(ToolpathStroke stroke, MachineProfile profile) => profile.Height is { } drive ? CutHeights.Lifts(stroke, drive) : [0.0];
+    public static IReadOnlyList<double> Lifts(ToolpathStroke stroke, MachineProfile profile) => profile.Height is { } drive ? [.. CutHeights.Lifts(stroke, drive)] : s_atDepth;
 
     private static Diagnostic? Finding(in StrokeMove move, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
     {

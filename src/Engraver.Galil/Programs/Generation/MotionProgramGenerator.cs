@@ -46,15 +46,16 @@ public static class MotionProgramGenerator
 
         if (BridgedGaps.Warning(toolpath, AllowedDeviation(profile, maxErrorMm), Source) is { } beside) findings.Add(beside);
         if (!profile.Scale.KeepsCircles && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
-        var (strokes, columns) = (new List<MotionStroke>(toolpath.Strokes.Count), new VectorColumns(toolpath.Strokes.Sum(stroke => stroke.Moves.Count)));
+        var columns = new VectorColumns(toolpath.Strokes.Sum(stroke => stroke.Moves.Count));
+        var generator = new StrokeGenerator(profile, maxErrorMm, style, columns);
         foreach (var stroke in toolpath.Strokes)
         {
-            var passes = DrawnHeights.Lifts(stroke, profile).Select(lift => StrokeGenerator.Generate(stroke, profile, maxErrorMm, style, lift, columns)).Where(motion => motion.Sequences.Count > 0).ToList();
-            if (passes.Count > 0) strokes.AddRange(passes);
-            else findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
+            var isCut = false;
+            foreach (var lift in DrawnHeights.Lifts(stroke, profile)) isCut |= generator.Generate(stroke, lift);
+            if (!isCut) findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }
 
-        return new MotionGeneration(new MotionProgram(profile, start, strokes) { Style = style }, findings);
+        return new MotionGeneration(new MotionProgram(profile, start, columns.Strokes()) { Style = style }, findings);
     }
 
     private static void AddRefusals(Toolpath toolpath, CountsScale scale, CountsPoint start, Func<int, SourceRef> source, List<Diagnostic> findings)

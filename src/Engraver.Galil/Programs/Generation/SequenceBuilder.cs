@@ -4,19 +4,18 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Collects the segments of one stroke into sequences and tracks the controller's predicted position after each.</summary>
-/// <param name="start">Where the stroke begins.</param>
+/// <summary>Collects the segments of one stroke after another into sequences and tracks the controller's predicted position after each.</summary>
 /// <param name="wantedSpeed">VS in plan, unless a sequence needs a lower one.</param>
 /// <param name="slope">Speed of lines that rise or fall.</param>
 /// <param name="style">With Calls the sequence ends after every segment.</param>
 /// <param name="columns">Of the whole program; the sequences are appended to them.</param>
-internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, SlopeSpeed slope, MotionStyle style, VectorColumns columns)
+internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionStyle style, VectorColumns columns)
 {
     /// <summary>Counts. The controller may refuse a shorter segment (TC 30).</summary>
     private const double ShortestLine = 1.0;
 
-    private readonly int _firstSequence = columns.SequenceCount;
     private readonly List<VectorSegment> _segments = [];
+    private CountsPoint _start;
     private double _length;
     private int _slopeSpeed = int.MaxValue;
     private bool _hasArcs;
@@ -25,16 +24,26 @@ internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, SlopeS
     private bool ChangesHeight => _slopeSpeed < int.MaxValue;
 
     /// <summary>Predicted position: whole counts after VP, the real end point after CR.</summary>
-    public Point2D Position { get; private set; } = new(start.X, start.Y);
+    public Point2D Position { get; private set; }
 
     /// <summary>Height of the tool, counts.</summary>
-    public int Height { get; private set; } = start.Z;
+    public int Height { get; private set; }
 
-    /// <summary>The stroke's sequences; none when everything was shorter than a count.</summary>
-    public IReadOnlyList<VectorSequence> Finish()
+    /// <summary>A stroke begins; the one before was finished.</summary>
+    public void Begin(CountsPoint start)
+    {
+        _start = start;
+        (Position, Height) = (new Point2D(start.X, start.Y), start.Z);
+        (_length, _slopeSpeed, _hasArcs) = (0.0, int.MaxValue, false);
+    }
+
+    /// <summary>Appends the stroke.</summary>
+    /// <param name="index">Of the stroke of the toolpath.</param>
+    /// <returns>False when everything was shorter than a count: there is no stroke.</returns>
+    public bool Finish(int index)
     {
         EndSequence();
-        return columns.StrokeFrom(start, _firstSequence);
+        return columns.EndStroke(index, _start);
     }
 
     /// <summary>VE: the machine stops here, and the next sequence begins at whole counts.</summary>

@@ -7,7 +7,7 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Turns one stroke into vector sequences.</summary>
+/// <summary>Turns one stroke after another into vector sequences.</summary>
 internal sealed class StrokeGenerator
 {
     /// <summary>An arc is halved at most this often before it is cut as chords.</summary>
@@ -21,31 +21,38 @@ internal sealed class StrokeGenerator
     private readonly SequenceBuilder _builder;
     private readonly CornerDetector _corners;
     private readonly MachineProfile _profile;
-    private readonly double _lift;
+    private double _lift;
     private CountsPoint _reached;
     private int _entity;
     private double? _slope;
 
-    private StrokeGenerator(CountsPoint start, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift, VectorColumns columns)
+    /// <param name="profile">The machine.</param>
+    /// <param name="maxErrorMm">Largest distance of chords from an arc, millimetres.</param>
+    /// <param name="style">How segments are grouped.</param>
+    /// <param name="columns">Of the whole program; the strokes are appended to them.</param>
+    public StrokeGenerator(MachineProfile profile, double maxErrorMm, MotionStyle style, VectorColumns columns)
     {
-        (_profile, _lift) = (profile, lift);
+        _profile = profile;
         _scale = profile.Scale;
         _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
         _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
-        _builder = new SequenceBuilder(start, profile.VectorSpeed(), new SlopeSpeed(profile), style, columns);
+        _builder = new SequenceBuilder(profile.VectorSpeed(), new SlopeSpeed(profile), style, columns);
         _corners = new CornerDetector(profile, profile.VectorSpeed());
-        _reached = start;
     }
 
-    /// <summary>The stroke in counts; without sequences when all of it is shorter than a count.</summary>
+    /// <summary>Appends a pass of the stroke, in counts.</summary>
     /// <param name="lift">How far above its depth the pass runs, millimetres; 0 for the last one, and for a machine without a tool axis.</param>
-    /// <param name="columns">Of the whole program.</param>
-    public static MotionStroke Generate(ToolpathStroke stroke, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift, VectorColumns columns)
+    /// <returns>False when all of it is shorter than a count: nothing is appended.</returns>
+    public bool Generate(ToolpathStroke stroke, double lift)
     {
-        var start = profile.Scale.ToCounts(stroke.Start) with { Z = HeightOf(stroke.Moves[0].StartZ, profile, lift) };
-        var generator = new StrokeGenerator(start, profile, maxErrorMm, style, lift, columns);
-        foreach (var move in stroke.Moves) generator.Move(move);
-        return new MotionStroke(stroke.Index, start, generator._builder.Finish());
+        var first = stroke.Moves[0];
+        _lift = lift;
+        _reached = Place(first.Segment.Start, first.StartZ);
+        _slope = null;
+        _corners.Begin();
+        _builder.Begin(_reached);
+        foreach (var move in stroke.Moves) Move(move);
+        return _builder.Finish(stroke.Index);
     }
 
     private void Move(in StrokeMove move)

@@ -1,0 +1,145 @@
+using System.Collections;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
+
+/// <summary>The ends of open contours, two for each, start before end, in contour order. The distance of the nearest other one is measured when somebody asks for it: of two million a report may show a hundred.</summary>
+public sealed class OpenEnds : IReadOnlyList<Discontinuity>
+{
+    private readonly Point2D[] _places;
+    private readonly int[] _rows;
+
+    /// <summary>Heights of the ends; empty where all are at one.</summary>
+    private readonly double[] _levels;
+    private readonly Lazy<Discontinuity[]> _measured;
+
+    private OpenEnds(Point2D[] places, int[] rows, double[] levels)
+    {
+        (_places, _rows, _levels) = (places, rows, levels);
+        _measured = new Lazy<Discontinuity[]>(Measure);
+    }
+
+    public int Count => _places.Length;
+
+    public Discontinuity this[int index] => _measured.Value[index];
+
+    public IEnumerator<Discontinuity> GetEnumerator() => ((IEnumerable<Discontinuity>)_measured.Value).GetEnumerator();
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    /// <summary>Where one of them lies, millimetres.</summary>
+    public Point2D PlaceOf(int index) => _places[index];
+
+    /// <summary>The row that ends there.</summary>
+    public int RowOf(int index) => _rows[index];
+
+    internal static OpenEnds From(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, EndHeights heights)
+    {
+        var count = 2 * contours.Count(contour => !contour.Closed);
+        var (places, rows, levels) = (new Point2D[count], new int[count], new double[heights.AreFlat ? 0 : count]);
+        var end = 0;
+        foreach (var contour in contours)
+        {
+            if (contour.Closed) continue;
+            var pieces = contour.Pieces.Span;
+            (places[end], rows[end]) = (pieces[0].StartIn(segments), pieces[0].Row);
+            (places[end + 1], rows[end + 1]) = (pieces[^1].EndIn(segments), pieces[^1].Row);
+            if (levels.Length > 0) (levels[end], levels[end + 1]) = (heights.HeightOf(pieces[0].StartNumber), heights.HeightOf(pieces[^1].EndNumber));
+            end += 2;
+        }
+
+        return new OpenEnds(places, rows, levels);
+    }
+
+    /// <summary>Tells apart the ends that have another one nearby.</summary>
+    /// <param name="within">Millimetres; an end just as far away does not count.</param>
+    /// <param name="listed">So many of those that have one are measured.</param>
+    internal NearbyEnds FindNearby(double within, int listed)
+    {
+        var grid = _levels.Length == 0 ? PlaceGrid.TryBuild(_places) : null;
+        var isNear = new bool[Count];
+        if (grid is null)
+        {
+            for (var i = 0; i < Count; i++) isNear[i] = this[i].Gap < within;
+        }
+        else
+        {
+            foreach (var i in grid.ByCell()) isNear[i] = grid.Nearest(_places[i], i, out var gap) >= 0 && gap < within;
+        }
+
+        var (count, measured, firstFar) = (0, new List<Discontinuity>(), -1);
+        for (var i = 0; i < isNear.Length; i++)
+        {
+            if (!isNear[i]) firstFar = firstFar < 0 ? i : firstFar;
+            else if (count++ < listed) measured.Add(grid is null ? this[i] : MeasureIn(grid, i));
+        }
+
+        return new NearbyEnds(count, measured, firstFar);
+    }
+
+    private Discontinuity[] Measure()
+    {
+        var ends = new Discontinuity[Count];
+        if (_levels.Length == 0 && PlaceGrid.TryBuild(_places) is { } grid)
+        {
+            foreach (var i in grid.ByCell()) ends[i] = MeasureIn(grid, i);
+            return ends;
+        }
+
+        var tree = BoxTree.Build(_places);
+        foreach (var i in tree.AlongCurve)
+        {
+            tree.Hide(i);
+            var other = tree.Nearest(_places[i], (end, place) => DistanceOf(end, i, place), double.PositiveInfinity, out var gap);
+            tree.Show(i);
+            ends[i] = End(i, other, gap);
+        }
+
+        return ends;
+    }
+
+    private Discontinuity MeasureIn(PlaceGrid grid, int index)
+    {
+        var other = grid.Nearest(_places[index], index, out var gap);
+        return End(index, other, gap);
+    }
+
+    private double DistanceOf(int end, int from, Point2D place)
+    {
+        var inPlan = _places[end].DistanceTo(place);
+        return _levels.Length == 0 ? inPlan : double.Hypot(inPlan, _levels[end] - _levels[from]);
+    }
+
+    private Discontinuity End(int index, int other, double gap) => new(_places[index], _rows[index], other < 0 ? null : gap, other < 0 ? -1 : _rows[other]);
+
+    /// <summary>Which ends have another one nearby.</summary>
+    /// <param name="Count">How many have one.</param>
+    /// <param name="Measured">The first of them.</param>
+    /// <param name="FirstFar">The first end that has none; -1 when all have one.</param>
+    internal readonly record struct NearbyEnds(int Count, IReadOnlyList<Discontinuity> Measured, int FirstFar);
+}
+
+/// <summary>A contour end with no partner within the join tolerance.</summary>
+public readonly record struct Discontinuity
+{
+    private readonly double _gap;
+
+    /// <param name="place">Position, millimetres.</param>
+    /// <param name="row">The row that ends here.</param>
+    /// <param name="gap">Distance to the nearest other open end; null when there is no other.</param>
+    /// <param name="nearestRow">The row of that other end; -1 without one.</param>
+    public Discontinuity(Point2D place, int row, double? gap, int nearestRow) => (Place, Row, _gap, NearestRow) = (place, row, gap ?? double.NaN, nearestRow);
+
+    /// <summary>Position, millimetres.</summary>
+    public Point2D Place { get; }
+
+    /// <summary>The row that ends here.</summary>
+    public int Row { get; }
+
+    /// <summary>Distance to the nearest other open end (it may be the other end of the same contour); null when there is no other.</summary>
+    public double? Gap => double.IsNaN(_gap) ? null : _gap;
+
+    /// <summary>The row of that other end; -1 without one.</summary>
+    public int NearestRow { get; }
+}
