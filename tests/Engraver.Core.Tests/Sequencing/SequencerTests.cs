@@ -126,6 +126,36 @@ public class SequencerTests
                 && result.Strokes.All(IsJoined);
         }).QuickCheckThrowOnFailure();
 
+    /// <summary>Many open contours in a grid of cells, and nothing before what lies inside it: looked at one by one, no start that may be taken is nearer than the one that is.</summary>
+    [Theory]
+    [InlineData(1, 300)]
+    [InlineData(2, 900)]
+    [InlineData(3, 60)]
+    public void The_next_stroke_is_always_the_nearest_that_may_be_cut(int seed, int lines)
+    {
+        var random = new Random(seed);
+        var drawing = new DrawingBuilder();
+        for (var i = 0; i < lines; i++) drawing.Line(random.Next(400), random.Next(400), random.Next(400) + 0.5, random.Next(400) + 0.5);
+        for (var i = 0; i < 40; i++) drawing.Square(random.Next(400) + 0.25, random.Next(400) + 0.25, 3 + random.Next(30)).Circle(random.Next(400) + 0.7, random.Next(400) + 0.7, 1 + random.Next(9));
+        var strokes = Sequence(drawing, Nearest).Strokes;
+        var (left, tool) = (strokes.ToList(), Nearest.ToolStart);
+        while (left.Count > 0)
+        {
+            var waiting = left.Select(stroke => stroke.Inside).ToHashSet();
+            var nearest = left.Where(stroke => !waiting.Contains(stroke.Index)).Min(stroke => Starts(stroke).Min(tool.DistanceTo));
+            Assert.Equal(nearest, tool.DistanceTo(left[0].Start));
+            tool = left[0].End;
+            left.RemoveAt(0);
+        }
+
+        static IEnumerable<Point2D> Starts(SequencedStroke stroke)
+        {
+            if (!stroke.Closed) return [stroke.Start, stroke.End];
+            if (stroke.Moves[0].Segment is not { Kind: SegmentKind.Circle, Arc: var circle }) return stroke.Moves.Select(move => move.Segment.Start);
+            return [circle.Centre + new Vector2D(circle.Radius, 0.0), circle.Centre - new Vector2D(circle.Radius, 0.0)];
+        }
+    }
+
     /// <summary>Warnings stop at a hundred and are counted; the list of open ends stays whole.</summary>
     [Fact]
     public void A_thousand_small_gaps_are_a_hundred_warnings_and_a_count()
