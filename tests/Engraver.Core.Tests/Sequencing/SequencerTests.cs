@@ -170,6 +170,25 @@ public class SequencerTests
         Assert.Equal((1002, 1000), (result.Discontinuities.Count, result.Discontinuities.Count(end => end.DiagnosticId == "SEQ0003")));
     }
 
+    /// <summary>They are counted without being measured one by one; the list measures them.</summary>
+    [Theory]
+    [InlineData(1, 400)]
+    [InlineData(2, 40)]
+    [InlineData(3, 3)]
+    public void Small_gaps_and_other_open_ends_are_counted_as_the_list_has_them(int seed, int lines)
+    {
+        var random = new Random(seed);
+        var drawing = new DrawingBuilder();
+        for (var i = 0; i < lines; i++) drawing.Line(random.Next(200) / 4.0, random.Next(200) / 4.0, 50 + random.Next(400), 50 + random.Next(400));
+        var result = Sequence(drawing, Nearest);
+
+        var small = result.Discontinuities.Count(end => end.Gap < SequencingOptions.Default.SuspiciousGap);
+        var counted = result.Diagnostics.SingleOrDefault(finding => finding.Id == "SEQ0014" && finding.Facts[0] == "SEQ0003")?.Facts[1] ?? $"{result.Diagnostics.Count(finding => finding.Id == "SEQ0003")}";
+        var wide = result.Diagnostics.SingleOrDefault(finding => finding.Id == "SEQ0002")?.Facts[0] ?? "0";
+        Assert.Equal(($"{small}", $"{result.Discontinuities.Count - small}"), (counted, wide));
+        Assert.Equal(result.Discontinuities.Where(end => end.DiagnosticId == "SEQ0003").Select(end => end.Place).Take(100), result.Diagnostics.Where(finding => finding.Id == "SEQ0003").Select(finding => finding.Place!.Value));
+    }
+
     [Fact]
     public void A_hundred_small_gaps_are_a_hundred_warnings()
     {
