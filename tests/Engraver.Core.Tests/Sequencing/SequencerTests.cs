@@ -179,7 +179,7 @@ public class SequencerTests
     {
         var random = new Random(seed);
         var drawing = new DrawingBuilder();
-        for (var i = 0; i < lines; i++) drawing.Line(random.Next(200) / 4.0, random.Next(200) / 4.0, 50 + random.Next(400), 50 + random.Next(400));
+        for (var i = 0; i < lines; i++) drawing.Line(random.Next(200) / 4.0, random.Next(200) / 4.0, random.Next(200) / 4.0, random.Next(200) / 4.0);
         var result = Sequence(drawing, Nearest);
 
         var small = result.Discontinuities.Count(end => end.Gap < SequencingOptions.Default.SuspiciousGap);
