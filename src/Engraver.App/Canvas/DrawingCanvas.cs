@@ -170,9 +170,10 @@ public sealed partial class DrawingCanvas : Panel
         base.OnDetachedFromVisualTree(e);
     }
 
-    /// <summary>What was hovered may be gone, or have another number: the cursor looks again what lies under it.</summary>
+    /// <summary>What was hovered may be gone, or have another number: the cursor looks again what lies under it. A box that was begun was meant for what was shown before.</summary>
     private void TakeScene()
     {
+        _pointer.GiveUpBox();
         (_signs.Hovered, _signs.HoveredGrip) = (null, null);
         UpdateContent();
         UpdateSigns();
@@ -212,7 +213,9 @@ public sealed partial class DrawingCanvas : Panel
         if (pixels.Width <= 0 || pixels.Height <= 0) return;
         var view = new CanvasView(state.Centre, state.Height / pixels.Height, pixels);
         if (view == _keeper.View) return;
+        var before = _keeper.View;
         _keeper.View = view;
+        if (before.Size.Width > 0) _pointer.ViewMoved(at => PlaceOf(before.ToDrawing(new Point2D(at.X * scaling, at.Y * scaling))));
         UpdateSigns();
         _picture.InvalidateVisual();
         _refiner.WaitForHand();

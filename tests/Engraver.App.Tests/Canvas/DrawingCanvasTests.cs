@@ -219,6 +219,19 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task A_box_that_was_begun_keeps_its_corner_in_the_drawing_when_the_view_changes() => With((canvas, view, hands, heard) =>
+    {
+        hands.Click(new Point(250, 130));
+        hands.MovePointer(new Point(297, 104));
+        Assert.Equal(new Point2D(250.0, 130.0), canvas.Box!.Value.From);
+        view.SetCentre(new Point2D(50.0, 0.0), view.Current.Height);
+        Assert.Equal((new Point2D(200.0, 130.0), new Point2D(297.0, 104.0)), (canvas.Box!.Value.From, canvas.Box.Value.To));
+        heard.Aim = new PointAim(PointUse.Place, null);
+        hands.MovePointer(new Point(298, 104));
+        Assert.Null(canvas.Box);
+    });
+
+    [Fact]
     public Task What_is_asked_and_where_stands_beside_the_crosshair() => With((canvas, view, hands, heard) =>
     {
         hands.MovePointer(new Point(230, 110));

@@ -16,9 +16,18 @@ internal sealed class PointerMachine
     private bool _boxRemoves;
     private Point2D? _gripFrom;
     private Point2D? _pointFrom;
+    private bool _asksForPoint;
 
-    /// <summary>A command asks for a point: clicks are points, not picks.</summary>
-    public bool AsksForPoint { get; set; }
+    /// <summary>A command asks for a point: clicks are points, not picks, and a box that was begun is given up.</summary>
+    public bool AsksForPoint
+    {
+        get => _asksForPoint;
+        set
+        {
+            _asksForPoint = value;
+            if (value) DropBox();
+        }
+    }
 
     /// <summary>The point that is asked for is the opposite corner of a box.</summary>
     public bool AsksForCorner { get; set; }
@@ -99,6 +108,13 @@ internal sealed class PointerMachine
         DropBox();
         return CanvasIntent.None;
     }
+
+    /// <summary>The view was moved or zoomed: the first corner of a box stays where it is in the drawing.</summary>
+    /// <param name="moved">Where a place of the screen lies now.</param>
+    public void ViewMoved(Func<Point2D, Point2D> moved) => _boxFrom = _boxFrom is { } from ? moved(from) : null;
+
+    /// <summary>The canvas shows something else: a box that was begun is given up.</summary>
+    public void GiveUpBox() => DropBox();
 
     /// <summary>The canvas lost the mouse (another window, a lost capture): no button counts as pressed.</summary>
     public void Lost()

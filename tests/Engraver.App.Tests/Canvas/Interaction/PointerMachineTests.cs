@@ -49,6 +49,33 @@ public class PointerMachineTests
     }
 
     [Fact]
+    public void A_box_that_was_begun_is_given_up_when_a_command_asks_for_a_point_or_something_else_is_shown()
+    {
+        Press(s_here, hits: false);
+        _machine.AsksForPoint = false;
+        Assert.NotNull(_machine.Box);
+        _machine.AsksForPoint = true;
+        Assert.Null(_machine.Box);
+
+        _machine.AsksForPoint = false;
+        Press(s_here, hits: false);
+        _machine.GiveUpBox();
+        Assert.Null(_machine.Box);
+        Assert.Equal(new CanvasIntent.Pick(s_right, Remove: false), Press(s_right, hits: true));
+    }
+
+    [Fact]
+    public void The_first_corner_of_a_box_stays_in_the_drawing_when_the_view_is_zoomed()
+    {
+        _machine.ViewMoved(at => at); // without a box nothing happens
+        Press(s_here, hits: false);
+        _machine.Release(s_here, PointerButton.Left);
+        _machine.ViewMoved(at => new Point2D(at.X * 2.0, at.Y + 5.0));
+
+        Assert.Equal(new CanvasIntent.Select(new SelectionBox(new Point2D(200.0, 105.0), s_right), false), Press(s_right, hits: false));
+    }
+
+    [Fact]
     public void The_second_corner_ends_the_box_even_over_an_entity()
     {
         Press(s_here, hits: false);
