@@ -190,9 +190,16 @@ public partial class ShellWindow : Window
         return true;
     }
 
+    /// <summary>A tip is gone with the next key: it would lie over the dialog that the key opens.</summary>
+    private void CloseTips()
+    {
+        foreach (var control in this.GetVisualDescendants().OfType<Control>().Where(ToolTip.GetIsOpen)) ToolTip.SetIsOpen(control, false);
+    }
+
     private void OnKey(object? sender, KeyEventArgs e)
     {
         e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
+        CloseTips();
         if (e.Handled || PressOnSheet(e) || e.Source is MenuItem || JogPad.Takes(e.Source, e.Key) || PropertiesView.Takes(e.Source, e.Key)) return;
         if (!HasKeyboard(e.Source) && e is { Key: Key.V, KeyModifiers: KeyModifiers.Control })
         {

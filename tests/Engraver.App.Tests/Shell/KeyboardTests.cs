@@ -41,6 +41,34 @@ public sealed class KeyboardTests(DesktopFixture fixture)
     });
 
     [Theory]
+    [InlineData(Key.N, RawInputModifiers.Control, "NEW")]
+    [InlineData(Key.O, RawInputModifiers.Control, "OPEN")]
+    [InlineData(Key.P, RawInputModifiers.Control, "PLOT")]
+    [InlineData(Key.S, RawInputModifiers.Control, "QSAVE")]
+    [InlineData(Key.S, RawInputModifiers.Control | RawInputModifiers.Shift, "SAVEAS")]
+    public Task Control_and_a_letter_run_what_AutoCAD_runs(Key key, RawInputModifiers with, string command) => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Hands.Press(key, with);
+        here.Rest();
+
+        Assert.Contains("Command: " + command, here.History);
+    });
+
+    [Fact]
+    public Task A_key_closes_the_tip_that_would_lie_over_what_it_opens() => fixture.WithOperator(here =>
+    {
+        var arm = here.Find<Button>("ArmKey");
+        ToolTip.SetIsOpen(arm, true);
+        here.Rest();
+        Assert.True(ToolTip.GetIsOpen(arm));
+        here.Hands.Press(Key.F8);
+
+        Assert.False(ToolTip.GetIsOpen(arm));
+        Assert.Equal(PlacementMode.BottomEdgeAlignedRight, ToolTip.GetPlacement(arm)); // to the right of it stands STOP
+    });
+
+    [Theory]
     [InlineData(Key.Enter)]
     [InlineData(Key.Space)]
     public Task A_button_that_was_clicked_is_not_pressed_by_Enter_or_Space(Key key) => fixture.WithOperator(here =>
