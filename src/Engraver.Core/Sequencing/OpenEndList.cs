@@ -10,7 +10,7 @@ namespace Engraver.Core.Sequencing;
 /// <summary>The discontinuities of a chained table in the operator's terms. Each is made when it is asked for: there may be two million of them, of which a screen shows a few.</summary>
 public sealed class OpenEndList : IReadOnlyList<OpenEnd>
 {
-    private readonly OpenEnds _ends;
+    private readonly ContourEnds _ends;
     private readonly EntityTable _table;
     private readonly Drawing? _drawing;
     private readonly double _suspiciousGap;

@@ -47,6 +47,23 @@ public sealed partial class OptionLanguageTests
     }
 
     [Fact]
+    public async Task A_colour_has_its_German_name_and_answers_to_both()
+    {
+        CultureInfo.CurrentUICulture = s_german;
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        foreach (var (typed, shown, index) in new[] { ("Grün", "grün", 3), ("BLUE", "blau", 5), ("weiß", "weiß", 7), ("9", "9", 9) })
+        {
+            await talk.TypeAsync("LAYER", "C", typed, "VENTS", "");
+            var colour = talk.State.Drawing!.Layers.Single(layer => layer.Name == "VENTS").Colour;
+            Assert.Equal((index, shown), (colour.Index, Workbench.Commands.Editing.ColourName.Format(colour)));
+        }
+
+        await talk.TypeAsync("LAYER", "C", "lila");
+        Assert.Contains("(rot, gelb, grün, cyan, blau, magenta, weiß)", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task LANGUAGE_is_kept_and_Auto_forgets_it()
     {
         await using var talk = CommandTalk.WithDrawing();

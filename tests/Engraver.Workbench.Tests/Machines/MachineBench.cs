@@ -67,16 +67,22 @@ internal sealed class MachineBench : IAsyncDisposable
     {
         while (true)
         {
-            await Task.WhenAny(Time.FallsDueAsync(s_step), changed, Task.Delay(s_untilNextStep, Limit));
+            await ComesSoonAsync(Task.WhenAny(Time.FallsDueAsync(s_step), changed));
             Time.Advance(s_step);
-            try
-            {
-                await changed.WaitAsync(s_untilNextStep, Limit);
-                return;
-            }
-            catch (TimeoutException)
-            {
-            }
+            if (await ComesSoonAsync(changed)) return;
+        }
+    }
+
+    private async Task<bool> ComesSoonAsync(Task awaited)
+    {
+        try
+        {
+            await awaited.WaitAsync(s_untilNextStep, Limit);
+            return true;
+        }
+        catch (TimeoutException)
+        {
+            return false;
         }
     }
 

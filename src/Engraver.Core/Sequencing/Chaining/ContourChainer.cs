@@ -26,7 +26,7 @@ public static class ContourChainer
     {
         var walker = new ContourWalker(segments, ends, joinTolerance, heights);
         var contours = walker.WalkAll();
-        return new ChainResult(contours, OpenEnds.From(contours, segments, heights), walker.Branches) { Looks = walker.Looks };
+        return new ChainResult(contours, ContourEnds.From(contours, segments, heights), walker.Branches) { Looks = walker.Looks };
     }
 }
 
@@ -34,7 +34,7 @@ public static class ContourChainer
 /// <param name="Contours">In order of their lowest row.</param>
 /// <param name="Discontinuities">Two for every open contour, start before end, in contour order.</param>
 /// <param name="Branches">Number of times a contour had several continuations.</param>
-public sealed record ChainResult(IReadOnlyList<Contour> Contours, OpenEnds Discontinuities, int Branches)
+public sealed record ChainResult(IReadOnlyList<Contour> Contours, ContourEnds Discontinuities, int Branches)
 {
     /// <summary>Segment ends, and boxes of them, that were tested: a measure of the work.</summary>
     public long Looks { get; init; }

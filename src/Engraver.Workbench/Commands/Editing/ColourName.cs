@@ -6,18 +6,24 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>How colours are typed and shown: the names that AutoCAD has for the first seven, numbers for the rest, red,green,blue for true colours.</summary>
 public static class ColourName
 {
+    private const int StandardColours = 7;
+
+    /// <summary>In English they are understood in every language.</summary>
     private static readonly string[] s_names = ["red", "yellow", "green", "cyan", "blue", "magenta", "white"];
 
-    /// <summary>Names of the colours 1 to 7.</summary>
-    public static IReadOnlyList<string> Known => s_names;
+    /// <summary>Names of the colours 1 to 7, in the language of the operator.</summary>
+    public static IReadOnlyList<string> Known => Wording.Get("ColourName.All").Split(',', StringSplitOptions.TrimEntries) is { Length: StandardColours } names ? names : s_names;
 
     /// <summary>Null when the text is no colour that a layer may have.</summary>
     public static DrawingColour? Parse(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
         var word = typed.Trim();
-        var named = Array.FindIndex(s_names, name => name.Equals(word, StringComparison.OrdinalIgnoreCase));
-        if (named >= 0) return DrawingColour.FromCode62(named + 1);
+        for (var named = 0; named < StandardColours; named++)
+        {
+            if (word.Equals(s_names[named], StringComparison.OrdinalIgnoreCase) || word.Equals(Known[named], StringComparison.OrdinalIgnoreCase)) return DrawingColour.FromCode62(named + 1);
+        }
+
         byte[] channels = [.. word.Split(',').Select(Channel).TakeWhile(channel => channel is not null).Select(channel => channel!.Value)];
         if (channels.Length != word.Count(letter => letter == ',') + 1) return null;
         return channels switch
@@ -33,7 +39,7 @@ public static class ColourName
     {
         if (colour.Rgb is { } rgb) return FormattableString.Invariant($"{(rgb >> 16) & 0xFF},{(rgb >> 8) & 0xFF},{rgb & 0xFF}");
         var index = colour.OrForeground().Index!.Value;
-        return index <= s_names.Length ? s_names[index - 1] : index.ToString(CultureInfo.InvariantCulture);
+        return index <= StandardColours ? Known[index - 1] : index.ToString(CultureInfo.InvariantCulture);
     }
 
     /// <summary>As <see cref="Parse"/>, and "bylayer" and "byblock", which only objects may have.</summary>

@@ -1,8 +1,9 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
 using FsCheck;
 using FsCheck.Fluent;
 
-namespace Engraver.Core.Tests.Geometry;
+namespace Engraver.Core.Tests.Sequencing.Chaining;
 
 public class PlaceGridTests
 {

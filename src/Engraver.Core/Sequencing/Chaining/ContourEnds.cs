@@ -5,7 +5,7 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Sequencing.Chaining;
 
 /// <summary>The ends of open contours, two for each, start before end, in contour order. The distance of the nearest other one is measured when somebody asks for it: of two million a report may show a hundred.</summary>
-public sealed class OpenEnds : IReadOnlyList<Discontinuity>
+public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 {
     private readonly Point2D[] _places;
     private readonly int[] _rows;
@@ -14,7 +14,7 @@ public sealed class OpenEnds : IReadOnlyList<Discontinuity>
     private readonly double[] _levels;
     private readonly Lazy<Discontinuity[]> _measured;
 
-    private OpenEnds(Point2D[] places, int[] rows, double[] levels)
+    private ContourEnds(Point2D[] places, int[] rows, double[] levels)
     {
         (_places, _rows, _levels) = (places, rows, levels);
         _measured = new Lazy<Discontinuity[]>(Measure);
@@ -34,7 +34,7 @@ public sealed class OpenEnds : IReadOnlyList<Discontinuity>
     /// <summary>The row that ends there.</summary>
     public int RowOf(int index) => _rows[index];
 
-    internal static OpenEnds From(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, EndHeights heights)
+    internal static ContourEnds From(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, EndHeights heights)
     {
         var count = 2 * contours.Count(contour => !contour.Closed);
         var (places, rows, levels) = (new Point2D[count], new int[count], new double[heights.AreFlat ? 0 : count]);
@@ -49,7 +49,7 @@ public sealed class OpenEnds : IReadOnlyList<Discontinuity>
             end += 2;
         }
 
-        return new OpenEnds(places, rows, levels);
+        return new ContourEnds(places, rows, levels);
     }
 
     /// <summary>Tells apart the ends that have another one nearby.</summary>

@@ -1,4 +1,6 @@
-namespace Engraver.Core.Geometry;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
 
 /// <summary>Places in square cells, about two to a cell: the nearest one is mostly found by a look at a few cells, otherwise by way of larger squares that know how many are shown in them.</summary>
 /// <remarks>For places that are spread evenly, many times faster than a <see cref="BoxTree"/>; for others there is none. Places can be hidden and shown again. Not safe for use from several threads while places are hidden or shown.</remarks>
