@@ -33,7 +33,11 @@ public sealed class ManualTimeProvider : TimeProvider
         DateTimeOffset end;
         lock (_gate) end = _now + by;
         while (NextDue(end) is { } timer) timer.Fire();
-        lock (_gate) _now = end;
+        lock (_gate)
+        {
+            _now = end;
+            TellTimerSet();
+        }
     }
 
     /// <summary>Completes when a timer falls due within a span from now: whoever waits for time is ready for it.</summary>
@@ -50,6 +54,13 @@ public sealed class ManualTimeProvider : TimeProvider
 
             await set.ConfigureAwait(false);
         }
+    }
+
+    /// <summary>Under the lock: whoever waits for a timer looks again.</summary>
+    private void TellTimerSet()
+    {
+        _timerSet.SetResult();
+        _timerSet = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
     }
 
     private ManualTimer? NextDue(DateTimeOffset end)
@@ -84,8 +95,7 @@ public sealed class ManualTimeProvider : TimeProvider
                 owner._timers.Remove(this);
                 if (Due is null) return true;
                 owner._timers.Add(this);
-                owner._timerSet.SetResult();
-                owner._timerSet = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+                owner.TellTimerSet();
                 return true;
             }
         }

@@ -89,12 +89,6 @@ public sealed partial class DrawingCanvas
 
     private Point2D ToDrawing(Point2D at) => _keeper.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
 
-    private Point2D PlaceOf(Point2D place)
-    {
-        var at = ToControl(place);
-        return new Point2D(at.X, at.Y);
-    }
-
     private Point ToControl(Point2D place)
     {
         var pixel = _keeper.View.ToPixels(place);

@@ -173,7 +173,7 @@ public sealed partial class DrawingCanvas : Panel
     /// <summary>What was hovered may be gone, or have another number: the cursor looks again what lies under it. A box that was begun was meant for what was shown before.</summary>
     private void TakeScene()
     {
-        _pointer.GiveUpBox();
+        _pointer.DropBox();
         (_signs.Hovered, _signs.HoveredGrip) = (null, null);
         UpdateContent();
         UpdateSigns();
@@ -215,7 +215,8 @@ public sealed partial class DrawingCanvas : Panel
         if (view == _keeper.View) return;
         var before = _keeper.View;
         _keeper.View = view;
-        if (before.Size.Width > 0) _pointer.ViewMoved(at => PlaceOf(before.ToDrawing(new Point2D(at.X * scaling, at.Y * scaling))));
+        if (_keeper.Content.Scaling != scaling) _pointer.DropBox(); // on another screen
+        else _pointer.ViewMoved(at => ToControl(before.ToDrawing(new Point2D(at.X * scaling, at.Y * scaling))) is var moved ? new Point2D(moved.X, moved.Y) : at);
         UpdateSigns();
         _picture.InvalidateVisual();
         _refiner.WaitForHand();

@@ -8,18 +8,18 @@ namespace Engraver.App.Layers;
 
 /// <summary>A colour that a layer may be given.</summary>
 /// <param name="colour">An index or a true colour.</param>
-/// <param name="take">Gives it to the layer.</param>
+/// <param name="take">Gives it to the layer; the name is the English one, which LAYER takes in every language.</param>
 public sealed class ColourChoice(DrawingColour colour, Action<string> take)
 {
     /// <summary>The colour of index 7 in the list of colours.</summary>
     private const uint White = 0xFFFFFFFF;
 
-    /// <summary>As LAYER takes it.</summary>
+    /// <summary>In the language of the operator.</summary>
     public string Name { get; } = ColourName.Format(colour);
 
     public IBrush Brush { get; } = BrushOf(colour);
 
-    public Act Take { get; } = new(() => take(ColourName.Format(colour)));
+    public Act Take { get; } = new(() => take(ColourName.FormatInEnglish(colour)));
 
     public static IBrush BrushOf(DrawingColour colour) =>
         new SolidColorBrush(Color.FromUInt32(colour.Rgb is { } rgb ? 0xFF000000 | rgb : AciPalette.ColourOf(colour.OrForeground().Index!.Value, White)));

@@ -193,7 +193,7 @@ public partial class ShellWindow : Window
     /// <summary>A tip is gone with the next key: it would lie over the dialog that the key opens.</summary>
     private void CloseTips()
     {
-        foreach (var control in this.GetVisualDescendants().OfType<Control>().Where(ToolTip.GetIsOpen)) ToolTip.SetIsOpen(control, false);
+        foreach (var control in this.GetVisualDescendants().OfType<Control>().Where(ToolTip.GetIsOpen).ToList()) ToolTip.SetIsOpen(control, false);
     }
 
     private void OnKey(object? sender, KeyEventArgs e)

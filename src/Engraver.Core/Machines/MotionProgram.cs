@@ -16,12 +16,19 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
 
     public int SegmentCount => Strokes.Sum(stroke => stroke.SegmentCount);
 
-    /// <summary>The segment after so many in the order of cutting, with its start and stroke; null after the last.</summary>
-    public (CountsPoint Start, VectorSegment Segment, MotionStroke Stroke)? SegmentBehind(int executed)
+    /// <summary>The segment after so many in the order of cutting, with its start and the place of its stroke in <see cref="Strokes"/>; null after the last.</summary>
+    public (CountsPoint Start, VectorSegment Segment, int Stroke)? SegmentBehind(int executed)
     {
-        foreach (var stroke in Strokes)
+        for (var stroke = 0; stroke < Strokes.Count; stroke++)
         {
-            foreach (var sequence in stroke.Sequences)
+            var of = Strokes[stroke];
+            if (executed >= of.SegmentCount)
+            {
+                executed -= of.SegmentCount;
+                continue;
+            }
+
+            foreach (var sequence in of.Sequences)
             {
                 if (executed < sequence.Segments.Count) return (executed == 0 ? sequence.Start : sequence.Segments[executed - 1].End, sequence.Segments[executed], stroke);
                 executed -= sequence.Segments.Count;

@@ -16,9 +16,6 @@ public sealed class VectorColumns(int segments)
     /// <summary>Number of segments so far.</summary>
     public int SegmentCount => _segments.Count;
 
-    /// <summary>Number of sequences so far.</summary>
-    public int SequenceCount => _sequences.Count;
-
     /// <summary>Appends a sequence; it begins where the last one of its stroke ends.</summary>
     public void Append(int speed, IReadOnlyList<VectorSegment> cut, bool changesHeight)
     {

@@ -11,12 +11,12 @@ namespace Engraver.Core.Sequencing;
 public sealed class OpenEndList : IReadOnlyList<OpenEnd>
 {
     private readonly ContourEnds _ends;
-    private readonly EntityTable _table;
+    private readonly Func<int, int> _entityOf;
     private readonly Drawing? _drawing;
     private readonly double _suspiciousGap;
 
     internal OpenEndList(ChainedTable chained, SequencingOptions options) =>
-        (_ends, _table, _drawing, _suspiciousGap) = (chained.Chain.Discontinuities, chained.Kept, chained.Drawing, options.SuspiciousGap);
+        (_ends, _entityOf, _drawing, _suspiciousGap) = (chained.Chain.Discontinuities, EntitiesOf(chained), chained.Drawing, options.SuspiciousGap);
 
     public int Count => _ends.Count;
 
@@ -25,14 +25,23 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
         get
         {
             var end = _ends[index];
-            var nearest = end.NearestRow < 0 ? -1 : _table.EntityIndexOf(end.NearestRow);
+            var nearest = end.NearestRow < 0 ? -1 : _entityOf(end.NearestRow);
             var rule = end.Gap < _suspiciousGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
-            return new OpenEnd(end.Place, _table.EntityIndexOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
+            return new OpenEnd(end.Place, _entityOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
         }
     }
 
     /// <summary>Where one of them lies, millimetres.</summary>
     public Point2D PlaceOf(int index) => _ends.PlaceOf(index);
+
+    /// <summary>A table of the kept rows alone is not held for their entities.</summary>
+    private static Func<int, int> EntitiesOf(ChainedTable chained)
+    {
+        if (ReferenceEquals(chained.Kept, chained.Analysed)) return chained.Analysed.EntityIndexOf;
+        var entities = new int[chained.Kept.Count];
+        for (var row = 0; row < entities.Length; row++) entities[row] = chained.Kept.EntityIndexOf(row);
+        return row => entities[row];
+    }
 
     public IEnumerator<OpenEnd> GetEnumerator()
     {

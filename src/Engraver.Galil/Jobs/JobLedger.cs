@@ -130,23 +130,13 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true, R
         _cutOfFirst = 0.0;
         while (Executed < left.SegmentsBefore && program.SegmentBehind(Executed) is var (_, segment, stroke))
         {
-            Stroke = IndexOf(stroke);
+            Stroke = stroke;
             Confirm(segment);
         }
 
         (_rest, _cutOfFirst, IsAway) = (left, left.CutOfFirst, false);
         Sent = Math.Min(Sent, left.SegmentsBefore - _first);
         Enter(0, 0);
-    }
-
-    private int IndexOf(MotionStroke stroke)
-    {
-        for (var i = 0; i < program.Strokes.Count; i++)
-        {
-            if (ReferenceEquals(program.Strokes[i], stroke)) return i;
-        }
-
-        throw new ArgumentException("Not a stroke of this program.", nameof(stroke));
     }
 
     /// <summary>Counts what an earlier job has cut.</summary>

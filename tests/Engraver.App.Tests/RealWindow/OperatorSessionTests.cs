@@ -119,19 +119,20 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
     {
         for (var tries = 0; tries < 20 && !far(machine.Place); tries++)
         {
-            var hasMoved = false;
+            var before = machine.Place;
             desktop.HoldDown(key);
             try
             {
-                await machine.GoUntilAsync(status => status.IsMoving ? (hasMoved = true) && far(machine.Place) : hasMoved, s_untilPressedAgain);
+                await machine.GoUntilAsync(_ => machine.Place != before, s_untilPressedAgain);
             }
-            catch (TimeoutException) when (!hasMoved)
+            catch (TimeoutException)
             {
-                desktop.LetGo();
+                desktop.LetGo(); // it was not heard
                 desktop.Settle();
                 continue;
             }
 
+            await machine.GoUntilAsync(status => !status.IsMoving || far(machine.Place));
             desktop.LetGo();
             machine.Go();
             desktop.WaitForTitle(Drawing + " - MOVING");

@@ -76,12 +76,20 @@ internal sealed class RealMachine : IAsyncDisposable
     }
 
     /// <summary>Time goes on until the controller is so, and stands then.</summary>
-    /// <exception cref="TimeoutException">It did not become so.</exception>
+    /// <exception cref="TimeoutException">It did not become so; time stands.</exception>
     public async Task<ControllerStatus> GoUntilAsync(Func<ControllerStatus, bool> condition, TimeSpan? patience = null)
     {
         var met = new TaskCompletionSource<ControllerStatus>(TaskCreationOptions.RunContinuationsAsynchronously);
         lock (_gate) (_until, _met, _goes) = (condition, met, true);
-        return await met.Task.WaitAsync(patience ?? s_patience);
+        try
+        {
+            return await met.Task.WaitAsync(patience ?? s_patience);
+        }
+        catch (TimeoutException)
+        {
+            lock (_gate) (_until, _met, _goes) = (null, null, false);
+            throw;
+        }
     }
 
     /// <summary>Moves the clock on at once, when no host has it.</summary>

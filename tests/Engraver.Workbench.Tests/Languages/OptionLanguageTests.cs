@@ -52,7 +52,7 @@ public sealed partial class OptionLanguageTests
         CultureInfo.CurrentUICulture = s_german;
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
-        foreach (var (typed, shown, index) in new[] { ("Grün", "grün", 3), ("BLUE", "blau", 5), ("weiß", "weiß", 7), ("9", "9", 9) })
+        foreach (var (typed, shown, index) in new[] { ("Grün", "grün", 3), ("BLUE", "blau", 5), ("weiß", "weiß", 7), ("WEISS", "weiß", 7), ("9", "9", 9) })
         {
             await talk.TypeAsync("LAYER", "C", typed, "VENTS", "");
             var colour = talk.State.Drawing!.Layers.Single(layer => layer.Name == "VENTS").Colour;

@@ -113,9 +113,6 @@ internal sealed class PointerMachine
     /// <param name="moved">Where a place of the screen lies now.</param>
     public void ViewMoved(Func<Point2D, Point2D> moved) => _boxFrom = _boxFrom is { } from ? moved(from) : null;
 
-    /// <summary>The canvas shows something else: a box that was begun is given up.</summary>
-    public void GiveUpBox() => DropBox();
-
     /// <summary>The canvas lost the mouse (another window, a lost capture): no button counts as pressed.</summary>
     public void Lost()
     {
@@ -143,7 +140,8 @@ internal sealed class PointerMachine
         return new CanvasIntent.Select(box, remove);
     }
 
-    private void DropBox() => (_boxFrom, _boxPressed, _boxRemoves) = (null, false, false);
+    /// <summary>Gives up a box that was begun.</summary>
+    public void DropBox() => (_boxFrom, _boxPressed, _boxRemoves) = (null, false, false);
 }
 
 internal enum PointerButton

@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>The ends of open contours, two for each, start before end, in contour order. The distance of the nearest other one is measured when somebody asks for it: of two million a report may show a hundred.</summary>
+/// <summary>The ends of open contours, two for each, start before end, in contour order. The distances of the nearest other ones are not kept until somebody asks for them: of two million a report may show a hundred.</summary>
 public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 {
     private readonly Point2D[] _places;
@@ -54,7 +54,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 
     /// <summary>Tells apart the ends that have another one nearby.</summary>
     /// <param name="within">Millimetres; an end just as far away does not count.</param>
-    /// <param name="listed">So many of those that have one are measured.</param>
+    /// <param name="listed">So many of those that have one are told with their distance.</param>
     internal NearbyEnds FindNearby(double within, int listed)
     {
         var grid = _levels.Length == 0 ? PlaceGrid.TryBuild(_places) : null;
@@ -65,7 +65,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
         }
         else
         {
-            foreach (var i in grid.ByCell()) isNear[i] = grid.Nearest(_places[i], i, out var gap) >= 0 && gap < within;
+            foreach (var i in grid.ByCell()) isNear[i] = grid.Nearest(_places[i], i, within, out var gap) >= 0 && gap < within;
         }
 
         var (count, measured, firstFar) = (0, new List<Discontinuity>(), -1);
@@ -101,7 +101,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 
     private Discontinuity MeasureIn(PlaceGrid grid, int index)
     {
-        var other = grid.Nearest(_places[index], index, out var gap);
+        var other = grid.Nearest(_places[index], index, double.PositiveInfinity, out var gap);
         return End(index, other, gap);
     }
 

@@ -1,3 +1,4 @@
+using System.Numerics;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
@@ -16,6 +17,9 @@ internal sealed class PlaceGrid
 
     /// <summary>Squares of a level along the side of one of the next.</summary>
     private const int Fanout = 4;
+
+    /// <summary>Part of a cell that the rounding of its edges may be.</summary>
+    private const double MostMargin = 0.25;
 
     /// <summary>Distances that are squared are as exact as this.</summary>
     private const double Rounding = 1e-9;
@@ -42,7 +46,7 @@ internal sealed class PlaceGrid
     private PlaceGrid(ReadOnlySpan<Point2D> places, Bounds2D bounds, double cell, int columns, int rows)
     {
         (_bounds, _cell, _columns, _rows) = (bounds, cell, columns, rows);
-        _margin = (1e-6 * cell) + (1e-12 * Math.Max(Math.Max(Math.Abs(bounds.MinX), Math.Abs(bounds.MaxX)), Math.Max(Math.Abs(bounds.MinY), Math.Abs(bounds.MaxY))));
+        _margin = MarginOf(bounds, cell);
         _starts = new int[(columns * rows) + 1];
         _shown = new int[columns * rows];
         _entries = GC.AllocateUninitializedArray<Entry>(places.Length);
@@ -51,7 +55,7 @@ internal sealed class PlaceGrid
         _levels = LevelsOver(new Level(_shown, columns, rows, cell));
     }
 
-    /// <summary>A grid of places, all shown, numbered by their index; null where they crowd together, or are so few that nothing is gained.</summary>
+    /// <summary>A grid of places, all shown, numbered by their index; null where they crowd together, coincide, or lie so far from zero that cells cannot be told apart.</summary>
     public static PlaceGrid? TryBuild(ReadOnlySpan<Point2D> places)
     {
         var bounds = Bounds2D.Empty;
@@ -60,6 +64,7 @@ internal sealed class PlaceGrid
         var cells = Math.Max(1.0, places.Length / PlacesInCell);
         var cell = Math.Max(Math.Sqrt(width * height / cells), Math.Max(width, height) / cells);
         if (!double.IsFinite(cell) || !(cell > 0.0)) return null;
+        if (MarginOf(bounds, cell) > MostMargin * cell) return null;
         var grid = new PlaceGrid(places, bounds, cell, (int)(width / cell) + 1, (int)(height / cell) + 1);
         return grid.IsEven() ? grid : null;
     }
@@ -96,13 +101,14 @@ internal sealed class PlaceGrid
         Count(column, row, 1);
     }
 
-    /// <summary>The nearest shown place, of equally near ones the lower number; -1 when none is shown.</summary>
+    /// <summary>The nearest shown place, of equally near ones the lower number; -1 when none is shown that near.</summary>
     /// <param name="from">Point to measure from.</param>
     /// <param name="except">A place that is left out; -1 for none.</param>
-    /// <param name="distance">Distance of the answer; infinity without one.</param>
-    public int Nearest(Point2D from, int except, out double distance)
+    /// <param name="within">Largest distance of interest; positive infinity for any.</param>
+    /// <param name="distance">Distance of the answer; <paramref name="within"/> without one.</param>
+    public int Nearest(Point2D from, int except, double within, out double distance)
     {
-        var best = new Best { Distance = double.PositiveInfinity, Squared = double.PositiveInfinity, Place = -1 };
+        var best = new Best(within);
         if (!TryRings(from, except, ref best)) Descend(_levels.Length - 1, 0, 0, from, except, ref best);
         distance = best.Distance;
         return best.Place;
@@ -160,17 +166,20 @@ internal sealed class PlaceGrid
 
         var below = _levels[level - 1];
         Span<double> distances = stackalloc double[Fanout * Fanout];
+        var left = 0u; // a bit for each square in it that is still to be looked through
         for (var i = 0; i < distances.Length; i++)
         {
             var (x, y) = ((column * Fanout) + (i % Fanout), (row * Fanout) + (i / Fanout));
-            distances[i] = x < below.Columns && y < below.Rows && below.Shown[(y * below.Columns) + x] > 0 ? DistanceTo(below.Side, x, y, from) : double.PositiveInfinity;
+            if (x >= below.Columns || y >= below.Rows || below.Shown[(y * below.Columns) + x] == 0) continue;
+            distances[i] = DistanceTo(below.Side, x, y, from);
+            left |= 1u << i;
         }
 
-        for (var visits = 0; visits < distances.Length; visits++)
+        while (left != 0)
         {
-            var nearest = IndexOfSmallest(distances);
-            if (double.IsPositiveInfinity(distances[nearest]) || distances[nearest] > best.Distance) return;
-            distances[nearest] = double.PositiveInfinity;
+            var nearest = IndexOfSmallest(distances, left);
+            if (distances[nearest] > best.Distance) return;
+            left &= ~(1u << nearest);
             Descend(level - 1, (column * Fanout) + (nearest % Fanout), (row * Fanout) + (nearest / Fanout), from, except, ref best);
         }
     }
@@ -181,14 +190,19 @@ internal sealed class PlaceGrid
         var (left, low) = (_bounds.MinX + (column * side), _bounds.MinY + (row * side));
         var x = Math.Max(0.0, Math.Max(left - from.X, from.X - left - side));
         var y = Math.Max(0.0, Math.Max(low - from.Y, from.Y - low - side));
-        return Math.Sqrt((x * x) + (y * y)) - (2.0 * _margin);
+        return (double.Hypot(x, y) * (1.0 - Rounding)) - (2.0 * _margin);
     }
 
-    private static int IndexOfSmallest(ReadOnlySpan<double> values)
+    private static double MarginOf(in Bounds2D bounds, double cell) =>
+        (1e-6 * cell) + (1e-12 * Math.Max(Math.Max(Math.Abs(bounds.MinX), Math.Abs(bounds.MaxX)), Math.Max(Math.Abs(bounds.MinY), Math.Abs(bounds.MaxY))));
+
+    /// <param name="of">A bit for each value that counts; at least one.</param>
+    private static int IndexOfSmallest(ReadOnlySpan<double> values, uint of)
     {
-        var smallest = 0;
-        for (var i = 1; i < values.Length; i++)
+        var smallest = BitOperations.TrailingZeroCount(of);
+        for (var rest = of & (of - 1); rest != 0; rest &= rest - 1)
         {
+            var i = BitOperations.TrailingZeroCount(rest);
             if (values[i] < values[smallest]) smallest = i;
         }
 
@@ -254,7 +268,7 @@ internal sealed class PlaceGrid
         if (column + ring < _columns - 1) beyond = Math.Min(beyond, _bounds.MinX + ((column + ring + 1) * _cell) - from.X);
         if (row - ring > 0) beyond = Math.Min(beyond, from.Y - (_bounds.MinY + ((row - ring) * _cell)));
         if (row + ring < _rows - 1) beyond = Math.Min(beyond, _bounds.MinY + ((row + ring + 1) * _cell) - from.Y);
-        return beyond - _margin;
+        return beyond - _margin - (Rounding * (Math.Abs(from.X) + Math.Abs(from.Y)));
     }
 
     private void Swap(int one, int other)
@@ -279,18 +293,21 @@ internal sealed class PlaceGrid
 
     private readonly record struct Entry(Point2D At, int Place);
 
-    private struct Best
+    private struct Best(double within)
     {
-        public int Place;
-        public double Distance;
+        public int Place { get; private set; } = -1;
+
+        public double Distance { get; private set; } = within;
 
         /// <summary>A little more than the square of the distance, so that no equally near place is left out.</summary>
-        public double Squared;
+        public double Squared { get; private set; } = SquareOf(within);
+
+        private static double SquareOf(double distance) => distance * distance * (1.0 + Rounding);
 
         public void Offer(int place, double distance)
         {
             if (distance > Distance || (distance == Distance && Place >= 0 && place > Place)) return;
-            (Place, Distance, Squared) = (place, distance, distance * distance * (1.0 + Rounding));
+            (Place, Distance, Squared) = (place, distance, SquareOf(distance));
         }
     }
 }

@@ -54,7 +54,7 @@ internal sealed class ShownStarts
     /// <returns>Its contour, its number among the starts of that, and where it lies.</returns>
     public (int Contour, int Number, Point2D Place)? Nearest(Point2D tool)
     {
-        if (_grid is { } grid) return grid.Nearest(tool, -1, out _) is >= 0 and var start ? (_contourOf[start], start - _starts.NumbersOf(_contourOf[start]).First, _starts.Places[start]) : null;
+        if (_grid is { } grid) return grid.Nearest(tool, -1, double.PositiveInfinity, out _) is >= 0 and var start ? (_contourOf[start], start - _starts.NumbersOf(_contourOf[start]).First, _starts.Places[start]) : null;
         var run = _tree!.Nearest(tool, _measure, double.PositiveInfinity, out var distance);
         if (run < 0) return null;
         var (contour, number) = _starts.StartAt(run, tool, distance);

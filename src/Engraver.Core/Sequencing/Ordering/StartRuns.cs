@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>The possible starts of all contours, in their order and in short runs of neighbours: what a tree of boxes is built over, because a box for each joint of a million would be built far longer than it is searched.</summary>
+/// <summary>The possible starts of all contours, in their order (what a grid is built over) and in short runs of neighbours: what a tree of boxes is built over, because a box for each joint of a million would be built far longer than it is searched.</summary>
 /// <remarks>The two ends of an open contour are runs of their own: they may lie far apart, and depth may allow only one of them.</remarks>
 internal sealed class StartRuns
 {

@@ -40,7 +40,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         {
             var at = machine.State.Position;
             return program.SegmentBehind(ledger.Executed) is var (_, segment, stroke)
-                ? Wording.Get("JobFault.StrokeDrawingEntity", at.X, at.Y, stroke.Index + 1, segment.EntityIndex)
+                ? Wording.Get("JobFault.StrokeDrawingEntity", at.X, at.Y, program.Strokes[stroke].Index + 1, segment.EntityIndex)
                 : Wording.Get("Common.At", at.X, at.Y);
         }
     }

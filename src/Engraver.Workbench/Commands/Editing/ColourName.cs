@@ -19,9 +19,10 @@ public static class ColourName
     {
         ArgumentNullException.ThrowIfNull(typed);
         var word = typed.Trim();
+        var spoken = Known;
         for (var named = 0; named < StandardColours; named++)
         {
-            if (word.Equals(s_names[named], StringComparison.OrdinalIgnoreCase) || word.Equals(Known[named], StringComparison.OrdinalIgnoreCase)) return DrawingColour.FromCode62(named + 1);
+            if (word.Equals(s_names[named], StringComparison.OrdinalIgnoreCase) || WithoutSharpS(word).Equals(WithoutSharpS(spoken[named]), StringComparison.OrdinalIgnoreCase)) return DrawingColour.FromCode62(named + 1);
         }
 
         byte[] channels = [.. word.Split(',').Select(Channel).TakeWhile(channel => channel is not null).Select(channel => channel!.Value)];
@@ -34,12 +35,20 @@ public static class ColourName
         };
     }
 
-    /// <summary>The colour as it can be typed.</summary>
-    public static string Format(DrawingColour colour)
+    /// <summary>Keyboards without ß write ss.</summary>
+    private static string WithoutSharpS(string word) => word.Replace("ß", "ss", StringComparison.Ordinal);
+
+    /// <summary>The colour as it can be typed, in the language of the operator.</summary>
+    public static string Format(DrawingColour colour) => Format(colour, Known);
+
+    /// <summary>The colour as it can be typed in every language.</summary>
+    public static string FormatInEnglish(DrawingColour colour) => Format(colour, s_names);
+
+    private static string Format(DrawingColour colour, IReadOnlyList<string> names)
     {
         if (colour.Rgb is { } rgb) return FormattableString.Invariant($"{(rgb >> 16) & 0xFF},{(rgb >> 8) & 0xFF},{rgb & 0xFF}");
         var index = colour.OrForeground().Index!.Value;
-        return index <= StandardColours ? Known[index - 1] : index.ToString(CultureInfo.InvariantCulture);
+        return index <= StandardColours ? names[index - 1] : index.ToString(CultureInfo.InvariantCulture);
     }
 
     /// <summary>As <see cref="Parse"/>, and "bylayer" and "byblock", which only objects may have.</summary>

@@ -51,7 +51,9 @@ internal static class ContourWalk
 
     private static string Question(SequencingResult result, ToolpathStroke stroke)
     {
-        var gap = result.Discontinuities.FirstOrDefault(end => end.Place == result.Strokes[stroke.Index].End)?.Gap;
+        var (ends, place, at) = (result.Discontinuities, result.Strokes[stroke.Index].End, 0);
+        while (at < ends.Count && ends.PlaceOf(at) != place) at++;
+        var gap = at < ends.Count ? ends[at].Gap : null;
         return gap is { } away
             ? Wording.Get("AutoSequence.Discontinuity", stroke.Index + 1, stroke.End.X, stroke.End.Y, away)
             : Wording.Get("AutoSequence.DiscontinuityAlone", stroke.Index + 1, stroke.End.X, stroke.End.Y);

@@ -59,7 +59,7 @@ public class PointerMachineTests
 
         _machine.AsksForPoint = false;
         Press(s_here, hits: false);
-        _machine.GiveUpBox();
+        _machine.DropBox();
         Assert.Null(_machine.Box);
         Assert.Equal(new CanvasIntent.Pick(s_right, Remove: false), Press(s_right, hits: true));
     }

@@ -23,12 +23,13 @@ public class PlaceGridTests
                 var place = random.Next(places.Length);
                 if (random.Next(8) == 0) Show(place);
                 else Hide(place);
+                var within = random.Next(3) == 0 ? random.Next(12) : double.PositiveInfinity;
                 var (from, except) = (new Point2D((random.NextDouble() * 140.0) - 20.0, (random.NextDouble() * 60.0) - 20.0), random.Next(-1, places.Length));
 
-                var found = grid.Nearest(from, except, out var distance);
+                var found = grid.Nearest(from, except, within, out var distance);
 
-                var expected = shown.Where(one => one != except).OrderBy(one => places[one].DistanceTo(from)).ThenBy(one => one).Select(one => (int?)one).FirstOrDefault() ?? -1;
-                Assert.Equal((expected, expected < 0 ? double.PositiveInfinity : places[expected].DistanceTo(from)), (found, distance));
+                var expected = shown.Where(one => one != except && places[one].DistanceTo(from) <= within).OrderBy(one => places[one].DistanceTo(from)).ThenBy(one => one).Select(one => (int?)one).FirstOrDefault() ?? -1;
+                Assert.Equal((expected, expected < 0 ? within : places[expected].DistanceTo(from)), (found, distance));
             }
 
             void Show(int place)
@@ -49,11 +50,30 @@ public class PlaceGridTests
     {
         var grid = PlaceGrid.TryBuild([new(0, 0), new(7, 7), new(2, 0), new(0, 2), new(9, 0), new(2, 2)])!;
 
-        Assert.Equal(0, grid.Nearest(new Point2D(1, 1), -1, out _));
+        Assert.Equal(0, grid.Nearest(new Point2D(1, 1), -1, double.PositiveInfinity, out _));
         grid.Hide(0);
-        Assert.Equal(2, grid.Nearest(new Point2D(1, 1), -1, out _));
-        Assert.Equal(3, grid.Nearest(new Point2D(1, 1), 2, out _));
+        Assert.Equal(2, grid.Nearest(new Point2D(1, 1), -1, double.PositiveInfinity, out _));
+        Assert.Equal(3, grid.Nearest(new Point2D(1, 1), 2, double.PositiveInfinity, out _));
     }
+
+    /// <summary>A tool start that is far away, also so far that the square of the way is no number any more.</summary>
+    [Theory]
+    [InlineData(1e9)]
+    [InlineData(1e160)]
+    [InlineData(-1e300)]
+    public void From_far_away_the_nearest_place_is_found_too(double far)
+    {
+        var places = Places(new Random(8));
+        var grid = PlaceGrid.TryBuild(places)!;
+        var from = new Point2D(far, -far);
+
+        var expected = Enumerable.Range(0, places.Length).MinBy(one => places[one].DistanceTo(from));
+        Assert.Equal(expected, grid.Nearest(from, -1, double.PositiveInfinity, out _));
+    }
+
+    /// <summary>There the cells are smaller than what a coordinate is rounded by.</summary>
+    [Fact]
+    public void Places_far_from_zero_have_no_grid() => Assert.Null(PlaceGrid.TryBuild([.. Enumerable.Range(0, 100).Select(i => new Point2D(1e14 + (i % 10), 1e14 + (i / 10)))]));
 
     [Fact]
     public void Every_place_is_told_once_cell_by_cell()
