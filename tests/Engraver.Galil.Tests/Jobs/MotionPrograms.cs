@@ -29,11 +29,24 @@ internal static class MotionPrograms
         new(0, 0), [Arc(0, 0, 1500, 180, 360, 0), .. Enumerable.Range(1, count).Select(i => Line(i * step, i % 2, i, Math.Sqrt((step * step) + 1)))]));
 
     /// <summary>Two strokes with a rapid between them.</summary>
-    public static MotionProgram TwoStrokes => new(MachineProfile.Default, default,
+    public static MotionProgram TwoStrokes => new(MachineProfile.Default, default, InColumns(
     [
         new MotionStroke(0, new(2000, 0), [Sequence(new(2000, 0), Line(4000, 0, 7, 2000))]),
         new MotionStroke(1, new(4000, 3000), [Sequence(new(4000, 3000), Line(2000, 3000, 3, 2000))]),
-    ]);
+    ]));
+
+    /// <summary>Strokes as the generator keeps them, which are made anew for everybody who looks at one.</summary>
+    public static IReadOnlyList<MotionStroke> InColumns(IReadOnlyList<MotionStroke> strokes)
+    {
+        var columns = new VectorColumns(strokes.Sum(stroke => stroke.SegmentCount));
+        foreach (var stroke in strokes)
+        {
+            foreach (var sequence in stroke.Sequences) columns.Append(sequence.Speed, sequence.Segments, sequence.ChangesHeight);
+            Assert.True(columns.EndStroke(stroke.Index, stroke.Start));
+        }
+
+        return columns.Strokes();
+    }
 
     public static VectorSegment Line(int x, int y, int entity, double length) => new(VectorSegmentKind.Line, new(x, y), 0, 0, 0, entity, length);
 
@@ -42,5 +55,5 @@ internal static class MotionPrograms
 
     private static VectorSequence Sequence(CountsPoint start, params VectorSegment[] segments) => new(start, 20000, segments);
 
-    private static MotionProgram One(params VectorSequence[] sequences) => new(MachineProfile.Default, default, [new MotionStroke(0, sequences[0].Start, sequences)]);
+    private static MotionProgram One(params VectorSequence[] sequences) => new(MachineProfile.Default, default, InColumns([new MotionStroke(0, sequences[0].Start, sequences)]));
 }

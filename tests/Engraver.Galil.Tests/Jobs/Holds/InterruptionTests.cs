@@ -120,7 +120,7 @@ public sealed class InterruptionTests : IDisposable
             strokes.Add(new MotionStroke(strokes.Count, start, sequences));
         }
 
-        return new MotionProgram(profile, default, strokes) { Style = mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous };
+        return new MotionProgram(profile, default, MotionPrograms.InColumns(strokes)) { Style = mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous };
     }
 
     /// <summary>A gentle slope, which may go on in another one; or a steep line, which is a sequence of its own because its bends are sharp.</summary>
