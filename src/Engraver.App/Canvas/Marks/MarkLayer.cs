@@ -5,10 +5,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Marks;
 
-/// <summary>The marks of one view. Where they would cover each other only the first in their order is drawn; zooming in brings the others.</summary>
+/// <summary>The marks of one view. Where they would cover each other only the first in their order is drawn; zooming in brings the others. Where there are very many they are small, so that the drawing is seen between them.</summary>
 internal sealed class MarkLayer : IPictureLayer
 {
     private const double CellSize = 8.0;
+
+    /// <summary>So many whole marks may be in one picture.</summary>
+    private const int Crowd = 1000;
+
+    /// <summary>Size of a mark in a crowd, as a part of a whole one.</summary>
+    private const double SmallSize = 0.15;
     private readonly List<(SceneMark Mark, Point2D Pixel)> _placed = [];
     private readonly uint _colour;
     private readonly double _scale;
@@ -34,11 +40,12 @@ internal sealed class MarkLayer : IPictureLayer
     public void Paint(CanvasView view, PixelTile tile)
     {
         var pencil = new Pencil(tile, _colour, new LinePen(1.25 * _scale));
+        var size = _placed.Count > Crowd ? SmallSize * _scale : _scale;
         foreach (var (mark, pixel) in _placed)
         {
             var reach = MarkShape.ReachOf(mark, _scale) + 2.0;
             if (pixel.X + reach < tile.Left || pixel.X - reach > tile.Left + tile.Width || pixel.Y + reach < tile.Top || pixel.Y - reach > tile.Top + tile.Height) continue;
-            MarkShape.Draw(mark, pixel, _scale, ref pencil);
+            MarkShape.Draw(mark, pixel, mark.Kind == MarkKind.Order ? _scale : size, ref pencil);
         }
     }
 

@@ -1,6 +1,7 @@
 using Avalonia;
 using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Overlays;
+using Engraver.App.Canvas.Rasterising;
 using Engraver.App.Canvas.Views;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
@@ -92,6 +93,24 @@ public class OverlaySceneTests
 
         Assert.InRange(new MarkLayer(marks, new CanvasView(new Point2D(0.5, 0.0), 0.1, size), 0xFFFFFFFF, 1.0).Count, 1, 1);
         Assert.Equal(9, new MarkLayer(marks, new CanvasView(new Point2D(0.5, 0.0), 0.0002, size), 0xFFFFFFFF, 1.0).Count);
+    }
+
+    /// <summary>A drawing with very many open ends is not buried under their marks; few are as large as ever.</summary>
+    /// <param name="unitsPerPixel">The marks are 1 unit apart.</param>
+    [Theory]
+    [InlineData(1.0, 1000, 2000, 4.0, 25.0)]
+    [InlineData(0.04, 50, 300, 40.0, 200.0)]
+    public void A_crowd_of_marks_leaves_the_drawing_to_be_seen(double unitsPerPixel, int fewest, int most, double leastPixels, double mostPixels)
+    {
+        var view = new CanvasView(new Point2D(0.0, 0.0), unitsPerPixel, new PixelSize(256, 256));
+        SceneMark[] marks = [.. Enumerable.Range(0, 256 * 256).Select(i => new SceneMark(new Point2D((i % 256) - 128.0, (i / 256) - 128.0), MarkKind.Finding))];
+        var layer = new MarkLayer(marks, view, 0xFFFFFFFF, 1.0);
+        var tile = new PixelTile();
+        tile.MoveTo(0, 0, 256, 256);
+        layer.Paint(view, tile);
+
+        Assert.InRange(layer.Count, fewest, most);
+        Assert.InRange(tile.Layer.Count(pixel => pixel != 0) / (double)layer.Count, leastPixels, mostPixels); // painted for a mark
     }
 
     [Fact]
