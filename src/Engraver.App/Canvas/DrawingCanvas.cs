@@ -216,10 +216,17 @@ public sealed partial class DrawingCanvas : Panel
         var before = _keeper.View;
         _keeper.View = view;
         if (_keeper.Content.Scaling != scaling) _pointer.DropBox(); // on another screen
-        else _pointer.ViewMoved(at => ToControl(before.ToDrawing(new Point2D(at.X * scaling, at.Y * scaling))) is var moved ? new Point2D(moved.X, moved.Y) : at);
+        else _pointer.ViewMoved(at => Moved(at, before));
         UpdateSigns();
         _picture.InvalidateVisual();
         _refiner.WaitForHand();
+    }
+
+    /// <summary>Where a point of the control lies now that lay there in a view before.</summary>
+    private Point2D Moved(Point2D at, in CanvasView before)
+    {
+        var now = ToControl(before.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling)));
+        return new Point2D(now.X, now.Y);
     }
 
     private void UpdateContent()

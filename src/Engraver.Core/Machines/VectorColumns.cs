@@ -37,9 +37,9 @@ public sealed class VectorColumns(int segments)
     }
 
     /// <summary>The strokes so far, each made when it is asked for.</summary>
-    public IReadOnlyList<MotionStroke> Strokes() => new ColumnStrokes(this, _strokes.Count);
+    public IReadOnlyList<MotionStroke> Strokes() => new MadeList<MotionStroke>(_strokes.Count, Stroke);
 
-    internal MotionStroke Stroke(int index)
+    private MotionStroke Stroke(int index)
     {
         var cells = _strokes[index];
         return new MotionStroke(cells.Index, cells.Start, new StrokeSequences(this, cells.Start, cells.FirstSequence, cells.EndOfSequences - cells.FirstSequence, cells.EndOfSegments));
@@ -99,21 +99,6 @@ public sealed class VectorColumns(int segments)
         public int Speed;
         public bool ChangesHeight;
     }
-}
-
-/// <summary>The strokes of a program, read from its columns.</summary>
-internal sealed class ColumnStrokes(VectorColumns columns, int count) : IReadOnlyList<MotionStroke>
-{
-    public int Count => count;
-
-    public MotionStroke this[int index] => (uint)index < (uint)count ? columns.Stroke(index) : throw new ArgumentOutOfRangeException(nameof(index));
-
-    public IEnumerator<MotionStroke> GetEnumerator()
-    {
-        for (var i = 0; i < count; i++) yield return columns.Stroke(i);
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
 
 /// <summary>The sequences of one stroke, read from the columns of its program.</summary>

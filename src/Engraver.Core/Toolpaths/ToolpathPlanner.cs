@@ -14,15 +14,19 @@ public static class ToolpathPlanner
     public static Toolpath Plan(SequencingResult sequenced, Point2D toolStart, double maxErrorMm)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
-        return new Toolpath(toolStart, sequenced.Table.HasFreeCurves ? [.. sequenced.Strokes.Select(stroke => Cuttable(stroke, maxErrorMm))] : new SameStrokes(sequenced.Strokes));
+        return new Toolpath(toolStart, sequenced.Table.HasFreeCurves ? [.. sequenced.Strokes.Select(stroke => Cuttable(stroke, maxErrorMm))] : Same(sequenced.Strokes));
     }
 
     /// <summary>Strokes with their ellipses and splines as they are, for machines that cut them.</summary>
-    public static Toolpath WithCurves(SequencingResult sequenced, Point2D toolStart) => new(toolStart, new SameStrokes(sequenced.Strokes));
+    public static Toolpath WithCurves(SequencingResult sequenced, Point2D toolStart) => new(toolStart, Same(sequenced.Strokes));
+
+    private static MadeList<ToolpathStroke> Same(IReadOnlyList<SequencedStroke> strokes) => new(strokes.Count, index => Same(strokes[index]));
+
+    private static ToolpathStroke Same(SequencedStroke stroke) => new(stroke.Index, stroke.Closed, stroke.Moves);
 
     private static ToolpathStroke Cuttable(SequencedStroke stroke, double maxErrorMm)
     {
-        if (!stroke.Moves.Any(move => move.Segment.IsFreeCurve)) return new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves);
+        if (!stroke.Moves.Any(move => move.Segment.IsFreeCurve)) return Same(stroke);
         var (cuttable, rowMoves) = (new List<StrokeMove>(), new List<int>(stroke.Moves.Count));
         foreach (var move in stroke.Moves)
         {

@@ -1,5 +1,6 @@
 using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Scenes;
+using Engraver.Core;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
@@ -27,14 +28,15 @@ internal static class OverlayBuilder
         Finish = WayTo(LastEndOf(toolpath, scale), inputs.Finish),
     };
 
-    private static MarkList StartMarks(Toolpath toolpath, double scale)
+    /// <summary>A mark takes three times the memory of its place, and there may be millions.</summary>
+    private static MadeList<SceneMark> StartMarks(Toolpath toolpath, double scale)
     {
         Point2D[] places = [.. toolpath.Strokes.Select(stroke => Scaled(stroke.Start, scale))];
-        return new MarkList(places.Length, index => new SceneMark(places[index], MarkKind.Start));
+        return new MadeList<SceneMark>(places.Length, index => new SceneMark(places[index], MarkKind.Start));
     }
 
     /// <param name="findings">Places of others, drawing units.</param>
-    private static MarkList FindingMarks(OpenEndList ends, double scale, IReadOnlyList<Point2D> findings) =>
+    private static MadeList<SceneMark> FindingMarks(OpenEndList ends, double scale, IReadOnlyList<Point2D> findings) =>
         new(ends.Count + findings.Count, index => new SceneMark(index < ends.Count ? Scaled(ends.PlaceOf(index), scale) : findings[index - ends.Count], MarkKind.Finding));
 
     private static SceneMark[] OrderMarks(Toolpath toolpath, double scale) =>

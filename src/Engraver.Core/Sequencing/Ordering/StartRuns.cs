@@ -55,7 +55,7 @@ internal sealed class StartRuns
     }
 
     /// <summary>True for the far end of an open contour.</summary>
-    public bool IsFarEnd(int run, int contour) => !_contours[contour].Closed && run > _runs[contour];
+    public bool IsFarEnd(int run, int contour) => IsOpen(contour) && run > _runs[contour];
 
     /// <summary>The box of each run.</summary>
     public Bounds2D[] Boxes()
