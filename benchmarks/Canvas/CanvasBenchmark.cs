@@ -48,7 +48,7 @@ public static class CanvasBenchmark
     /// <summary>The drawing with everything selected under a cut path as long as itself, half of it engraved.</summary>
     private static void MeasurePath(CanvasScene scene, CanvasView view, TextWriter output, int segments)
     {
-        var (palette, selected) = (scene.Colours.PaletteFor(CanvasTheme.Dark.Foreground), new bool[scene.Drawing.Entities.Count]);
+        var (palette, selected) = (scene.Colours.PaletteFor(CanvasTheme.Dark), new bool[scene.Drawing.Entities.Count]);
         Array.Fill(selected, true);
         IPictureLayer[] layers =
         [
@@ -69,7 +69,7 @@ public static class CanvasBenchmark
 
     private static Picture Render(CanvasScene scene, CanvasView view)
     {
-        var layer = new PrimitiveLayer(scene.Store, scene.Colours.PaletteFor(CanvasTheme.Dark.Foreground), LinePen.Hairline);
+        var layer = new PrimitiveLayer(scene.Store, scene.Colours.PaletteFor(CanvasTheme.Dark), LinePen.Hairline);
         return PictureRenderer.Render([layer], view, Backdrop.For(view, CanvasTheme.Dark, grid: true), CancellationToken.None);
     }
 

@@ -1,4 +1,5 @@
 using System.Buffers;
+using System.Runtime.InteropServices;
 using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
@@ -14,6 +15,10 @@ public static class DxfReader
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> TypeFates => RecordKinds.Fates();
 
     private const int ShownStart = 24;
+
+    /// <summary>Bytes by which a text is known.</summary>
+    private const int FirstBytes = 64;
+
     private static readonly SearchValues<byte> VersionBytes = SearchValues.Create("0123456789."u8);
 
     /// <summary>
@@ -24,25 +29,48 @@ public static class DxfReader
     /// <param name="fileName">Name for messages; no file is opened.</param>
     /// <param name="options">What the operator decided.</param>
     /// <param name="cancellation">Ends reading with an <see cref="OperationCanceledException"/>.</param>
-    public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation)
+    public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation) => ReadWhole(new WholeBytes(file), fileName, options, cancellation);
+
+    /// <summary>The same of a file that is still being read: a text is understood while it arrives, anything else when it is there.</summary>
+    /// <inheritdoc cref="Read(ReadOnlyMemory{byte}, string, DxfReadOptions, CancellationToken)"/>
+    /// <exception cref="IOException">The file cannot be read to its end, or has become shorter.</exception>
+    public static Drawing Read(IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
     {
-        ArgumentNullException.ThrowIfNull(options);
-        var bytes = file.Span;
+        ArgumentNullException.ThrowIfNull(file);
+        var length = file.Bytes.Length;
+        file.WaitFor(Math.Min(FirstBytes, length));
+        if (length >= FirstBytes && BeginsAsText(file.Bytes.AsSpan(0, FirstBytes))) return Read(new AsciiTagSource(file), file, fileName, options, cancellation);
+        file.WaitFor(length);
+        return ReadWhole(file, fileName, options, cancellation);
+    }
+
+    private static Drawing ReadWhole(IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
+    {
+        ReadOnlySpan<byte> bytes = file.Bytes;
         if (bytes.IsEmpty) return Unreadable(fileName, 0, DxfRules.EmptyFile.At(default));
         if (IsDwg(bytes)) return Unreadable(fileName, bytes.Length, DxfRules.DwgFile.At(default, Encoding.ASCII.GetString(bytes[..6]).TrimEnd('\0')));
         if (ForeignFile.NameOf(bytes) is { } foreign) return Unreadable(fileName, bytes.Length, DxfRules.OtherFormat.At(default, foreign));
-        var import = new DrawingImport(TagsOf(file), options, cancellation);
-        return import.ReadSections()
-            ? import.ToDrawing(fileName, bytes.Length)
-            : Unreadable(fileName, bytes.Length, DxfRules.NotDxf.At(default, Beginning(bytes)));
+        return Read(TagsOf(file), file, fileName, options, cancellation);
     }
 
-    private static DxfTagSource TagsOf(ReadOnlyMemory<byte> file)
+    private static Drawing Read(DxfTagSource tags, IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
     {
-        if (file.Span.StartsWith(BinaryTagSource.Sentinel)) return new BinaryTagSource(file);
-        var narrowed = WideText.ToUtf8(file.Span);
-        return new AsciiTagSource(narrowed is null ? file : narrowed) { IsUtf8 = narrowed is not null || file.Span.StartsWith("\uFEFF"u8) };
+        ArgumentNullException.ThrowIfNull(options);
+        var import = new DrawingImport(tags, options, cancellation);
+        return import.ReadSections()
+            ? import.ToDrawing(fileName, file.Bytes.Length)
+            : Unreadable(fileName, file.Bytes.Length, DxfRules.NotDxf.At(default, Beginning(file.Bytes)));
     }
+
+    private static DxfTagSource TagsOf(IArrivingBytes file)
+    {
+        if (file.Bytes.AsSpan().StartsWith(BinaryTagSource.Sentinel)) return new BinaryTagSource(file);
+        var narrowed = WideText.ToUtf8(file.Bytes);
+        return new AsciiTagSource(narrowed is null ? file : new WholeBytes(narrowed)) { IsUtf8 = narrowed is not null || file.Bytes.AsSpan().StartsWith("\uFEFF"u8) };
+    }
+
+    /// <summary>True for what can only be a text of one byte a letter: a group code of 0 or 999 comes first, with blanks before it or not.</summary>
+    private static bool BeginsAsText(ReadOnlySpan<byte> bytes) => !bytes.Contains((byte)0) && bytes.TrimStart((byte)' ') is [(byte)'0' or (byte)'9', ..];
 
     /// <summary>True for a DWG, which begins with AC and four digits or dots (the first releases: MC0.0), then binary; in a DXF no version is in the first line.</summary>
     private static bool IsDwg(ReadOnlySpan<byte> bytes) =>
@@ -54,6 +82,13 @@ public static class DxfReader
         var start = Encoding.Latin1.GetString(bytes[..Math.Min(ShownStart, bytes.Length)]);
         var shown = string.Join(' ', start.Split((char[])['\r', '\n', '\t', ' '], StringSplitOptions.RemoveEmptyEntries));
         return Wording.Get("DxfReader.BeginsWithHasNo", string.Concat(shown.Select(c => char.IsControl(c) ? '.' : c)));
+    }
+
+    private sealed class WholeBytes(ReadOnlyMemory<byte> file) : IArrivingBytes
+    {
+        public byte[] Bytes { get; } = MemoryMarshal.TryGetArray(file, out var segment) && segment.Offset == 0 && segment.Array!.Length == segment.Count ? segment.Array : file.ToArray();
+
+        public int WaitFor(int count) => Bytes.Length;
     }
 
     private static Drawing Unreadable(string fileName, long bytes, Diagnostic why) => Drawing.Unusable(fileName, bytes, why);

@@ -26,7 +26,8 @@ public static class DrawingFile
         if (Directory.Exists(path)) return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, Wording.Get("DrawingFile.Folder")));
         try
         {
-            return DxfReader.Read(WholeFile.Read(path), path, options, cancellation);
+            using var arriving = ArrivingFile.TryBegin(path);
+            return arriving is null ? DxfReader.Read(File.ReadAllBytes(path), path, options, cancellation) : DxfReader.Read(arriving, path, options, cancellation);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {

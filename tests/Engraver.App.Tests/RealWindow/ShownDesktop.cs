@@ -166,7 +166,7 @@ internal sealed class ShownDesktop : IDisposable
         {
             looks.Next();
             if (Stopwatch.GetElapsedTime(since) < s_patience) continue;
-            File.WriteAllBytes(Path.Combine(Pictures, "failed.png"), Picture());
+            KeepFailure();
             throw new InvalidOperationException($"The window does not show: {what}");
         }
     }
@@ -184,10 +184,13 @@ internal sealed class ShownDesktop : IDisposable
         }
         catch (InvalidOperationException)
         {
-            File.WriteAllBytes(Path.Combine(Pictures, "failed.png"), Picture());
+            KeepFailure();
             throw;
         }
     }
+
+    /// <summary>Named by the process: two of them try real windows at a time.</summary>
+    private void KeepFailure() => File.WriteAllBytes(Path.Combine(Pictures, string.Create(CultureInfo.InvariantCulture, $"failed-{Environment.ProcessId}.png")), Picture());
 
     /// <summary>Where pictures are kept: in the folder of ENGRAVER_PICTURES, else with the results of the build.</summary>
     public static string Pictures => Environment.GetEnvironmentVariable("ENGRAVER_PICTURES") ?? Directory.CreateDirectory(Path.Combine(RepositoryFolder.Root, "artifacts", "pictures")).FullName;

@@ -162,7 +162,8 @@ public class DrawingCommandTests
         await talk.TypeAsync("LAYER", "OFF", "rahmen", "", "SELECT", "ALL", "");
 
         Assert.True(talk.State.Selection.Count < all);
-        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LAYER", "OFF", "frame"));
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "OFF", "frame"));
+        await talk.Session.CancelAsync();
         await talk.TypeAsync("U");
         Assert.All(talk.State.Drawing!.Layers.Where(layer => layer.Name == "Rahmen"), layer => Assert.True(layer.On));
     }
@@ -197,7 +198,7 @@ public class DrawingCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
 
-        Assert.Contains("is no color", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is no color", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]

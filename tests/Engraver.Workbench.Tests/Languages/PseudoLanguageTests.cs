@@ -27,7 +27,7 @@ public class PseudoLanguageTests
         ["MIRROR", "ALL", "", "0,0", "0,0", "MIRROR", "ALL", "", "0,0", "0,1", "Y"],
         ["EXPLODE", "ALL", "", "JOIN", "ALL", "", "JOIN", "A3", "OVERKILL", "", "ORIGIN", "C", "HIDEOBJECTS", "5,0", "", "UNISOLATEOBJECTS", "EXPLODE", "5,0", ""],
         ["POCKET", "20,5", "", "1", "0.6", "Z", "30", "2", "1", "POCKET", "20,5", "", "", "", "C", "0", "POCKET", "20,5", "", "50", "", "", "", "POCKET", "5,0", "", "1", "", "C", "0"],
-        ["LAYER", "?", "C", "red", "*", "OFF", "*", "", "LAYER", "F", "nowhere", "LAYER", "C", "mauve", "CHECK", "CNCARM"],
+        ["LAYER", "?", "C", "red", "*", "OFF", "*", "", "LAYER", "F", "nowhere", "*", "C", "mauve", "red", "*", "M", "a|b", "a", "S", "nowhere", "a", "R", "0", "a", "0", "b", "", "CHECK", "CNCARM"],
         ["AREA", "0,0", "10,0", "10,10", "", "AREA", "O", "20,5", "", "AREA", "O", "5,0", "DIST", "0,0", "3,4", "ID", "1,2", "LIST", "ALL", "", "PROPERTIES"],
         ["ENTER", "H", "ZZ", "ENTER", "H", "A1", "ERASE", "H", "A1", "", "ENTER", "P", "1,1", "ENTER", "N", "TOOLSTART", "1,1"],
         ["OFFSET", "2", "5,0", "3,7", "99,99", "U", "U", "", "OFFSET", "E", "Y", "L", "nowhere", "OFFSET", "3", "20,8", "20,5", "", "OFFSET", "T", "5,0", "", "KERF", "N", "4", "CHECK", "CNCARM", "KERF", "OFF"],

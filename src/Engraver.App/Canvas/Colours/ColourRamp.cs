@@ -10,7 +10,8 @@ internal static class ColourRamp
         return colours;
     }
 
-    private static uint Mixed(uint from, uint to, double share)
+    /// <param name="share">0: the first colour, 1: the second.</param>
+    public static uint Mixed(uint from, uint to, double share)
     {
         return 0xFF000000 | Channel(16) | Channel(8) | Channel(0);
 

@@ -2,14 +2,16 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.App.Canvas.Colours;
 
-/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are the AutoCAD colour index, higher ones the true colours of this drawing.</summary>
+/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are the AutoCAD colour index, higher ones the other colours of this drawing, which are true or faded. What lies on a locked layer is faded half into the background, as in AutoCAD (LAYLOCKFADECTL 50).</summary>
 public sealed class EntityColours
 {
     private const int MostColours = ushort.MaxValue;
-    private readonly ushort[] _indices;
-    private readonly uint[] _trueColours;
+    private const double Fading = 0.5;
 
-    private EntityColours(ushort[] indices, uint[] trueColours) => (_indices, _trueColours) = (indices, trueColours);
+    private readonly ushort[] _indices;
+    private readonly (DrawingColour Colour, bool IsFaded)[] _others;
+
+    private EntityColours(ushort[] indices, (DrawingColour Colour, bool IsFaded)[] others) => (_indices, _others) = (indices, others);
 
     /// <summary>Everything in the foreground colour.</summary>
     public static EntityColours White { get; } = new([], []);
@@ -21,35 +23,45 @@ public sealed class EntityColours
     public static EntityColours From(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return From(drawing.Entities.Count, drawing.ColourOf);
+        return From(drawing.Entities.Count, drawing.ColourOf, drawing.Layers.Any(layer => layer.Locked) ? entity => drawing.Layers[drawing.Entities[entity].Layer].Locked : null);
     }
 
     /// <param name="count">Number of entities.</param>
     /// <param name="colourOf">Resolved colour of an entity.</param>
-    public static EntityColours From(int count, Func<int, DrawingColour> colourOf)
+    /// <param name="isFaded">Whether an entity is faded; null: none is.</param>
+    public static EntityColours From(int count, Func<int, DrawingColour> colourOf, Predicate<int>? isFaded = null)
     {
         ArgumentNullException.ThrowIfNull(colourOf);
         var indices = new ushort[count];
-        var known = new Dictionary<uint, ushort>();
-        for (var entity = 0; entity < count; entity++) indices[entity] = IndexOf(colourOf(entity), known);
-        return new EntityColours(indices, [.. known.OrderBy(pair => pair.Value).Select(pair => pair.Key)]);
+        var others = new Dictionary<(DrawingColour, bool), ushort>();
+        for (var entity = 0; entity < count; entity++) indices[entity] = IndexOf(colourOf(entity), isFaded?.Invoke(entity) ?? false, others);
+        return new EntityColours(indices, [.. others.OrderBy(pair => pair.Value).Select(pair => pair.Key)]);
+    }
+
+    /// <summary>A colour on a background, 0xAARRGGBB.</summary>
+    /// <param name="isFaded">Whether it is on a locked layer.</param>
+    public static uint On(CanvasTheme theme, DrawingColour colour, bool isFaded)
+    {
+        ArgumentNullException.ThrowIfNull(theme);
+        var full = AciPalette.ColourOf(colour, theme.Foreground);
+        return isFaded ? ColourRamp.Mixed(full, theme.Background, Fading) : full;
     }
 
     /// <summary>The colour of each palette index on a background, 0xAARRGGBB.</summary>
-    /// <param name="foreground">0xAARRGGBB of index 7.</param>
-    public uint[] PaletteFor(uint foreground)
+    public uint[] PaletteFor(CanvasTheme theme)
     {
-        var palette = new uint[AciPalette.Count + _trueColours.Length];
-        for (var index = 0; index < AciPalette.Count; index++) palette[index] = AciPalette.ColourOf(index, foreground);
-        for (var i = 0; i < _trueColours.Length; i++) palette[AciPalette.Count + i] = 0xFF000000 | _trueColours[i];
+        ArgumentNullException.ThrowIfNull(theme);
+        var palette = new uint[AciPalette.Count + _others.Length];
+        for (var index = 0; index < AciPalette.Count; index++) palette[index] = AciPalette.ColourOf(index, theme.Foreground);
+        for (var i = 0; i < _others.Length; i++) palette[AciPalette.Count + i] = On(theme, _others[i].Colour, _others[i].IsFaded);
         return palette;
     }
 
-    private static ushort IndexOf(DrawingColour colour, Dictionary<uint, ushort> known)
+    private static ushort IndexOf(DrawingColour colour, bool isFaded, Dictionary<(DrawingColour, bool), ushort> others)
     {
-        if (colour.Rgb is not { } rgb) return (ushort)(colour.Index ?? AciPalette.Foreground);
-        if (known.TryGetValue(rgb, out var index)) return index;
-        if (AciPalette.Count + known.Count >= MostColours) return (ushort)AciPalette.Foreground;
-        return known[rgb] = (ushort)(AciPalette.Count + known.Count);
+        if (!isFaded && colour.Rgb is null) return (ushort)(colour.Index ?? AciPalette.Foreground);
+        if (others.TryGetValue((colour, isFaded), out var index)) return index;
+        if (AciPalette.Count + others.Count >= MostColours) return (ushort)AciPalette.Foreground;
+        return others[(colour, isFaded)] = (ushort)(AciPalette.Count + others.Count);
     }
 }

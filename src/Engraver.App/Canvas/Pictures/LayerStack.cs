@@ -23,8 +23,8 @@ internal static class LayerStack
     {
         if (content.Scene is not { } scene) return;
         var width = Math.Max(1.0, Math.Round(content.Scaling));
-        if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.Add(new PrimitiveLayer(scene.Store, scene.Colours.PaletteFor(content.Theme.Foreground), new LinePen(width)));
-        if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.AddRange(scene.PointColours.Select(points => new MarkLayer([.. points.Select(place => new SceneMark(place, MarkKind.Point))], view, AciPalette.ColourOf(points.Key, content.Theme.Foreground), content.Scaling)));
+        if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.Add(new PrimitiveLayer(scene.Store, scene.Colours.PaletteFor(content.Theme), new LinePen(width)));
+        if (content.Shown.HasFlag(CanvasLayers.Drawing)) layers.AddRange(scene.PointColours.Select(points => new MarkLayer([.. points.Select(place => new SceneMark(place, MarkKind.Point))], view, EntityColours.On(content.Theme, points.Key.Colour, points.Key.IsFaded), content.Scaling)));
         if (content.Selected is { } selected) layers.Add(new PrimitiveLayer(scene.Store, [content.Theme.Selected], new LinePen(2.0 * width)) { Only = selected });
     }
 

@@ -14,7 +14,7 @@ public sealed class CanvasScene
         Colours = colours;
         Store = store;
         Points = drawing.Points.Count == 0 ? [] : [.. drawing.Points.Where(point => point.IsVisibleIn(drawing))];
-        PointColours = Points.ToLookup(point => point.Colour.Resolved(drawing.Layers[point.Layer].Colour, DrawingColour.Foreground), point => point.Plan);
+        PointColours = Points.ToLookup(point => (point.Colour.Resolved(drawing.Layers[point.Layer].Colour, DrawingColour.Foreground), drawing.Layers[point.Layer].Locked), point => point.Plan);
     }
 
     public Drawing Drawing { get; }
@@ -32,8 +32,8 @@ public sealed class CanvasScene
     /// <summary>The points that can be seen.</summary>
     internal IReadOnlyList<PlacedPoint> Points { get; }
 
-    /// <summary>Their places by their colours: an index or a true colour.</summary>
-    internal ILookup<DrawingColour, Point2D> PointColours { get; }
+    /// <summary>Their places by their colours, an index or a true colour, faded on locked layers.</summary>
+    internal ILookup<(DrawingColour Colour, bool IsFaded), Point2D> PointColours { get; }
 
     /// <param name="colours">Colours of the entities; null: those that the drawing states.</param>
     public static CanvasScene From(Drawing drawing, EntityColours? colours = null)

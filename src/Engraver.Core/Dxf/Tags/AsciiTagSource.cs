@@ -14,14 +14,19 @@ internal sealed class AsciiTagSource : DxfTagSource
     private const int PlainMargin = 64;
 
     private const int MostBlanks = 8;
+
+    /// <summary>Bytes that a pair is waited for at least: in a DXF of AutoCAD no line has more than 2,049.</summary>
+    private const int Ahead = 1 << 12;
+
     private static readonly SearchValues<byte> KeywordBytes = SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"u8);
     private int _valueStart;
     private int _valueLength;
 
-    public AsciiTagSource(ReadOnlyMemory<byte> file)
+    public AsciiTagSource(IArrivingBytes file)
         : base(file)
     {
         NextLine = 1;
+        WaitFor(Ahead);
         if (Bytes.StartsWith("\uFEFF"u8)) Position = 3;
     }
 
@@ -32,7 +37,20 @@ internal sealed class AsciiTagSource : DxfTagSource
     public override bool TryNumber(out double number) => DxfNumber.TryParse(Value, out number);
 
     /// <summary>Reads a common pair fast; an unusual one is left untouched and read by the general method.</summary>
-    protected override bool ReadPair() => TryPlainPair() || ReadAnyPair();
+    protected override bool ReadPair() => TryPlainPair() || TryPairToCome() || ReadAnyPair();
+
+    /// <summary>While the file arrives: waits for more where the pair may be cut off by what has not arrived, and for all where it is unusual, because the general method looks on to the end.</summary>
+    private bool TryPairToCome()
+    {
+        while (!IsWhole)
+        {
+            if (Bytes.Length - Position < Ahead) WaitFor(Position + Ahead);
+            else WaitForAll();
+            if (TryPlainPair()) return true;
+        }
+
+        return false;
+    }
 
     /// <summary>A common pair: blanks, one to four digits, LF or CR LF; a value that ends likewise, well before the end of the file.</summary>
     private bool TryPlainPair()

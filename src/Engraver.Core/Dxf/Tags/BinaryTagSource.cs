@@ -11,9 +11,10 @@ internal sealed class BinaryTagSource : DxfTagSource
     private int _valueLength;
     private BinaryValueType _type;
 
-    public BinaryTagSource(ReadOnlyMemory<byte> file)
+    public BinaryTagSource(IArrivingBytes file)
         : base(file)
     {
+        WaitForAll();
         Position = Sentinel.Length;
         _oneByteCodes = HasOneByteCodes(Rest);
     }

@@ -1,14 +1,14 @@
-using System.Runtime.InteropServices;
-
 namespace Engraver.Core.Dxf.Tags;
 
 /// <summary>A DXF as a stream of (group code, value) pairs over its bytes. Nothing is copied: a value is a span of the file.</summary>
-internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
+/// <param name="arriving">The file, which is read to its end only as far as it has arrived.</param>
+internal abstract class DxfTagSource(IArrivingBytes arriving)
 {
     private const int CommentCode = 999;
 
     /// <summary>Kept as an array, because taking the span of a memory costs time at every pair.</summary>
-    private readonly byte[] _file = MemoryMarshal.TryGetArray(file, out var segment) && segment.Offset == 0 && segment.Array!.Length == segment.Count ? segment.Array : file.ToArray();
+    private readonly byte[] _file = arriving.Bytes;
+    private int _arrived;
 
     /// <summary>Group code of the pair read last.</summary>
     public int Code { get; protected set; }
@@ -45,7 +45,11 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
     /// <summary>Part of the file that has been read, 0 to 1.</summary>
     public double Part => (double)Position / Math.Max(1, _file.Length);
 
-    protected ReadOnlySpan<byte> Bytes => _file;
+    /// <summary>What has been waited for so far, of the first byte on.</summary>
+    protected ReadOnlySpan<byte> Bytes => new(_file, 0, _arrived);
+
+    /// <summary><see cref="Bytes"/> are the whole file.</summary>
+    protected bool IsWhole => _arrived == _file.Length;
 
     protected int Position { get; set; }
 
@@ -67,6 +71,7 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
     /// <summary>Offset of the last place in the file where the word is a whole value (between line ends or NULs); -1 when there is none.</summary>
     public int LastWord(ReadOnlySpan<byte> word)
     {
+        WaitForAll();
         var bytes = Bytes;
         for (var at = bytes.LastIndexOf(word); at >= 0; at = bytes[..at].LastIndexOf(word))
         {
@@ -94,6 +99,14 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
     protected int NextLine { get; set; }
 
     protected abstract bool ReadPair();
+
+    /// <summary>Waits until so many bytes, or all, are there.</summary>
+    /// <exception cref="IOException">The file cannot be read so far.</exception>
+    protected void WaitFor(int count) => _arrived = arriving.WaitFor(Math.Min(count, _file.Length));
+
+    /// <summary>Waits for the whole file.</summary>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    protected void WaitForAll() => WaitFor(_file.Length);
 
     protected void Damage(int line, string text)
     {

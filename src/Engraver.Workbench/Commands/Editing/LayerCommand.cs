@@ -6,6 +6,9 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible, thawed, plottable layers are cut.</summary>
 internal sealed class LayerCommand : ICommand
 {
+    /// <summary>Stands for all layers.</summary>
+    private const string Every = "*";
+
     public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask);
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("?", "Make", "Set", "Rename", "ON", "OFF", "Freeze", "Thaw", "LOck", "Unlock", "Plot", "Noplot", "Color");
@@ -17,7 +20,7 @@ internal sealed class LayerCommand : ICommand
         {
             if (option == "?") context.SayResult(output => Write(edit, output));
             else if (option is "Make" or "Set" or "Rename") await NameAsync(context, edit, option).ConfigureAwait(false);
-            else await SwitchAsync(context, edit.Layers, option).ConfigureAwait(false);
+            else await SwitchAsync(context, edit, option).ConfigureAwait(false);
         }
 
         edit.Take(context);
@@ -25,33 +28,44 @@ internal sealed class LayerCommand : ICommand
 
     private static async Task NameAsync(CommandContext context, LayerEdit edit, string option)
     {
-        var instruction = option switch { "Make" => "Layer.NameToMake", "Set" => "Layer.NameToSet", _ => "Layer.OldName" };
-        var name = await context.ValueAsync(new TextPrompt(Wording.Get(instruction)) { Default = edit.Current }).ConfigureAwait(false);
-        if (option == "Make") edit.Make(name);
-        else if (option == "Set") edit.Set(name);
-        else edit.Rename(name, await context.ValueAsync(new TextPrompt(Wording.Get("Layer.NewName"))).ConfigureAwait(false));
+        switch (option)
+        {
+            case "Make":
+                edit.Make(await AskAsync("Layer.NameToMake", edit.WhyNotMade, edit.Current).ConfigureAwait(false));
+                break;
+            case "Set":
+                edit.Set(await AskAsync("Layer.NameToSet", edit.WhyNotSet, edit.Current).ConfigureAwait(false));
+                break;
+            default:
+                var name = await AskAsync("Layer.OldName", edit.WhyNotRenamed, edit.Current).ConfigureAwait(false);
+                edit.Rename(name, await AskAsync("Layer.NewName", to => edit.WhyNotNamed(name, to)).ConfigureAwait(false));
+                break;
+        }
+
         context.Say(Wording.Get("Layer.Current", edit.Current));
+
+        Task<string> AskAsync(string instruction, Func<string, string?> refusal, string? standard = null) =>
+            context.ValueAsync(new TextPrompt(Wording.Get(instruction)) { Default = standard, Refusal = refusal });
     }
 
-    private static async Task SwitchAsync(CommandContext context, List<Layer> layers, string option)
+    private static async Task SwitchAsync(CommandContext context, LayerEdit edit, string option)
     {
         DrawingColour? colour = option == "Color" ? await ColourAsync(context).ConfigureAwait(false) : null;
-        var names = (await context.ValueAsync(new TextPrompt(Wording.Get("Layer.EnterLayerNamesSeparated"))).ConfigureAwait(false)).Split(',', StringSplitOptions.TrimEntries);
-        var unknown = names.Where(name => name != "*" && !layers.Any(layer => Is(layer, name))).ToList();
-        if (unknown.Count > 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.DrawingHasNoLayer", string.Join(", ", unknown.Select(name => $"'{name}'"))));
-        for (var index = 0; index < layers.Count; index++)
-        {
-            if (names.Any(name => name == "*" || Is(layers[index], name))) layers[index] = colour is { } chosen ? layers[index] with { Colour = chosen } : Switched(layers[index], option);
-        }
+        var prompt = new TextPrompt(Wording.Get("Layer.EnterLayerNamesSeparated")) { Refusal = typed => edit.WhyUnknown(NamesIn(typed).Where(name => name != Every)) };
+        var names = NamesIn(await context.ValueAsync(prompt).ConfigureAwait(false));
+        edit.Change(layer => names.Any(name => name == Every || LayerEdit.Is(layer, name)), layer => colour is { } chosen ? layer with { Colour = chosen } : Switched(layer, option));
     }
+
+    private static string[] NamesIn(string typed) => typed.Split(',', StringSplitOptions.TrimEntries);
 
     private static async Task<DrawingColour> ColourAsync(CommandContext context)
     {
-        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Layer.NewColorNameOr"))).ConfigureAwait(false);
-        return ColourName.Parse(typed) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.NoColorNameOne", typed, string.Join(", ", ColourName.Known)));
+        var prompt = new TextPrompt(Wording.Get("Layer.NewColorNameOr"))
+        {
+            Refusal = typed => ColourName.Parse(typed) is null ? Wording.Get("Layer.NoColorNameOne", typed, string.Join(", ", ColourName.Known)) : null,
+        };
+        return ColourName.Parse(await context.ValueAsync(prompt).ConfigureAwait(false))!.Value;
     }
-
-    private static bool Is(Layer layer, string name) => layer.Name.Equals(name, StringComparison.OrdinalIgnoreCase);
 
     private static Layer Switched(Layer layer, string option) => option switch
     {

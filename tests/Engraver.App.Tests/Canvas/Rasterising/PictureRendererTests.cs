@@ -87,7 +87,7 @@ public class PictureRendererTests
         Assert.ThrowsAny<OperationCanceledException>(() => PictureRenderer.Render(Layers(LinePen.Hairline), view, Plain(view), new CancellationToken(canceled: true)));
     }
 
-    private static IPictureLayer[] Layers(LinePen pen) => [new PrimitiveLayer(s_scene.Store, s_scene.Colours.PaletteFor(0xFFFFFFFF), pen)];
+    private static IPictureLayer[] Layers(LinePen pen) => [new PrimitiveLayer(s_scene.Store, s_scene.Colours.PaletteFor(CanvasTheme.Dark), pen)];
 
     private static Backdrop Plain(CanvasView view) => Backdrop.For(view, CanvasTheme.Dark, grid: false);
 

@@ -36,6 +36,15 @@ public class ContourChainerTests
             return !lowest.Reversed && (!contour.Closed || pieces[0] == lowest);
         })).QuickCheckThrowOnFailure();
 
+    [Theory]
+    [InlineData(-1e-9)]
+    [InlineData(double.NegativeInfinity)]
+    public void A_tolerance_below_zero_is_refused_also_where_there_is_nothing_to_join(double tolerance)
+    {
+        Assert.Throws<ArgumentOutOfRangeException>(() => ContourChainer.Chain([], tolerance));
+        Assert.Throws<ArgumentOutOfRangeException>(() => ContourChainer.Chain([Segment.FromLine(new Point2D(0, 0), new Point2D(1, 0))], tolerance));
+    }
+
     [Fact]
     public void Nothing_gives_nothing()
     {

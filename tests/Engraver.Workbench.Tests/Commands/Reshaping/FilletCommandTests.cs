@@ -22,6 +22,18 @@ public class FilletCommandTests
     }
 
     [Fact]
+    public async Task Who_misses_the_second_object_need_not_pick_the_first_one_again()
+    {
+        await using var talk = Shape.Talk(Angle());
+        await talk.TypeAsync("F", "R", "5", "10,0", "90,90");
+        Assert.StartsWith("Select second object", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.Contains("There is no object here", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("0,10");
+
+        Assert.Equal(["Line: 5,0>20,0", "Line: 0,20>0,5", "Arc: 5,5 r5 270-90"], Shape.All(talk));
+    }
+
+    [Fact]
     public async Task Radius_0_and_Shift_make_a_corner()
     {
         await using var talk = Shape.Talk(new DrawingBuilder().Line(5, 0, 20, 0).Line(0, 20, 0, -7));

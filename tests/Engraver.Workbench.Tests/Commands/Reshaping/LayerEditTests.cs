@@ -36,19 +36,36 @@ public class LayerEditTests
     }
 
     [Theory]
-    [InlineData("M", "a|b", "cannot be the name")]
-    [InlineData("S", "nowhere", "no layer 'nowhere'")]
-    [InlineData("R", "0", "cannot be renamed", "X")]
-    [InlineData("R", "A", "already", "0")]
-    [InlineData("S", "COLD", "frozen")]
-    public async Task What_cannot_be_is_told(string option, string name, string told, string? second = null)
+    [InlineData("M", "a|b", "cannot be the name", "B")]
+    [InlineData("S", "nowhere", "no layer 'nowhere'", "0")]
+    [InlineData("S", "COLD", "frozen", "0")]
+    [InlineData("R", "0", "cannot be renamed", "COLD", "WARM")]
+    [InlineData("R COLD", "0", "already", "WARM")]
+    [InlineData("C", "mauve", "is no color", "red", "0")]
+    [InlineData("F", "A,nowhere,never", "no layer 'nowhere', 'never'", "*")]
+    public async Task What_cannot_be_is_told_and_asked_once_more_so_that_nothing_typed_before_is_lost(string option, string name, string told, params string[] then)
     {
         await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
         await talk.TypeAsync("LAYER", "M", "A", "M", "COLD", "S", "A", "F", "COLD", "");
         var before = talk.State;
-        var result = await talk.TypeAsync(second is null ? ["LAYER", option, name] : ["LAYER", option, name, second]);
+        await talk.TypeAsync(["LAYER", "OFF", "A", .. option.Split(' ')]);
+        var question = talk.Session.Prompt.Text;
 
-        Assert.Contains(told, Assert.IsType<InputResult.Failed>(result).Sentence, StringComparison.Ordinal);
-        Assert.Same(before, talk.State);
+        Assert.Contains(told, Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync(name)).Sentence, StringComparison.Ordinal);
+        Assert.Equal((question, before), (talk.Session.Prompt.Text, talk.State));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync([.. then, ""]));
+        Assert.False(talk.State.Drawing!.Layers.Single(layer => layer.Name == "A").On);
+    }
+
+    [Fact]
+    public async Task In_a_script_what_cannot_be_ends_the_script_with_its_place()
+    {
+        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        var script = talk.PathOf("layers.scr");
+        await File.WriteAllTextAsync(script, "LAYER\nColor\nmauve\n0\n\nLAYER\nMake\nLATER\n\n");
+
+        var sentence = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SCRIPT", script)).Sentence;
+        Assert.Contains("layers.scr(3)", sentence, StringComparison.Ordinal);
+        Assert.Equal(["0"], talk.State.Drawing!.Layers.Select(layer => layer.Name));
     }
 }
