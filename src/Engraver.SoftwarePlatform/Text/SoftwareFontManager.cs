@@ -56,9 +56,7 @@ public sealed class SoftwareFontManager : IFontManagerImpl
 
     public bool TryCreateGlyphTypeface(Stream stream, FontSimulations fontSimulations, [NotNullWhen(true)] out IPlatformTypeface? platformTypeface)
     {
-        using var memory = new MemoryStream();
-        stream.CopyTo(memory);
-        platformTypeface = SoftwareTypeface.TryCreate(new MemoryFontSource(memory.ToArray()), 0, fontSimulations);
+        platformTypeface = SoftwareTypeface.TryCreate(new MemoryFontSource(Whole(stream)), 0, fontSimulations);
         return platformTypeface is not null;
     }
 
@@ -66,6 +64,21 @@ public sealed class SoftwareFontManager : IFontManagerImpl
     {
         familyTypefaces = [.. _installed.Family(familyName).Select(face => new Typeface(familyName, face.Style, face.Weight, face.Stretch))];
         return familyTypefaces.Count > 0;
+    }
+
+    /// <summary>Copied once where its length is known, as that of a font in an assembly is: the fonts of the window are read at each start.</summary>
+    private static byte[] Whole(Stream stream)
+    {
+        if (!stream.CanSeek)
+        {
+            using var memory = new MemoryStream();
+            stream.CopyTo(memory);
+            return memory.ToArray();
+        }
+
+        var bytes = GC.AllocateUninitializedArray<byte>((int)(stream.Length - stream.Position));
+        stream.ReadExactly(bytes);
+        return bytes;
     }
 
     private SoftwareTypeface Simulated(SoftwareTypeface face, FontStyle style, FontWeight weight)
