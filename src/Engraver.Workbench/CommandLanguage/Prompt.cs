@@ -78,6 +78,9 @@ public abstract record Reading<T>
 /// <summary>A prompt for a value of a kind.</summary>
 public abstract record ValuePrompt<T>(string Instruction) : Prompt(Instruction)
 {
+    /// <summary>Says why a value is no answer, so that it is asked for once more and nothing answered before is lost; null where it is one. Without this every value is an answer.</summary>
+    public Func<T, string?>? Refusal { get; init; }
+
     /// <summary>Reads what was typed (never empty).</summary>
     /// <param name="lastPoint">What <c>@</c> is relative to, drawing units.</param>
     /// <returns>The value, or a sentence that says what is wanted.</returns>

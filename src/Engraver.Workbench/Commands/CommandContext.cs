@@ -126,7 +126,8 @@ public sealed class CommandContext
     }
 
     /// <summary>Lights up what was picked for this command, until it ends or takes a step.</summary>
-    public void ShowPicked(IReadOnlyList<int> picked) => _frame.Picked = picked;
+    /// <param name="picked">Indices into the drawing's entities; null: nothing is picked any more.</param>
+    public void ShowPicked(IReadOnlyList<int>? picked) => _frame.Picked = picked;
 
     /// <summary>How lengths and angles are printed (LUPREC, AUPREC).</summary>
     public Figures Figures => Settings.Current.Figures();

@@ -46,11 +46,12 @@ public sealed partial class CommandSession
 
     /// <summary>Takes an input while a command is at work: only a command that is heard then is run.</summary>
     /// <remarks>Answers may follow the command's name in the same input; what is still asked then is answered by the next input.</remarks>
-    private async Task<InputResult> HearAsync(string input, CancellationToken cancellation)
+    /// <param name="shown">The input as the history shows it; null: as it is.</param>
+    private async Task<InputResult> HearAsync(string input, CancellationToken cancellation, string? shown = null)
     {
         if (_aside is { Pending: { } asks } asking)
         {
-            if (!IsUrgent(input)) return await AnswerAsideAsync(asking, input, cancellation).ConfigureAwait(false);
+            if (!IsUrgent(input)) return await AnswerAsideAsync(asking, input, shown ?? input, cancellation).ConfigureAwait(false);
             await EndBesideAsync().ConfigureAwait(false);
         }
 
@@ -71,15 +72,15 @@ public sealed partial class CommandSession
         foreach (var word in words.Skip(1))
         {
             if (result is not InputResult.Asking) return result;
-            result = await AnswerAsideAsync(frame, word, cancellation).ConfigureAwait(false);
+            result = await AnswerAsideAsync(frame, word, word, cancellation).ConfigureAwait(false);
         }
 
         return result;
     }
 
-    private async Task<InputResult> AnswerAsideAsync(CommandFrame frame, string answer, CancellationToken cancellation)
+    private async Task<InputResult> AnswerAsideAsync(CommandFrame frame, string answer, string shown, CancellationToken cancellation)
     {
-        Echo(answer);
+        Echo(shown);
         return frame.Answer(answer, LastPoint) is { } wanted ? new InputResult.NotUnderstood(wanted) : await SettleAsideAsync(frame, cancellation).ConfigureAwait(false);
     }
 

@@ -153,7 +153,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     private async Task<InputResult> EnterAsync(string input, string shown, CancellationToken cancellation)
     {
         Environment.Journal?.WriteLine(ScriptText.Write(input));
-        if (_aside is { Pending: not null } || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(input, cancellation).ConfigureAwait(false));
+        if (_aside is { Pending: not null } || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(input, cancellation, shown).ConfigureAwait(false));
         try
         {
             var result = await EnterOneAsync(input, cancellation, shown).ConfigureAwait(false);
@@ -253,7 +253,7 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation, string? shown = null)
     {
-        if (_frames.Top is { Pending: null }) return await HearAsync(input, cancellation).ConfigureAwait(false);
+        if (_frames.Top is { Pending: null }) return await HearAsync(input, cancellation, shown).ConfigureAwait(false);
         Echo(shown ?? input);
         if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);

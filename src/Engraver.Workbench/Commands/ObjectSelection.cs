@@ -80,6 +80,17 @@ internal static class ObjectSelection
         Options = s_options, EnterEnds = true, Use = PointUse.Object, Removes = !adding,
     };
 
+    /// <summary>Asks for one object until there is one at the place, and lights it up.</summary>
+    /// <returns>Its index in the drawing's entities, and the place, drawing units.</returns>
+    public static async Task<(int Entity, Point2D At)> OneAsync(CommandContext context, string instruction)
+    {
+        var prompt = new PointPrompt(instruction) { Use = PointUse.Object, Refusal = at => At(context, at) is null ? Wording.Get("Reshape.NoObject") : null };
+        var place = await context.ValueAsync(prompt).ConfigureAwait(false);
+        var entity = At(context, place)!.Value;
+        context.ShowPicked([entity]);
+        return (entity, place);
+    }
+
     /// <summary>The visible object under a point; null when there is none.</summary>
     public static int? At(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, Reach(context));
 

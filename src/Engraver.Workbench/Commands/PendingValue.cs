@@ -19,7 +19,7 @@ internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt
         if (Keyword.Find(Prompt.Options, input) is { } option) return Take(new Answer<T>.Chosen(option.Name));
         return prompt.Read(input, lastPoint) switch
         {
-            Reading<T>.Value value => Take(new Answer<T>.Value(value.Of)),
+            Reading<T>.Value value => prompt.Refusal?.Invoke(value.Of) ?? Take(new Answer<T>.Value(value.Of)),
             Reading<T>.Wrong wrong => wrong.Sentence,
             _ => throw new UnreachableException(),
         };

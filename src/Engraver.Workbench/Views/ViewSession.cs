@@ -121,6 +121,9 @@ public sealed class ViewSession
         Change(state => state with { Focus = focus, Centre = focus.Place, Height = height is { } wanted ? Math.Clamp(wanted, SmallestHeight, LargestHeight) : state.Height });
     }
 
+    /// <summary>Removes the mark of <see cref="FocusOn"/>.</summary>
+    public void PointNowhere() => Change(state => state with { Focus = null });
+
     /// <summary>Raises <see cref="Changed"/>, so that everything is drawn anew, and removes the mark of <see cref="FocusOn"/>.</summary>
     public void Regenerate()
     {

@@ -39,6 +39,12 @@ public sealed class FindingsTests(DesktopFixture fixture)
         Assert.InRange(focus.X, 40.0, 40.3);
         Assert.Equal(0.0, focus.Y, 6);
         Assert.NotNull(here.Window.Canvas.Overlay!.FindingNear(focus, 1e-6));
+        here.Enter("CIRCLE", "90,90", "2");
+        here.Rest();
+        Assert.NotNull(here.Commands.View.Current.Focus); // the gap is still there
+        here.Enter("LINE", "40,0", "40.3,0", "");
+        here.Rest();
+        Assert.Null(here.Commands.View.Current.Focus);
         folder.Delete(recursive: true);
     });
 }

@@ -116,6 +116,19 @@ public sealed class JogPadTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task Without_a_machine_the_pad_looks_off_and_a_press_says_why() => fixture.WithOperator(here =>
+    {
+        here.Show("Machine");
+        Assert.Contains("off", here.Find<JogPad>("Pad").Classes);
+        here.Click(here.Find<JogPad>("Pad").GetVisualDescendants().OfType<Border>().First(cell => cell.Child is TextBlock { Text: "X+" }));
+        Assert.Contains(here.History, line => line.Contains("No controller", StringComparison.Ordinal));
+        Assert.All(here.Find<JogPad>("Pad").GetVisualDescendants().OfType<TextBlock>(), letter => Assert.Equal(0.4, letter.Opacity));
+
+        here.Enter("CNCCONNECT", "sim:");
+        Assert.DoesNotContain("off", here.Find<JogPad>("Pad").Classes);
+    });
+
+    [Fact]
     public Task While_a_job_stands_held_the_pad_moves_and_the_job_goes_on_at_its_place() => WithPad(here =>
     {
         here.Open("paper-001.dxf");
@@ -124,8 +137,11 @@ public sealed class JogPadTests(DesktopFixture fixture)
         Choose(here, "Hold");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status is { State: Workbench.Machines.MachineState.Running, ToolCommanded: true } && Y(here) > 49.0);
+        Assert.Contains("off", here.Find<JogPad>("Pad").Classes);
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Commands.Machine.Status.State == Workbench.Machines.MachineState.Held);
+        here.Step();
+        Assert.DoesNotContain("off", here.Find<JogPad>("Pad").Classes);
         var held = Y(here);
         here.Hands.PressButton(Cell(here, "Y+"));
         here.Until(() => Y(here) > held + 1.0);

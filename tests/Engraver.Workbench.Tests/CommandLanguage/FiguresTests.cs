@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.CommandLanguage;
@@ -52,4 +53,13 @@ public class FiguresTests
         Assert.Equal(new Point2D(1.0 / 3.0, 2.0 / 3.0), talk.Session.LastPoint);
         Assert.Contains("0.3333333333333333,0.6666666666666666", talk.Journal.ToString(), StringComparison.Ordinal);
     }
+
+    [Theory]
+    [InlineData(0.0, "0")]
+    [InlineData(5.79e-10, "0.000001")]
+    [InlineData(0.00088049, "0.000881")]
+    [InlineData(0.000000881, "0.000001")]
+    [InlineData(0.0123411, "0.0124")]
+    [InlineData(12.341, "12.4")]
+    public void A_bound_has_three_digits_and_six_places_at_most_and_is_never_rounded_down(double bound, string shown) => Assert.Equal(shown, TrajectoryLine.Bound(bound));
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
@@ -46,6 +47,18 @@ public sealed class BesideCommandTests : IAsyncDisposable
         _work.LetGo();
         Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
         Assert.Equal("WORK", Assert.Single(_session.Document.UndoNames.Take(1)));
+    }
+
+    [Fact]
+    public async Task A_place_that_is_pointed_at_beside_the_work_is_echoed_as_lengths_are_printed()
+    {
+        var working = EnterAsync("WORK");
+        await EnterAsync("ID");
+        Assert.IsType<InputResult.Done>(await _session.PointAsync(new Point2D(1.0 / 3.0, 2.0 / 3.0), _limit.Token));
+        Assert.Contains(_said, message => message.Text == "Specify point: 0.3333,0.6667");
+        Assert.Equal(1.0 / 3.0, _session.LastPoint.X);
+        _work.LetGo();
+        await working.WaitAsync(_limit.Token);
     }
 
     [Theory]

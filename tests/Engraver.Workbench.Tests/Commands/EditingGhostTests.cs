@@ -104,6 +104,29 @@ public class EditingGhostTests
         Assert.InRange(talk.Session.Prompt.Aim!.Ghost!(new Point2D(1, 2)).Count, 4, 1100);
     }
 
+    /// <summary>What was picked first stays in sight while the second place is looked for; and not behind the command.</summary>
+    [Theory]
+    [InlineData("FILLET", "5,0")]
+    [InlineData("BREAK", "5,0")]
+    [InlineData("MATCHPROP", "5,0")]
+    [InlineData("OFFSET", "2", "5,0")]
+    public async Task One_object_that_a_command_works_on_is_lit_up_and_a_miss_asks_again(string command, params string[] answers)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync(command);
+        foreach (var answer in answers[..^1]) await talk.TypeAsync(answer);
+        var question = talk.Session.Prompt.Text;
+        await talk.TypeAsync("99,99");
+        Assert.Equal((question, 0), (talk.Session.Prompt.Text, talk.Session.Lit.Count));
+        Assert.Contains("no object here", talk.Said, StringComparison.Ordinal);
+
+        await talk.TypeAsync(answers[^1]);
+        Assert.NotEqual(question, talk.Session.Prompt.Text);
+        Assert.Equal([0], talk.Session.Lit);
+        await talk.Session.CancelAsync();
+        Assert.Empty(talk.Session.Lit);
+    }
+
     [Fact]
     public async Task Copies_go_on_until_Enter_and_are_one_step_of_undo()
     {

@@ -60,7 +60,9 @@ public class OffsetCommandTests
 
         Assert.Equal((4, ("0,2", "10,2")), (drawing.Entities.Count, Ends(drawing, 3)));
         Assert.Equal(drawing.Layers.Count - 1, drawing.Entities[3].Layer);
-        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OFFSET", "L", "nowhere"));
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("OFFSET", "L", "nowhere"));
+        await talk.TypeAsync(layer.ToLowerInvariant(), "2", "5,0", "3,-7", "");
+        Assert.Equal(talk.State.Drawing!.Layers.Count - 1, talk.State.Drawing.Entities[^1].Layer);
     }
 
     [Fact]

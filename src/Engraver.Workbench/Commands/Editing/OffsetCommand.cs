@@ -24,6 +24,7 @@ internal sealed class OffsetCommand : ICommand
         {
             if (ObjectSelection.At(context, at) is not { } entity) context.Say(Wording.Get("Offset.NoObject"));
             else if (!await OffsetAsync(context, choice, entity, made).ConfigureAwait(false)) return;
+            context.ShowPicked(null);
         }
     }
 
@@ -34,6 +35,7 @@ internal sealed class OffsetCommand : ICommand
         var (sources, isMultiple) = (new Stack<int>([entity]), false);
         while (true)
         {
+            context.ShowPicked([sources.Peek()]);
             var prompt = SidePrompt(context, choice, sources.Peek(), isMultiple);
             switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
@@ -90,17 +92,18 @@ internal sealed class OffsetCommand : ICommand
         }
     }
 
-    /// <exception cref="CommandException">There is no layer of this name.</exception>
+    /// <returns>Null: that of the source.</returns>
     private static async Task<int?> LayerAsync(CommandContext context)
     {
-        var answer = await context.AskAsync(new TextPrompt(Wording.Get("Offset.EnterLayer")) { Options = Keyword.List("Source"), Default = "Source" }).ConfigureAwait(false);
-        if (answer is not Answer<string>.Value { Of: var name }) return null;
-        for (var i = 0; i < context.Drawing.Layers.Count; i++)
+        var prompt = new TextPrompt(Wording.Get("Offset.EnterLayer"))
         {
-            if (context.Drawing.Layers[i].Name.Equals(name, StringComparison.OrdinalIgnoreCase)) return i;
-        }
+            Options = Keyword.List("Source"),
+            Default = "Source",
+            Refusal = name => Of(name) is null ? Wording.Get("Offset.NoLayer", name) : null,
+        };
+        return await context.AskAsync(prompt).ConfigureAwait(false) is Answer<string>.Value { Of: var chosen } ? Of(chosen) : null;
 
-        throw new CommandException(CommandFailure.Usage, Wording.Get("Offset.NoLayer", name));
+        int? Of(string name) => context.Drawing.Layers.Select((layer, index) => (layer, index)).FirstOrDefault(pair => LayerEdit.Is(pair.layer, name)) is { layer: not null } found ? found.index : null;
     }
 
     private static PointPrompt SidePrompt(CommandContext context, OffsetChoice choice, int entity, bool isMultiple)

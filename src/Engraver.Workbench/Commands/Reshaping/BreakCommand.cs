@@ -13,8 +13,7 @@ internal sealed class BreakCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var at = await context.ValueAsync(new PointPrompt(Wording.Get("Break.SelectObject")) { Use = PointUse.Object }).ConfigureAwait(false);
-        if (ObjectSelection.At(context, at) is not { } entity) throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoObject"));
+        var (entity, at) = await ObjectSelection.OneAsync(context, Wording.Get("Break.SelectObject")).ConfigureAwait(false);
         ObjectSelection.Unlocked(context, [entity]);
         var path = ReshapedDrawing.PathOf(drawing, entity) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoLength"));
         var (first, second) = await PlacesAsync(context, path, at).ConfigureAwait(false);

@@ -64,25 +64,18 @@ internal sealed class FilletCommand : ICommand
         var drawing = context.Drawing;
         var prompt = new PickPrompt(Wording.Get(_bevels ? "Chamfer.SelectSecond" : "Fillet.SelectSecond"))
         {
+            Refusal = pick => CornerSide.Under(context, pick.At) is null ? Wording.Get("Reshape.NoObject") : null,
             Ghost = place => CornerSide.Under(context, place) is { } other && Corner.Between(drawing, first, other, shape) is { } corner ? corner.Shown : [],
         };
-        var (pick, second) = await SecondAsync(context, prompt).ConfigureAwait(false);
+        context.ShowPicked([first.Entity]);
+        var pick = await context.ValueAsync(prompt).ConfigureAwait(false);
+        context.ShowPicked(null);
+        var second = CornerSide.Under(context, pick.At)!.Value;
         ObjectSelection.Unlocked(context, [second.Entity]);
         var wanted = pick.IsShifted ? shape with { Radius = 0.0, First = 0.0, Second = 0.0 } : shape;
         if (Corner.Between(drawing, first, second, wanted) is not { } joined) return Told(context, Corner.WhyNot(drawing, first, second));
         steps.Take(() => joined.Take(context));
         return true;
-    }
-
-    /// <summary>Asks until an object is under the place: who has missed the second one need not pick the first one again.</summary>
-    private static async Task<(ObjectPick Pick, CornerSide Second)> SecondAsync(CommandContext context, PickPrompt prompt)
-    {
-        while (true)
-        {
-            var pick = await context.ValueAsync(prompt).ConfigureAwait(false);
-            if (CornerSide.Under(context, pick.At) is { } second) return (pick, second);
-            Told(context, "Reshape.NoObject");
-        }
     }
 
     private async Task<bool> PolylineAsync(CommandContext context, EditSteps steps)

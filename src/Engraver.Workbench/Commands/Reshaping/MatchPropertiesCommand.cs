@@ -19,6 +19,7 @@ internal sealed class MatchPropertiesCommand : ICommand
         var steps = new EditSteps(context);
         while (true)
         {
+            context.ShowPicked([source]);
             var matched = context.Remembered(Last, "All");
             context.Say(Wording.Get("MatchProp.Active", new Keyword(matched).Shown));
             switch (await context.AskAsync(new PointPrompt(Wording.Get("MatchProp.SelectDestination")) { Options = Keyword.List("Settings", "Undo"), EnterEnds = true, Use = PointUse.Object }).ConfigureAwait(false))
@@ -43,8 +44,7 @@ internal sealed class MatchPropertiesCommand : ICommand
     private static async Task<int> SourceAsync(CommandContext context)
     {
         if (context.Document.Current.Selection is [var only]) return only;
-        var at = await context.ValueAsync(new PointPrompt(Wording.Get("MatchProp.SelectSource")) { Use = PointUse.Object }).ConfigureAwait(false);
-        return ObjectSelection.At(context, at) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoObject"));
+        return (await ObjectSelection.OneAsync(context, Wording.Get("MatchProp.SelectSource")).ConfigureAwait(false)).Entity;
     }
 
     private static async Task<IReadOnlyList<int>> FoundAsync(CommandContext context, Point2D at)
