@@ -3,7 +3,7 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>A question with a few answers, over the window. An answer is clicked, or its first letters are typed and Enter taken; Enter alone takes the first one, Esc none.</summary>
+/// <summary>A question with a few answers, over the window. An answer is clicked, or its first letters are typed, which marks it, and Enter takes it; Enter alone takes the first one, Esc none.</summary>
 public sealed class QuestionModel : Observable
 {
     private TaskCompletionSource<string?>? _asked;
@@ -24,7 +24,7 @@ public sealed class QuestionModel : Observable
     {
         Leave();
         (_asked, _typed, Sentence) = (new TaskCompletionSource<string?>(), "", sentence);
-        Answers = [.. answers.Select((name, at) => new QuestionAnswer(name, Text.Get(name), at == 0, new Act(() => Choose(name))))];
+        Answers = [.. answers.Select((name, at) => new QuestionAnswer(name, Text.Get(name), new Act(() => Choose(name))) { IsMeant = at == 0 })];
         var answer = _asked.Task;
         Tell(null);
         return answer;
@@ -32,15 +32,21 @@ public sealed class QuestionModel : Observable
 
     public void Leave() => Choose(null);
 
-    public void Type(string letters) => _typed += letters.Trim();
+    /// <summary>Marks the answer that begins with all letters typed so far, else with these; letters of no answer change nothing.</summary>
+    public void Type(string letters)
+    {
+        var typed = new[] { _typed + letters.Trim(), letters.Trim() }.FirstOrDefault(word => word.Length > 0 && Answers.Any(answer => answer.BeginsWith(word)));
+        if (typed is null) return;
+        _typed = typed;
+        var meant = Answers.First(answer => answer.BeginsWith(typed));
+        foreach (var answer in Answers) answer.IsMeant = answer == meant;
+    }
+
+    /// <summary>Another answer is gone to: Enter takes that one.</summary>
+    public void ForgetTyped() => _typed = "";
 
     /// <summary>Enter.</summary>
-    public void Take()
-    {
-        var meant = Answers.FirstOrDefault(answer => answer.Words.StartsWith(_typed, StringComparison.CurrentCultureIgnoreCase));
-        _typed = "";
-        if (meant is not null) Choose(meant.Name);
-    }
+    public void Take() => Choose(Answers.First(answer => answer.IsMeant).Name);
 
     private void Choose(string? name)
     {
@@ -52,5 +58,24 @@ public sealed class QuestionModel : Observable
 }
 
 /// <summary>One answer of a question.</summary>
-/// <param name="IsFirst">What Enter alone takes.</param>
-public sealed record QuestionAnswer(string Name, string Words, bool IsFirst, Act Choose);
+/// <param name="name">Name of its text.</param>
+/// <param name="words">As it is shown.</param>
+public sealed class QuestionAnswer(string name, string words, Act choose) : Observable
+{
+    private bool _isMeant;
+
+    public string Name => name;
+
+    public string Words => words;
+
+    public Act Choose => choose;
+
+    /// <summary>What Enter takes.</summary>
+    public bool IsMeant
+    {
+        get => _isMeant;
+        set => Set(ref _isMeant, value);
+    }
+
+    public bool BeginsWith(string letters) => words.StartsWith(letters, StringComparison.CurrentCultureIgnoreCase);
+}

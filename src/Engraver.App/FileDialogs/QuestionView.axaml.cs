@@ -17,6 +17,7 @@ public partial class QuestionView : UserControl
     /// <returns>True when the key is worked off.</returns>
     public bool Press(KeyEventArgs e)
     {
+        if (e.Key == Key.Tab) Model.ForgetTyped();
         if (e.Key == Key.Escape) Model.Leave();
         else if (e.Key == Key.Enter && e.Source is Button { DataContext: QuestionAnswer } button && !Model.IsTyping) button.Command?.Execute(null);
         else if (e.Key == Key.Enter) Model.Take();

@@ -96,6 +96,31 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         Assert.Equal(!replaced, Dialog(here).IsOpen); // another name can be typed
     });
 
+    /// <summary>Who types the first letter of an answer sees which one Enter will take.</summary>
+    [Fact]
+    public Task The_letter_of_an_answer_marks_it_and_Enter_takes_it() => fixture.WithOperator(here =>
+    {
+        var path = Path.Combine(_folder.FullName, "out.dxf");
+        File.WriteAllText(path, "old");
+        here.Open("gasket.dxf");
+        here.Enter("SAVEAS", path);
+        var answers = here.Find<ItemsControl>("AnswerList").GetVisualDescendants().OfType<Button>().ToList();
+        Assert.Equal(["No"], Marked());
+        foreach (var (letter, marked) in new[] { ("x", "No"), ("y", "Yes"), ("n", "No"), ("Y", "Yes"), ("e", "Yes"), ("q", "Yes") })
+        {
+            here.Hands.Type(letter);
+            here.Step();
+            Assert.Equal([marked], Marked());
+        }
+
+        Assert.Equal("old", File.ReadAllText(path));
+        here.Hands.Press(Key.Enter);
+        here.Rest();
+        Assert.NotEqual("old", File.ReadAllText(path));
+
+        IEnumerable<object?> Marked() => answers.Where(answer => answer.Classes.Contains("accent")).Select(answer => answer.Content);
+    });
+
     [Fact]
     public Task Enter_alone_shows_the_result_where_no_name_stands() => fixture.WithOperator(here =>
     {
