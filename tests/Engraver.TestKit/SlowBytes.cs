@@ -13,14 +13,14 @@ public sealed class SlowBytes(byte[] file, Func<int> more) : IArrivingBytes
     /// <summary>So many bytes can be read, then the disk fails.</summary>
     public int Readable { get; init; } = file.Length;
 
-    /// <summary>How often was waited for bytes that were not there.</summary>
-    public int Waits { get; private set; }
+    /// <summary>Most bytes beyond those there that were waited for at a time.</summary>
+    public int LongestWait { get; private set; }
 
     public int WaitFor(int count)
     {
         if (count > Readable) throw new IOException("the disk is broken");
         if (count <= _arrived) return _arrived;
-        Waits++;
+        LongestWait = Math.Max(LongestWait, count - _arrived);
         var arrived = Math.Min(Readable, count + more());
         file.AsSpan(_arrived..arrived).CopyTo(Bytes.AsSpan(_arrived));
         return _arrived = arrived;

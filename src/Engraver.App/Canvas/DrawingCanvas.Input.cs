@@ -163,6 +163,6 @@ public sealed partial class DrawingCanvas
     {
         var place = ToDrawing(at);
         if (View is not { } view || !view.Current.Shown.HasFlag(CanvasLayers.Findings)) return;
-        if (Overlay?.FindingNear(place, FindingReach * UnitsPerPoint) is { } finding) view.FocusOn(new ViewFocus(finding, ""), view.Current.Height / FindingZoom);
+        if (Overlay?.FindingNear(place, FindingReach * UnitsPerPoint) is { } finding) view.FocusOn(new ViewFocus(finding, null), view.Current.Height / FindingZoom);
     }
 }

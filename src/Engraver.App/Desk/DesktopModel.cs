@@ -188,7 +188,7 @@ public sealed class DesktopModel : IAsyncDisposable
             var unit = (Session.Document.Current.Settings.Unit ?? drawing.Unit).ToMillimetres;
             var whole = Session.View.ExtentsOf(drawing);
             var part = LeastPart * Math.Max(whole.Width, whole.Height);
-            Session.View.FocusOn(new ViewFocus(new Point2D(place.X / unit, place.Y / unit), finding.Sentence), part > 0.0 ? part : null);
+            Session.View.FocusOn(new ViewFocus(new Point2D(place.X / unit, place.Y / unit), finding), part > 0.0 ? part : null);
             return;
         }
 
@@ -197,7 +197,7 @@ public sealed class DesktopModel : IAsyncDisposable
         if (box.IsEmpty) return;
         var everything = Session.View.ExtentsOf(drawing);
         var height = Math.Max(RoomAround * Math.Max(box.Width, box.Height), LeastPart * Math.Max(everything.Width, everything.Height));
-        Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding.Sentence), height > 0.0 ? height : null);
+        Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding), height > 0.0 ? height : null);
     }
 
     /// <summary>Completes when the last Esc was passed on; what it ends may take a little longer.</summary>

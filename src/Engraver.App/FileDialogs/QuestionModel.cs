@@ -11,9 +11,6 @@ public sealed class QuestionModel : Observable
 
     public bool IsOpen => _asked is not null;
 
-    /// <summary>Letters of an answer are being typed.</summary>
-    internal bool IsTyping => _typed.Length > 0;
-
     public string Sentence { get; private set; } = "";
 
     public IReadOnlyList<QuestionAnswer> Answers { get; private set; } = [];
@@ -37,13 +34,17 @@ public sealed class QuestionModel : Observable
     {
         var typed = new[] { _typed + letters.Trim(), letters.Trim() }.FirstOrDefault(word => word.Length > 0 && Answers.Any(answer => answer.BeginsWith(word)));
         if (typed is null) return;
+        Mean(Answers.First(answer => answer.BeginsWith(typed)));
         _typed = typed;
-        var meant = Answers.First(answer => answer.BeginsWith(typed));
-        foreach (var answer in Answers) answer.IsMeant = answer == meant;
     }
 
-    /// <summary>Another answer is gone to: Enter takes that one.</summary>
-    public void ForgetTyped() => _typed = "";
+    /// <summary>Marks an answer, as the keyboard goes to it: Enter takes it.</summary>
+    public void Mean(QuestionAnswer meant)
+    {
+        if (meant.IsMeant) return;
+        _typed = "";
+        foreach (var answer in Answers) answer.IsMeant = answer == meant;
+    }
 
     /// <summary>Enter.</summary>
     public void Take() => Choose(Answers.First(answer => answer.IsMeant).Name);

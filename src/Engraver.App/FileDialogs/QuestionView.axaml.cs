@@ -9,7 +9,14 @@ namespace Engraver.App.FileDialogs;
 /// <summary>The sheet of a question; it stands below the machine strip, so that STOP stays beside it.</summary>
 public partial class QuestionView : UserControl
 {
-    public QuestionView() => InitializeComponent();
+    public QuestionView()
+    {
+        InitializeComponent();
+        AnswerList.GotFocus += (_, e) =>
+        {
+            if (e.Source is Button { DataContext: QuestionAnswer answer }) Model.Mean(answer);
+        };
+    }
 
     private QuestionModel Model => (QuestionModel)DataContext!;
 
@@ -17,19 +24,26 @@ public partial class QuestionView : UserControl
     /// <returns>True when the key is worked off.</returns>
     public bool Press(KeyEventArgs e)
     {
-        if (e.Key == Key.Tab) Model.ForgetTyped();
         if (e.Key == Key.Escape) Model.Leave();
-        else if (e.Key == Key.Enter && e.Source is Button { DataContext: QuestionAnswer } button && !Model.IsTyping) button.Command?.Execute(null);
         else if (e.Key == Key.Enter) Model.Take();
         else return e.Source is TextBox && (Edits(e.Key) || e.KeyModifiers is not (KeyModifiers.None or KeyModifiers.Shift)); // the text box under the question gets nothing of it
         return true;
     }
 
+    /// <summary>Letters of an answer: the keyboard goes to it.</summary>
+    public void Type(string letters)
+    {
+        Model.Type(letters);
+        ButtonOf(Model.Answers.First(answer => answer.IsMeant))?.Focus();
+    }
+
+    private Button? ButtonOf(QuestionAnswer answer) => AnswerList.ContainerFromItem(answer)?.GetVisualDescendants().OfType<Button>().FirstOrDefault();
+
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(() => AnswerList.ContainerFromIndex(0)?.GetVisualDescendants().OfType<Button>().First().Focus(), DispatcherPriority.Loaded);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(() => ButtonOf(Model.Answers[0])?.Focus(), DispatcherPriority.Loaded);
     }
 
     private static bool Edits(Key key) => key is Key.Back or Key.Delete or Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End;

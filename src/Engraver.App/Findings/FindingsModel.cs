@@ -38,7 +38,7 @@ public sealed class FindingsModel : Observable
         var findings = _desk.Derived.Findings;
         if (ReferenceEquals(findings, _shown)) return;
         _shown = findings;
-        if (_desk.Session.View.Current.Focus is { } pointed && !findings.Any(found => found.Sentence == pointed.Text)) _desk.Session.View.PointNowhere();
+        if (_desk.Session.View.Current.Focus is { } pointed && !pointed.IsAmong(findings)) _desk.Session.View.PointNowhere();
         Rows = [.. findings.OrderByDescending(found => found.Severity).Select(found => new FindingRow(found))];
         Summary = Rows.Count == 0 ? Text.Get("Findings.None") : Text.Get("Findings.Summary", Text.Count("Count.Error", Rows.Count(row => row.IsError)), Text.Count("Count.Warning", Rows.Count(row => row.IsWarning)), Text.Count("Count.Finding", Rows.Count));
         Tell(nameof(Rows));

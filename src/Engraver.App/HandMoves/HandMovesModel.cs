@@ -102,8 +102,8 @@ public sealed class HandMovesModel : Observable, IDisposable
 
     public bool IsNotHomed { get; private set; }
 
-    /// <summary>A press of the pad would move the machine, or do so behind the step under way; where not, the pad looks as if it were off, and a press says why.</summary>
-    public bool CanJog => _desk.Session.Machine is { Description: not null, Status.MotorsOn: not false } machine && (machine.IsHeld || !machine.Status.State.IsJob());
+    /// <summary>A press of the pad would move the machine; where not, the pad looks as if it were off, and a press says why.</summary>
+    public bool CanJog => WhyNot() is null;
 
     /// <summary>A held jog is expected, because its step was chosen or the pad has the focus: the controller is made ready for it, so that the press moves at once.</summary>
     public void GetReady()

@@ -173,7 +173,7 @@ public partial class ShellWindow : Window
     private bool TypeOnSheet(TextInputEventArgs e)
     {
         if (e.Text is not { Length: > 0 } text || !(Model.Files.Question.IsOpen || Model.Files.Dialog.IsOpen)) return false;
-        if (Model.Files.Question.IsOpen) Model.Files.Question.Type(text);
+        if (Model.Files.Question.IsOpen) QuestionSheet.Type(text);
         else if (HasKeyboard(e.Source) && e.Source is not TextBox { Name: "LineBox" }) return true;
         else FileSheet.Type(text);
         return e.Handled = true;

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Sidecars;
 
@@ -21,8 +22,8 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
 
     public string Points => one.Curve.Points.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>Proven, millimetres.</summary>
-    public string Bound => one.Curve.VerifiedBound.ToString("0.######", CultureInfo.InvariantCulture);
+    /// <summary>Proven, millimetres, never rounded down.</summary>
+    public string Bound => Figures.Bound(one.Curve.VerifiedBound);
 
     /// <summary>True when the proven error is larger than the one asked for, as equal steps may make it.</summary>
     public bool IsBeyond => one.Curve.VerifiedBound > one.MaxErrorMm;

@@ -33,6 +33,14 @@ public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
     /// <summary>An angle at the cursor.</summary>
     public string MovingDegrees(Angle angle) => Fixed(angle.Degrees, AnglePlaces);
 
+    /// <summary>A bound of error: three digits, at most six places, never rounded down; 0.000001 stands for everything below it.</summary>
+    public static string Bound(double bound)
+    {
+        if (!(bound > 0.0)) return "0";
+        var scale = Math.Max(1e-6, Math.Pow(10.0, Math.Floor(Math.Log10(bound)) - 2.0));
+        return (Math.Max(1.0, Math.Ceiling((bound / scale) - 1e-9)) * scale).ToString("0.######", CultureInfo.InvariantCulture);
+    }
+
     /// <summary>A default as a prompt shows it: a number, or a place, with no more decimals than are of use; any other text as it is.</summary>
     /// <remarks>Enter still takes the whole number.</remarks>
     public string Default(string standard)

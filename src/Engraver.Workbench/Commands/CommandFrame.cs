@@ -55,9 +55,17 @@ internal sealed class CommandFrame : IDisposable
     {
         var pending = Pending ?? throw new InvalidOperationException("The command does not ask.");
         (Pending, _asks) = (null, new TaskCompletionSource());
-        if (pending.TryAnswer(typed, lastPoint) is not { } wanted) return null;
-        Await(pending);
-        return wanted;
+        var isAnswered = false;
+        try
+        {
+            var wanted = pending.TryAnswer(typed, lastPoint);
+            isAnswered = wanted is null;
+            return wanted;
+        }
+        finally
+        {
+            if (!isAnswered) Await(pending); // also where reading the answer failed: the question stands
+        }
     }
 
     /// <summary>Waits until the command asks or has ended. What was told to end asks nothing any more.</summary>

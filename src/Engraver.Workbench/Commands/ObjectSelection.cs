@@ -84,11 +84,11 @@ internal static class ObjectSelection
     /// <returns>Its index in the drawing's entities, and the place, drawing units.</returns>
     public static async Task<(int Entity, Point2D At)> OneAsync(CommandContext context, string instruction)
     {
-        var prompt = new PointPrompt(instruction) { Use = PointUse.Object, Refusal = at => At(context, at) is null ? Wording.Get("Reshape.NoObject") : null };
+        int? found = null;
+        var prompt = new PointPrompt(instruction) { Use = PointUse.Object, Refusal = at => (found = At(context, at)) is null ? Wording.Get("Reshape.NoObject") : null };
         var place = await context.ValueAsync(prompt).ConfigureAwait(false);
-        var entity = At(context, place)!.Value;
-        context.ShowPicked([entity]);
-        return (entity, place);
+        context.ShowPicked([found!.Value]);
+        return (found.Value, place);
     }
 
     /// <summary>The visible object under a point; null when there is none.</summary>

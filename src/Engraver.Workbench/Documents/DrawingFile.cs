@@ -27,10 +27,12 @@ public static class DrawingFile
         try
         {
             using var arriving = ArrivingFile.TryBegin(path);
+            using var ended = cancellation.Register(() => arriving?.Dispose());
             return arriving is null ? DxfReader.Read(File.ReadAllBytes(path), path, options, cancellation) : DxfReader.Read(arriving, path, options, cancellation);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
+            cancellation.ThrowIfCancellationRequested();
             return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.')));
         }
     }

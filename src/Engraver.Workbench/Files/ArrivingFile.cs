@@ -11,17 +11,24 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
 
     private const int Piece = 1 << 20;
     private readonly object _guard = new();
-    private readonly SafeFileHandle _file;
+    private readonly IDisposable _file;
+    private readonly Func<int, int> _read;
     private int _arrived;
     private string? _failure;
-    private volatile bool _isAbandoned;
 
     /// <param name="file">Closed when all is read, or nobody waits any more.</param>
     /// <param name="length">Bytes, above 0.</param>
     internal ArrivingFile(SafeFileHandle file, int length)
+        : this(file, length, null)
+    {
+    }
+
+    /// <param name="read">Reads some bytes into <see cref="Bytes"/> at a place and says how many; 0 is the end. Null: from the file.</param>
+    internal ArrivingFile(IDisposable file, int length, Func<int, int>? read)
     {
         (_file, Bytes) = (file, GC.AllocateUninitializedArray<byte>(length));
-        _ = Task.Run(ReadAll);
+        _read = read ?? (at => RandomAccess.Read((SafeFileHandle)file, Bytes.AsSpan(at, Math.Min(Piece, length - at)), at));
+        _ = Task.Factory.StartNew(ReadAll, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
     public byte[] Bytes { get; }
@@ -33,10 +40,19 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
     {
         if (FileKind.IsStream(path)) return null;
         var file = File.OpenHandle(path, options: FileOptions.SequentialScan);
-        var length = RandomAccess.GetLength(file);
-        if (length > large && length <= Array.MaxLength) return new ArrivingFile(file, (int)length);
-        file.Dispose();
-        return null;
+        var begun = false;
+        try
+        {
+            var length = RandomAccess.GetLength(file);
+            if (length <= large || length > Array.MaxLength) return null;
+            var arriving = new ArrivingFile(file, (int)length);
+            begun = true;
+            return arriving;
+        }
+        finally
+        {
+            if (!begun) file.Dispose();
+        }
     }
 
     public int WaitFor(int count)
@@ -48,32 +64,54 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
         }
     }
 
-    /// <summary>Nobody waits for the rest any more.</summary>
-    public void Dispose() => _isAbandoned = true;
+    /// <summary>The rest is not wanted any more: who waits for it on another thread is told that it was not read.</summary>
+    public void Dispose() => Tell(0, Wording.Get("ArrivingFile.NotRead"));
 
-    private void ReadAll()
+    private bool IsWanted
     {
-        using (_file)
+        get
         {
-            while (_arrived < Bytes.Length && !_isAbandoned)
-            {
-                var (count, failure) = ReadPiece();
-                lock (_guard)
-                {
-                    (_arrived, _failure) = (_arrived + count, failure);
-                    Monitor.PulseAll(_guard);
-                }
-
-                if (failure is not null) return;
-            }
+            lock (_guard) return _failure is null;
         }
     }
 
-    private (int Count, string? Failure) ReadPiece()
+    /// <summary>The file is closed before its last byte or its failure is told.</summary>
+    private void ReadAll()
+    {
+        var (at, last, failure) = (0, 0, default(string));
+        try
+        {
+            do
+            {
+                Tell(last, null);
+                (last, failure) = (0, Wording.Get("ArrivingFile.NotRead")); // where reading fails in a way that is not expected
+                (last, failure) = ReadPiece(at);
+                at += last;
+            }
+            while (failure is null && at < Bytes.Length && IsWanted);
+        }
+        finally
+        {
+            _file.Dispose();
+            Tell(last, failure);
+        }
+    }
+
+    private void Tell(int more, string? failure)
+    {
+        lock (_guard)
+        {
+            _arrived += more;
+            _failure ??= failure;
+            Monitor.PulseAll(_guard);
+        }
+    }
+
+    private (int Count, string? Failure) ReadPiece(int at)
     {
         try
         {
-            var count = RandomAccess.Read(_file, Bytes.AsSpan(_arrived, Math.Min(Piece, Bytes.Length - _arrived)), _arrived);
+            var count = _read(at);
             return (count, count > 0 ? null : Wording.Get("ArrivingFile.Shorter"));
         }
         catch (Exception failed) when (failed is IOException or UnauthorizedAccessException)

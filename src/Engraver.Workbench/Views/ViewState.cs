@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Settings;
 
@@ -63,7 +64,19 @@ public sealed record ViewState
     public Bounds2D Window => new(Centre.X - (Width / 2.0), Centre.Y - (Height / 2.0), Centre.X + (Width / 2.0), Centre.Y + (Height / 2.0));
 }
 
-/// <summary>A place that the canvas marks until the view changes by hand or another place is named.</summary>
+/// <summary>A place that the canvas marks until everything is drawn anew (REGEN), another place is pointed at, or what was found there is mended.</summary>
 /// <param name="Place">Drawing units.</param>
-/// <param name="Text">What is there; may be empty.</param>
-public sealed record ViewFocus(Point2D Place, string Text);
+/// <param name="Finding">What was found there; null: the place alone was pointed at.</param>
+public sealed record ViewFocus(Point2D Place, Diagnostic? Finding)
+{
+    /// <summary>Whether what was found there is still among the findings: by its rule and its place, and where it has none by its entity, because the sentence may tell of others too.</summary>
+    public bool IsAmong(IEnumerable<Diagnostic> findings)
+    {
+        return Finding is not { } found || findings.Any(IsSame);
+
+        bool IsSame(Diagnostic now) => now.Id == found.Id && (found.Place is { } at ? now.Place?.DistanceTo(at) < SamePlace : now.Source.Handle == found.Source.Handle);
+    }
+
+    /// <summary>Millimetres.</summary>
+    private const double SamePlace = 1e-6;
+}

@@ -113,6 +113,10 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
             Assert.Equal([marked], Marked());
         }
 
+        here.Hands.Press(Key.Tab);
+        Assert.Equal(["No"], Marked());
+        here.Hands.Press(Key.Tab);
+        Assert.Equal(["Yes"], Marked());
         Assert.Equal("old", File.ReadAllText(path));
         here.Hands.Press(Key.Enter);
         here.Rest();

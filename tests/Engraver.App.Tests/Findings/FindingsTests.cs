@@ -1,5 +1,7 @@
 using Avalonia.Controls;
+using Engraver.Core.Geometry;
 using Engraver.TestKit;
+using Engraver.Workbench.Views;
 
 namespace Engraver.App.Tests.Findings;
 
@@ -42,7 +44,16 @@ public sealed class FindingsTests(DesktopFixture fixture)
         here.Enter("CIRCLE", "90,90", "2");
         here.Rest();
         Assert.NotNull(here.Commands.View.Current.Focus); // the gap is still there
-        here.Enter("LINE", "40,0", "40.3,0", "");
+        here.Enter("MOVE", "H", "A2", "", "0,0", "0.1,0");
+        here.Rest();
+        Assert.NotNull(here.Commands.View.Current.Focus); // and wider, which its sentence tells
+        here.Commands.View.FocusOn(new ViewFocus(new Point2D(1, 2), null), null);
+        here.Enter("CIRCLE", "90,90", "4");
+        here.Rest();
+        Assert.NotNull(here.Commands.View.Current.Focus); // a place that was pointed at on the canvas
+        rows.Chosen = null;
+        rows.Chosen = rows.Rows.First(row => row.Id == "SEQ0003");
+        here.Enter("LINE", "40,0", "40.4,0", "");
         here.Rest();
         Assert.Null(here.Commands.View.Current.Focus);
         folder.Delete(recursive: true);

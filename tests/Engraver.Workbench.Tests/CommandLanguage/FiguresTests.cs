@@ -1,7 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
-using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.CommandLanguage;
@@ -56,10 +55,11 @@ public class FiguresTests
 
     [Theory]
     [InlineData(0.0, "0")]
+    [InlineData(1e-16, "0.000001")]
     [InlineData(5.79e-10, "0.000001")]
     [InlineData(0.00088049, "0.000881")]
     [InlineData(0.000000881, "0.000001")]
     [InlineData(0.0123411, "0.0124")]
     [InlineData(12.341, "12.4")]
-    public void A_bound_has_three_digits_and_six_places_at_most_and_is_never_rounded_down(double bound, string shown) => Assert.Equal(shown, TrajectoryLine.Bound(bound));
+    public void A_bound_has_three_digits_and_six_places_at_most_and_is_never_rounded_down(double bound, string shown) => Assert.Equal(shown, Figures.Bound(bound));
 }

@@ -127,6 +127,17 @@ public class EditingGhostTests
         Assert.Empty(talk.Session.Lit);
     }
 
+    [Theory]
+    [InlineData("OFFSET", "2", "5,0", "3,7")]
+    [InlineData("FILLET", "M", "R", "9", "5,0", "20,8")]
+    [InlineData("FILLET", "M", "R", "1", "5,0", "5,0")]
+    public async Task What_was_lit_up_goes_out_behind_it(string command, params string[] answers)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync([command, .. answers]);
+        Assert.Equal((command, 0), (talk.Session.Prompt.Command, talk.Session.Lit.Count));
+    }
+
     [Fact]
     public async Task Copies_go_on_until_Enter_and_are_one_step_of_undo()
     {

@@ -1,4 +1,7 @@
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Files;
 
@@ -50,6 +53,61 @@ public sealed class ArrivingFileTests
         using var arriving = new ArrivingFile(handle, 1000);
 
         Assert.ThrowsAny<IOException>(() => arriving.WaitFor(1));
+    }
+
+    /// <summary>Esc on a share that has stopped to answer.</summary>
+    [Fact]
+    public async Task Who_waits_is_let_go_when_the_rest_is_not_wanted_any_more()
+    {
+        using var answers = new ManualResetEventSlim();
+        var file = new Closed();
+        var arriving = new ArrivingFile(file, 1000, at => at == 0 ? 10 : Late());
+        Assert.Equal(10, arriving.WaitFor(10));
+        var waiting = Task.Run(() => arriving.WaitFor(11));
+        arriving.Dispose();
+        Assert.Contains("not read to its end", (await Assert.ThrowsAsync<IOException>(() => waiting)).Message, StringComparison.Ordinal);
+        Assert.Equal(10, arriving.WaitFor(10));
+
+        answers.Set();
+        await file.WasClosed.Task;
+
+        int Late()
+        {
+            answers.Wait();
+            return 10;
+        }
+    }
+
+    [Fact]
+    public async Task A_failure_that_nobody_expects_is_told_and_the_file_closed()
+    {
+        var file = new Closed();
+        using var arriving = new ArrivingFile(file, 1000, at => at == 0 ? 10 : throw new NotSupportedException("a device"));
+
+        Assert.Contains("not read to its end", Assert.Throws<IOException>(() => arriving.WaitFor(11)).Message, StringComparison.Ordinal);
+        Assert.Equal(10, arriving.WaitFor(10));
+        await file.WasClosed.Task;
+    }
+
+    /// <summary>Larger than what is read in one piece.</summary>
+    [Fact]
+    public async Task A_large_drawing_is_opened_and_one_that_is_given_up_is_no_drawing()
+    {
+        var path = Path.GetTempFileName();
+        var comments = string.Concat(Enumerable.Repeat("999\n" + new string('x', 4000) + "\n", (int)(ArrivingFile.Large / 4000)));
+        await File.WriteAllTextAsync(path, comments + System.Text.Encoding.UTF8.GetString(DxfText.WithEntities((0, "LINE"), (8, "0"), (10, 1.0), (20, 2.0), (11, 3.0), (21, 4.0)).ToAscii()));
+
+        var drawing = DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None);
+        Assert.Equal((1, 4.0, new FileInfo(path).Length), (drawing.Entities.Count, drawing.Parts[0].E, drawing.Bytes));
+        Assert.Throws<OperationCanceledException>(() => DrawingFile.Open(path, new DrawingSettings(), new CancellationToken(canceled: true)));
+        File.Delete(path);
+    }
+
+    private sealed class Closed : IDisposable
+    {
+        public TaskCompletionSource WasClosed { get; } = new();
+
+        public void Dispose() => WasClosed.SetResult();
     }
 
     private sealed class WrittenFile : IDisposable

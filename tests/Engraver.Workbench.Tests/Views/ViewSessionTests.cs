@@ -91,8 +91,8 @@ public class ViewSessionTests
     [Fact]
     public void A_marker_is_shown_until_everything_is_drawn_anew()
     {
-        _view.FocusOn(new ViewFocus(new Point2D(3, 4), "SEQ0003"), height: 5);
-        Assert.Equal((new Point2D(3, 4), 5.0, "SEQ0003"), (_view.Current.Centre, _view.Current.Height, _view.Current.Focus!.Text));
+        _view.FocusOn(new ViewFocus(new Point2D(3, 4), null), height: 5);
+        Assert.Equal((new Point2D(3, 4), 5.0, new Point2D(3, 4)), (_view.Current.Centre, _view.Current.Height, _view.Current.Focus!.Place));
 
         _view.Regenerate();
         Assert.Null(_view.Current.Focus);

@@ -44,7 +44,7 @@ internal sealed class AsciiTagSource : DxfTagSource
     {
         while (!IsWhole)
         {
-            if (Bytes.Length - Position < Ahead) WaitFor(Position + Ahead);
+            if (Bytes.Length - Position < Ahead) WaitFor((int)Math.Min((long)Position + Ahead, int.MaxValue));
             else WaitForAll();
             if (TryPlainPair()) return true;
         }

@@ -36,8 +36,11 @@ internal sealed class LayerCommand : ICommand
             case "Set":
                 edit.Set(await AskAsync("Layer.NameToSet", edit.WhyNotSet, edit.Current).ConfigureAwait(false));
                 break;
+            case var _ when edit.Layers.All(layer => edit.WhyNotRenamed(layer.Name) is not null):
+                context.Say(edit.WhyNotRenamed(edit.Current)!, MessageKind.Warning);
+                break;
             default:
-                var name = await AskAsync("Layer.OldName", edit.WhyNotRenamed, edit.Current).ConfigureAwait(false);
+                var name = await AskAsync("Layer.OldName", edit.WhyNotRenamed, edit.WhyNotRenamed(edit.Current) is null ? edit.Current : null).ConfigureAwait(false);
                 edit.Rename(name, await AskAsync("Layer.NewName", to => edit.WhyNotNamed(name, to)).ConfigureAwait(false));
                 break;
         }
@@ -51,12 +54,13 @@ internal sealed class LayerCommand : ICommand
     private static async Task SwitchAsync(CommandContext context, LayerEdit edit, string option)
     {
         DrawingColour? colour = option == "Color" ? await ColourAsync(context).ConfigureAwait(false) : null;
-        var prompt = new TextPrompt(Wording.Get("Layer.EnterLayerNamesSeparated")) { Refusal = typed => edit.WhyUnknown(NamesIn(typed).Where(name => name != Every)) };
-        var names = NamesIn(await context.ValueAsync(prompt).ConfigureAwait(false));
+        var prompt = new TextPrompt(Wording.Get("Layer.EnterLayerNamesSeparated")) { Refusal = typed => edit.WhyUnknown(NamesIn(edit, typed).Where(name => name != Every)) };
+        var names = NamesIn(edit, await context.ValueAsync(prompt).ConfigureAwait(false));
         edit.Change(layer => names.Any(name => name == Every || LayerEdit.Is(layer, name)), layer => colour is { } chosen ? layer with { Colour = chosen } : Switched(layer, option));
     }
 
-    private static string[] NamesIn(string typed) => typed.Split(',', StringSplitOptions.TrimEntries);
+    /// <summary>The names between the commas; of a layer that has a comma in its own name, as a foreign program may give it, the whole.</summary>
+    private static string[] NamesIn(LayerEdit edit, string typed) => edit.Layers.Any(layer => LayerEdit.Is(layer, typed)) ? [typed] : typed.Split(',', StringSplitOptions.TrimEntries);
 
     private static async Task<DrawingColour> ColourAsync(CommandContext context)
     {

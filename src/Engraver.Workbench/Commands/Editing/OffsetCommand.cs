@@ -20,10 +20,11 @@ internal sealed class OffsetCommand : ICommand
         _ = context.Drawing;
         var choice = await ChoiceAsync(context).ConfigureAwait(false);
         int[] made = [0];
-        while (await AnswerAsync(context, new PointPrompt(Wording.Get("Offset.SelectObject")) { Use = PointUse.Object }, made).ConfigureAwait(false) is { } at)
+        int? found = null;
+        var prompt = new PointPrompt(Wording.Get("Offset.SelectObject")) { Use = PointUse.Object, Refusal = at => (found = ObjectSelection.At(context, at)) is null ? Wording.Get("Offset.NoObject") : null };
+        while (await AnswerAsync(context, prompt, made).ConfigureAwait(false) is not null)
         {
-            if (ObjectSelection.At(context, at) is not { } entity) context.Say(Wording.Get("Offset.NoObject"));
-            else if (!await OffsetAsync(context, choice, entity, made).ConfigureAwait(false)) return;
+            if (!await OffsetAsync(context, choice, found!.Value, made).ConfigureAwait(false)) return;
             context.ShowPicked(null);
         }
     }

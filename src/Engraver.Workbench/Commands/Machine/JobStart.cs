@@ -36,7 +36,7 @@ internal static class JobStart
     public static PreparedJob Followed(CommandContext context, JobMode mode)
     {
         var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectoryPick.All(context), JobPlan.StyleOf(mode));
-        context.Say(Wording.Get("JobStart.Trajectories", CountText.Format(followed.Trajectories.Count, "Trajectory"), TrajectoryLine.Bound(followed.Bound)));
+        context.Say(Wording.Get("JobStart.Trajectories", CountText.Format(followed.Trajectories.Count, "Trajectory"), Figures.Bound(followed.Bound)));
         return followed.Job;
     }
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Documents;
 
@@ -17,6 +18,6 @@ internal sealed class SaceSimulateCommand : ICommand
         FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
         if (job.Motion.Program is not { SegmentCount: > 0 } program) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, program, address => options(JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
-        context.Say(Wording.Get("Trajectories.Simulated", TrajectoryLine.Bound(followed.Bound)), MessageKind.Result);
+        context.Say(Wording.Get("Trajectories.Simulated", Figures.Bound(followed.Bound)), MessageKind.Result);
     }
 }

@@ -25,10 +25,12 @@ internal sealed class FilletCommand : ICommand
         SayShape(context);
         while (true)
         {
-            switch (await context.AskAsync(FirstPrompt(isMultiple)).ConfigureAwait(false))
+            CornerSide? first = null;
+            var prompt = FirstPrompt(isMultiple) with { Refusal = at => (first = CornerSide.Under(context, at)) is null ? Wording.Get("Reshape.NoObject") : null };
+            switch (await context.AskAsync(prompt).ConfigureAwait(false))
             {
-                case Answer<Point2D>.Value { Of: var at }:
-                    if (await JoinedAsync(context, steps, at).ConfigureAwait(false) && !isMultiple) return;
+                case Answer<Point2D>.Value:
+                    if (await JoinedAsync(context, steps, first!.Value).ConfigureAwait(false) && !isMultiple) return;
                     break;
                 case Answer<Point2D>.Chosen { Option: "Undo" }:
                     steps.Undo();
@@ -55,22 +57,22 @@ internal sealed class FilletCommand : ICommand
         Options = Keyword.List("Undo", "Polyline", _bevels ? "Distance" : "Radius", "Trim", "Multiple"),
     };
 
-    /// <returns>True when both objects were found and joined.</returns>
-    private async Task<bool> JoinedAsync(CommandContext context, EditSteps steps, Point2D at)
+    /// <returns>True when both objects were joined.</returns>
+    private async Task<bool> JoinedAsync(CommandContext context, EditSteps steps, CornerSide first)
     {
         var shape = ShapeOf(context);
-        if (CornerSide.Under(context, at) is not { } first) return Told(context, "Reshape.NoObject");
         ObjectSelection.Unlocked(context, [first.Entity]);
         var drawing = context.Drawing;
+        CornerSide? found = null;
         var prompt = new PickPrompt(Wording.Get(_bevels ? "Chamfer.SelectSecond" : "Fillet.SelectSecond"))
         {
-            Refusal = pick => CornerSide.Under(context, pick.At) is null ? Wording.Get("Reshape.NoObject") : null,
+            Refusal = pick => (found = CornerSide.Under(context, pick.At)) is null ? Wording.Get("Reshape.NoObject") : null,
             Ghost = place => CornerSide.Under(context, place) is { } other && Corner.Between(drawing, first, other, shape) is { } corner ? corner.Shown : [],
         };
         context.ShowPicked([first.Entity]);
         var pick = await context.ValueAsync(prompt).ConfigureAwait(false);
         context.ShowPicked(null);
-        var second = CornerSide.Under(context, pick.At)!.Value;
+        var second = found!.Value;
         ObjectSelection.Unlocked(context, [second.Entity]);
         var wanted = pick.IsShifted ? shape with { Radius = 0.0, First = 0.0, Second = 0.0 } : shape;
         if (Corner.Between(drawing, first, second, wanted) is not { } joined) return Told(context, Corner.WhyNot(drawing, first, second));
@@ -80,8 +82,14 @@ internal sealed class FilletCommand : ICommand
 
     private async Task<bool> PolylineAsync(CommandContext context, EditSteps steps)
     {
-        var at = await context.ValueAsync(new PointPrompt(Wording.Get("Fillet.SelectPolyline")) { Use = PointUse.Object }).ConfigureAwait(false);
-        if (ObjectSelection.At(context, at) is not { } entity || context.Drawing.Entities[entity].Type is not (CurveType.LwPolyline or CurveType.Polyline)) return Told(context, "Fillet.NoPolyline");
+        int? found = null;
+        var prompt = new PointPrompt(Wording.Get("Fillet.SelectPolyline"))
+        {
+            Use = PointUse.Object,
+            Refusal = at => (found = ObjectSelection.At(context, at)) is not { } under || context.Drawing.Entities[under].Type is not (CurveType.LwPolyline or CurveType.Polyline) ? Wording.Get("Fillet.NoPolyline") : null,
+        };
+        await context.ValueAsync(prompt).ConfigureAwait(false);
+        var entity = found!.Value;
         ObjectSelection.Unlocked(context, [entity]);
         var rounded = RoundedPolyline.Of(context.Drawing, entity, ShapeOf(context));
         context.Say(Wording.Get(_bevels ? "Chamfer.Corners" : "Fillet.Corners", rounded.Made, rounded.Left));

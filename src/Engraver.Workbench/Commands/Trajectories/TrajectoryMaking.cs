@@ -81,13 +81,5 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
 internal static class TrajectoryLine
 {
     public static string Format(DocumentTrajectory one) =>
-        Wording.Get("Trajectories.Line", one.Name, one.Curve.Points, NumberPrompt.Show(Math.Round(one.Curve.Length, 3)), Bound(one.Curve.VerifiedBound), NumberPrompt.Show(Math.Round(one.Curve.SpacingRatio, 2)), NumberPrompt.Show(one.Curve.Z));
-
-    /// <summary>Three digits, at most six places, never rounded down: 0.000001 stands for everything below it.</summary>
-    public static string Bound(double bound)
-    {
-        if (!(bound > 0.0)) return "0";
-        var scale = Math.Max(1e-6, Math.Pow(10.0, Math.Floor(Math.Log10(bound)) - 2.0));
-        return (Math.Ceiling((bound / scale) - 1e-9) * scale).ToString("0.######", CultureInfo.InvariantCulture);
-    }
+        Wording.Get("Trajectories.Line", one.Name, one.Curve.Points, NumberPrompt.Show(Math.Round(one.Curve.Length, 3)), Figures.Bound(one.Curve.VerifiedBound), NumberPrompt.Show(Math.Round(one.Curve.SpacingRatio, 2)), NumberPrompt.Show(one.Curve.Z));
 }

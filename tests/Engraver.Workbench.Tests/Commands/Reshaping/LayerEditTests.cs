@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 
@@ -55,6 +56,26 @@ public class LayerEditTests
         Assert.Equal((question, before), (talk.Session.Prompt.Text, talk.State));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync([.. then, ""]));
         Assert.False(talk.State.Drawing!.Layers.Single(layer => layer.Name == "A").On);
+    }
+
+    [Fact]
+    public async Task Where_layer_0_is_the_only_one_nothing_is_renamed_and_nothing_lost()
+    {
+        await using var talk = Shape.Talk(new DrawingBuilder().Line(0, 0, 10, 0));
+        await talk.TypeAsync("LAYER", "C", "red", "0", "R");
+        Assert.Contains("cannot be renamed", talk.Said, StringComparison.Ordinal);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
+        Assert.Equal(1, Assert.Single(talk.State.Drawing!.Layers).Colour.Index);
+        await talk.TypeAsync("LAYER", "M", "A", "S", "0", "R");
+        Assert.Equal("Enter old layer name:", talk.Session.Prompt.Text);
+    }
+
+    [Fact]
+    public async Task A_layer_whose_name_has_a_comma_is_switched_by_its_whole_name()
+    {
+        await using var talk = Shape.Talk(new DrawingBuilder().OnLayer(new Layer("1,5 mm", true, false, true)).Line(0, 0, 10, 0));
+        await talk.TypeAsync("LAYER", "OFF", "1,5 mm", "");
+        Assert.False(talk.State.Drawing!.Layers.Single(layer => layer.Name == "1,5 mm").On);
     }
 
     [Fact]
