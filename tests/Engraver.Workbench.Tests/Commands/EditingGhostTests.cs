@@ -129,6 +129,7 @@ public class EditingGhostTests
 
     [Theory]
     [InlineData("OFFSET", "2", "5,0", "3,7")]
+    [InlineData("OFFSET", "50", "20,8", "20,5")]
     [InlineData("FILLET", "M", "R", "9", "5,0", "20,8")]
     [InlineData("FILLET", "M", "R", "1", "5,0", "5,0")]
     public async Task What_was_lit_up_goes_out_behind_it(string command, params string[] answers)
