@@ -34,16 +34,16 @@ public partial class QuestionView : UserControl
     public void Type(string letters)
     {
         Model.Type(letters);
-        ButtonOf(Model.Answers.First(answer => answer.IsMeant))?.Focus();
+        FocusMeant();
     }
 
-    private Button? ButtonOf(QuestionAnswer answer) => AnswerList.ContainerFromItem(answer)?.GetVisualDescendants().OfType<Button>().FirstOrDefault();
+    private void FocusMeant() => AnswerList.ContainerFromItem(Model.Answers.First(answer => answer.IsMeant))?.GetVisualDescendants().OfType<Button>().FirstOrDefault()?.Focus();
 
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(() => ButtonOf(Model.Answers[0])?.Focus(), DispatcherPriority.Loaded);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(FocusMeant, DispatcherPriority.Loaded);
     }
 
     private static bool Edits(Key key) => key is Key.Back or Key.Delete or Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End;

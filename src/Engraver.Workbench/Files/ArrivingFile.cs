@@ -12,22 +12,21 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
     private const int Piece = 1 << 20;
     private readonly object _guard = new();
     private readonly IDisposable _file;
-    private readonly Func<int, int> _read;
+    private readonly Func<byte[], int, int> _read;
     private int _arrived;
     private string? _failure;
 
     /// <param name="file">Closed when all is read, or nobody waits any more.</param>
     /// <param name="length">Bytes, above 0.</param>
     internal ArrivingFile(SafeFileHandle file, int length)
-        : this(file, length, null)
+        : this(file, length, (bytes, at) => RandomAccess.Read(file, bytes.AsSpan(at, Math.Min(Piece, bytes.Length - at)), at))
     {
     }
 
-    /// <param name="read">Reads some bytes into <see cref="Bytes"/> at a place and says how many; 0 is the end. Null: from the file.</param>
-    internal ArrivingFile(IDisposable file, int length, Func<int, int>? read)
+    /// <param name="read">Reads some bytes into an array at a place and says how many; 0 is the end.</param>
+    internal ArrivingFile(IDisposable file, int length, Func<byte[], int, int> read)
     {
-        (_file, Bytes) = (file, GC.AllocateUninitializedArray<byte>(length));
-        _read = read ?? (at => RandomAccess.Read((SafeFileHandle)file, Bytes.AsSpan(at, Math.Min(Piece, length - at)), at));
+        (_file, _read, Bytes) = (file, read, GC.AllocateUninitializedArray<byte>(length));
         _ = Task.Factory.StartNew(ReadAll, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
@@ -111,7 +110,7 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
     {
         try
         {
-            var count = _read(at);
+            var count = _read(Bytes, at);
             return (count, count > 0 ? null : Wording.Get("ArrivingFile.Shorter"));
         }
         catch (Exception failed) when (failed is IOException or UnauthorizedAccessException)

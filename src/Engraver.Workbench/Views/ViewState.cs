@@ -69,6 +69,9 @@ public sealed record ViewState
 /// <param name="Finding">What was found there; null: the place alone was pointed at.</param>
 public sealed record ViewFocus(Point2D Place, Diagnostic? Finding)
 {
+    /// <summary>Millimetres.</summary>
+    private const double SamePlace = 1e-6;
+
     /// <summary>Whether what was found there is still among the findings: by its rule and its place, and where it has none by its entity, because the sentence may tell of others too.</summary>
     public bool IsAmong(IEnumerable<Diagnostic> findings)
     {
@@ -76,7 +79,4 @@ public sealed record ViewFocus(Point2D Place, Diagnostic? Finding)
 
         bool IsSame(Diagnostic now) => now.Id == found.Id && (found.Place is { } at ? now.Place?.DistanceTo(at) < SamePlace : now.Source.Handle == found.Source.Handle);
     }
-
-    /// <summary>Millimetres.</summary>
-    private const double SamePlace = 1e-6;
 }

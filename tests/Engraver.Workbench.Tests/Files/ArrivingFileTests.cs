@@ -61,7 +61,7 @@ public sealed class ArrivingFileTests
     {
         using var answers = new ManualResetEventSlim();
         var file = new Closed();
-        var arriving = new ArrivingFile(file, 1000, at => at == 0 ? 10 : Late());
+        var arriving = new ArrivingFile(file, 1000, (_, at) => at == 0 ? 10 : Late());
         Assert.Equal(10, arriving.WaitFor(10));
         var waiting = Task.Run(() => arriving.WaitFor(11));
         arriving.Dispose();
@@ -82,7 +82,7 @@ public sealed class ArrivingFileTests
     public async Task A_failure_that_nobody_expects_is_told_and_the_file_closed()
     {
         var file = new Closed();
-        using var arriving = new ArrivingFile(file, 1000, at => at == 0 ? 10 : throw new NotSupportedException("a device"));
+        using var arriving = new ArrivingFile(file, 1000, (_, at) => at == 0 ? 10 : throw new NotSupportedException("a device"));
 
         Assert.Contains("not read to its end", Assert.Throws<IOException>(() => arriving.WaitFor(11)).Message, StringComparison.Ordinal);
         Assert.Equal(10, arriving.WaitFor(10));

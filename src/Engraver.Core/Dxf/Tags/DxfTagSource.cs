@@ -1,7 +1,7 @@
 namespace Engraver.Core.Dxf.Tags;
 
 /// <summary>A DXF as a stream of (group code, value) pairs over its bytes. Nothing is copied: a value is a span of the file.</summary>
-/// <param name="arriving">The file, which is read to its end only as far as it has arrived.</param>
+/// <param name="arriving">The file; no byte is looked at before it has arrived.</param>
 internal abstract class DxfTagSource(IArrivingBytes arriving)
 {
     private const int CommentCode = 999;
@@ -45,7 +45,7 @@ internal abstract class DxfTagSource(IArrivingBytes arriving)
     /// <summary>Part of the file that has been read, 0 to 1.</summary>
     public double Part => (double)Position / Math.Max(1, _file.Length);
 
-    /// <summary>What has been waited for so far, of the first byte on.</summary>
+    /// <summary>What has been waited for so far, from the first byte on.</summary>
     protected ReadOnlySpan<byte> Bytes => new(_file, 0, _arrived);
 
     /// <summary><see cref="Bytes"/> are the whole file.</summary>

@@ -100,11 +100,9 @@ internal sealed class OffsetCommand : ICommand
         {
             Options = Keyword.List("Source"),
             Default = "Source",
-            Refusal = name => Of(name) is null ? Wording.Get("Offset.NoLayer", name) : null,
+            Refusal = name => CurrentLayer.IndexOf(context.Drawing, name) is null ? Wording.Get("Offset.NoLayer", name) : null,
         };
-        return await context.AskAsync(prompt).ConfigureAwait(false) is Answer<string>.Value { Of: var chosen } ? Of(chosen) : null;
-
-        int? Of(string name) => context.Drawing.Layers.Select((layer, index) => (layer, index)).FirstOrDefault(pair => LayerEdit.Is(pair.layer, name)) is { layer: not null } found ? found.index : null;
+        return await context.AskAsync(prompt).ConfigureAwait(false) is Answer<string>.Value { Of: var chosen } ? CurrentLayer.IndexOf(context.Drawing, chosen) : null;
     }
 
     private static PointPrompt SidePrompt(CommandContext context, OffsetChoice choice, int entity, bool isMultiple)

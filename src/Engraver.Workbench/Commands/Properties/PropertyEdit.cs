@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Properties;
@@ -28,15 +29,8 @@ internal static class PropertyEdit
         return ChangedPart.Apply(drawing, changes);
     }
 
-    public static DrawingEntity OnLayer(ObjectFacts facts, string typed)
-    {
-        for (var i = 0; i < facts.Drawing.Layers.Count; i++)
-        {
-            if (facts.Drawing.Layers[i].Name.Equals(typed.Trim(), StringComparison.OrdinalIgnoreCase)) return facts.Entity with { Layer = i };
-        }
-
-        throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoLayer", typed.Trim()));
-    }
+    public static DrawingEntity OnLayer(ObjectFacts facts, string typed) =>
+        facts.Entity with { Layer = CurrentLayer.IndexOf(facts.Drawing, typed.Trim()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoLayer", typed.Trim())) };
 
     public static DrawingEntity InColour(ObjectFacts facts, string typed) =>
         facts.Entity with { Colour = ColourName.ParseOfObject(typed) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoColour", typed, string.Join(", ", ColourName.Known))) };
