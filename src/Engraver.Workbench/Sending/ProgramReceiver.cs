@@ -47,9 +47,9 @@ public sealed class ProgramReceiver(CharacterFrame frame)
         {
             while (await line.ReadAsync(heard, either.Token).ConfigureAwait(false) is > 0 and var count)
             {
+                quiet.CancelAfter(silence);
                 Take(heard.AsSpan(0, count));
                 progress?.Report(Lines);
-                quiet.CancelAfter(silence);
             }
 
             return true;
