@@ -3,7 +3,7 @@ using System.Globalization;
 namespace Engraver.TestKit;
 
 /// <summary>How much one run of the tests tries: what every commit is tried with, or everything. <c>./test --full</c> sets ENGRAVER_FULL=1; nothing else reads it.</summary>
-/// <remarks>No test is left out of the smaller run: it takes fewer seeds, or each subject with one pair of choices instead of every combination.</remarks>
+/// <remarks>The smaller run takes fewer seeds, or each subject with one pair of choices instead of every combination. Only the tests of <see cref="FullRunFactAttribute"/> and <see cref="FullRunTheoryAttribute"/> are left out of it whole.</remarks>
 public static class TestExtent
 {
     /// <summary>Whether everything is tried: every combination and the large numbers of seeds.</summary>

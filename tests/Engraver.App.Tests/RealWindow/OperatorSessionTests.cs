@@ -6,6 +6,7 @@ using Engraver.TestKit;
 namespace Engraver.App.Tests.RealWindow;
 
 /// <summary>A day at the machine (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP: from power-on to the second plate. Judged by what the motors and the tool did. Its pictures are kept.</summary>
+/// <remarks>In the full run: a commit opens, arms and starts a job in a real window in <see cref="RealJobTests"/>, and homes, jogs, sets origins and resumes on a window in memory.</remarks>
 [Collection(DesktopCollection.Name)]
 public sealed class OperatorSessionTests(DesktopFixture fixture)
 {
@@ -13,7 +14,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
     private const byte ToolOn = 1;
     private static readonly TimeSpan s_untilPressedAgain = TimeSpan.FromSeconds(10);
 
-    [XServerFact]
+    [FullRunXServerFact]
     public async Task From_power_on_to_the_second_plate()
     {
         using var files = new TemporaryDesktopFolder();

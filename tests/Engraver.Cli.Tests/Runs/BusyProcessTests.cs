@@ -17,7 +17,7 @@ public class BusyProcessTests
         using var folder = new TemporaryFolder();
         using var over = new CancellationTokenSource();
         await using var controller = new SimulatedController(new SimulatorOptions());
-        var drawing = folder.WithFile("line.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n60\n21\n0\n0\nENDSEC\n0\nEOF\n"); // three seconds: the dead man waits one
+        var drawing = folder.WithFile("line.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n30\n21\n0\n0\nENDSEC\n0\nEOF\n"); // one and a half seconds: the dead man waits one
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         var others = Enumerable.Range(0, Environment.ProcessorCount * 4).Select(_ => Task.Run(() => WorkUntil(over.Token))).ToArray();
         var run = await CliRun.RunAsync("run", drawing, "--connect", "tcp://" + place, "--mode", mode, "--journal", folder.PathOf("run.jsonl"));

@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using Engraver.Core.Geometry;
 using Engraver.Core.Verification;
 using Engraver.Simulator;
+using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
@@ -22,10 +23,15 @@ public class NetworkRunTests
 
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
+    /// <summary>A commit tries the main strategy between two processes; the others between a process and a controller of the test, below, and all of them over each link in <c>EveryStrategyTests</c>.</summary>
+    public static TheoryData<string> Modes => TestExtent.IsFull ? ["stream", "calls", "program"] : ["stream"];
+
+    public static TheoryData<string> LentModes => TestExtent.IsFull ? ["stream", "program"] : ["program"];
+
+    public static TheoryData<double, string> Speeds => TestExtent.IsFull ? new() { { 5.0, "stream" }, { 20.0, "stream" }, { 20.0, "program" }, { 200.0, "calls" } } : new() { { 20.0, "program" }, { 200.0, "calls" } };
+
     [Theory]
-    [InlineData("stream")]
-    [InlineData("calls")]
-    [InlineData("program")]
+    [MemberData(nameof(Modes))]
     public async Task Two_processes_run_the_job_over_TCP_and_the_record_shows_it(string mode)
     {
         using var folder = new TemporaryFolder();
@@ -96,10 +102,7 @@ public class NetworkRunTests
     }
 
     [Theory]
-    [InlineData(5.0, "stream")]
-    [InlineData(20.0, "stream")]
-    [InlineData(20.0, "program")]
-    [InlineData(200.0, "calls")]
+    [MemberData(nameof(Speeds))]
     public async Task A_controller_that_is_faster_than_the_wall_runs_the_job_to_its_end(double speed, string mode)
     {
         using var folder = new TemporaryFolder();
@@ -112,8 +115,7 @@ public class NetworkRunTests
     }
 
     [Theory]
-    [InlineData("stream")]
-    [InlineData("program")]
+    [MemberData(nameof(LentModes))]
     public async Task After_a_killed_process_the_next_run_gives_the_owners_program_and_settings_back(string mode)
     {
         using var folder = new TemporaryFolder();

@@ -11,10 +11,10 @@ public class SamePlaceTests
     private const int Tool = 1;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
-    /// <summary>A commit tries one strategy from each of the two programs (in the session itself <c>WorkOriginTests</c> try all), the full run each from both.</summary>
+    /// <summary>A commit tries one strategy from the console (in the session, which runs scripts too, <c>WorkOriginTests</c> try all), the full run each from both programs.</summary>
     public static TheoryData<string> ConsoleModes => TestExtent.IsFull ? ["stream", "calls", "program"] : ["program"];
 
-    public static TheoryData<string> ScriptModes => TestExtent.IsFull ? ["Stream", "Calls", "Program"] : ["Calls"];
+    public static TheoryData<string> ScriptModes => ["Stream", "Calls", "Program"];
 
     [Theory]
     [MemberData(nameof(ConsoleModes))]
@@ -37,7 +37,7 @@ public class SamePlaceTests
     }
 
     /// <summary>A script is typed to the same session that the desktop has; a desktop is left by a killed process as a script is.</summary>
-    [Theory]
+    [FullRunTheory]
     [MemberData(nameof(ScriptModes))]
     public async Task So_is_a_job_of_the_desktops_commands(string mode)
     {

@@ -19,7 +19,7 @@ public class FuzzTests
     private const int MostCurves = 20_000;
 
     [CorpusFact]
-    public Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none() => JudgeAllAsync([.. Made(), .. Real()], TestExtent.Cases(perCommit: 5_000, full: 100_000, "ENGRAVER_FUZZ_CASES"));
+    public Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none() => JudgeAllAsync([.. Made(), .. Real()], TestExtent.Cases(perCommit: 2_500, full: 100_000, "ENGRAVER_FUZZ_CASES"));
 
     /// <summary>The same where no corpus is at hand: drawings of our own only, and fewer of them.</summary>
     [Fact]

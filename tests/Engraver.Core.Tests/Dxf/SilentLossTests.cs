@@ -119,7 +119,7 @@ public class SilentLossTests
         var file = Framed.ToBinary(oneByteCodes);
         var whole = Types(Reading.Of(file));
         var silent = new List<string>();
-        foreach (var length in TestExtent.IsFull ? (int[])[1, 8, 19, 40, 120, 512] : [8, 512])
+        foreach (var length in TestExtent.IsFull ? (int[])[1, 8, 19, 40, 120, 512] : [512])
         {
             for (var at = 22 + (length % 2); at < file.Length; at += 2)
             {

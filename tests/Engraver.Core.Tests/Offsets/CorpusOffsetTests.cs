@@ -14,7 +14,7 @@ public class CorpusOffsetTests
     private static readonly double[] s_distances = [1.0 / 20.0, 1.0 / 300.0, 1.0 / 3000.0, 0.4];
 
     /// <summary>Every drawing in the full run, every eighth in the other.</summary>
-    private static readonly int Every = TestExtent.Cases(perCommit: 8, full: 1, "ENGRAVER_OFFSET_EVERY");
+    private static readonly int Every = TestExtent.Cases(perCommit: 16, full: 1, "ENGRAVER_OFFSET_EVERY");
 
     [CorpusFact]
     public void Every_closed_contour_of_the_corpus_is_offset_to_closed_loops()
@@ -31,7 +31,7 @@ public class CorpusOffsetTests
         }
 
         Assert.True(wrong.Count == 0, string.Join('\n', wrong.Take(20)));
-        Assert.True(contours > (TestExtent.IsFull ? 500 : 20), $"only {contours} contours");
+        Assert.True(contours > (TestExtent.IsFull ? 500 : 10), $"only {contours} contours");
     }
 
     private static IEnumerable<OffsetContour> ClosedOf(string file)

@@ -91,7 +91,7 @@ public class DrawnCoverageTests
     [Fact]
     public void Tightly_turning_splines_are_whole_when_arcs_are_cut_for_them()
     {
-        for (var seed = 1; seed <= TestExtent.Cases(perCommit: 80, full: 300, "ENGRAVER_TURN_SEEDS"); seed++)
+        for (var seed = 1; seed <= TestExtent.Cases(perCommit: 40, full: 300, "ENGRAVER_TURN_SEEDS"); seed++)
         {
             var random = new Random(seed);
             double Any() => random.NextDouble() * 4.0;

@@ -18,7 +18,7 @@ public sealed class InterruptionTests : IDisposable
     private readonly string _folder = Directory.CreateTempSubdirectory("interrupted").FullName;
 
     /// <summary>632 holds at a corner where the path stops by itself.</summary>
-    public static TheoryData<int> Seeds => [.. Enumerable.Range(1, TestExtent.Cases(8, 1000, "ENGRAVER_INTERRUPTIONS")).Append(632).Distinct()];
+    public static TheoryData<int> Seeds => [.. Enumerable.Range(1, TestExtent.Cases(4, 1000, "ENGRAVER_INTERRUPTIONS")).Append(632).Distinct()];
 
     /// <summary>Until the machine stands; a tool that an axis holds is in the work meanwhile, and cuts on.</summary>
     private const double Braking = 40.0 * 40.0 * 1000.0 / 512.0;
