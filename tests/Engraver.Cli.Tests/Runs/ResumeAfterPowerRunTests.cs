@@ -26,10 +26,10 @@ public sealed class ResumeAfterPowerRunTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
-    /// <summary>A commit tries one strategy (in the session itself <c>ResumeAfterPowerTests</c> of the Workbench try all), the full run each.</summary>
-    public static TheoryData<string, int> Modes => TestExtent.IsFull ? new() { { "stream", 730_001 }, { "calls", 730_002 }, { "program", 730_003 } } : new() { { "calls", 730_002 } };
+    /// <summary>In the full run: a commit tries all strategies in the session itself, in <c>ResumeAfterPowerTests</c> of the Workbench.</summary>
+    public static TheoryData<string, int> Modes => new() { { "stream", 730_001 }, { "calls", 730_002 }, { "program", 730_003 } };
 
-    [Theory]
+    [FullRunTheory]
     [MemberData(nameof(Modes))]
     public async Task Behind_a_power_cycle_and_a_homing_resume_cuts_what_is_left(string mode, int serialNumber)
     {
