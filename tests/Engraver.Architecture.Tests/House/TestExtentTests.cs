@@ -49,6 +49,14 @@ public class TestExtentTests
         Assert.Contains(text, refused.Message, StringComparison.Ordinal);
     }
 
+    [FullRunFact]
+    public void A_test_of_the_full_run_is_not_among_a_commits() => Assert.True(TestExtent.IsFull);
+
+    [FullRunTheory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void Nor_is_one_with_data(int row) => Assert.True(TestExtent.IsFull, $"{row}");
+
     /// <summary>Pictures and a log are places for output, not extents.</summary>
     [Fact]
     public void The_extent_is_read_in_one_place()
