@@ -153,8 +153,12 @@ public sealed class DesktopModel : IAsyncDisposable
     public Task<InputResult> EnterLinesAsync(string lines) =>
         IsBusy && Session.IsBusy ? Watched(Task.Run(() => Session.EnterLinesAsync(lines, _closing.Token))) : Enqueue(() => Session.EnterLinesAsync(lines, _closing.Token));
 
-    /// <summary>A line of the window itself in the history.</summary>
-    public void Tell(MessageKind kind, string text) => Said?.Invoke([new CommandMessage(kind, text)]);
+    /// <summary>A line of the window itself in the history, behind what the session has said before it.</summary>
+    public void Tell(MessageKind kind, string text)
+    {
+        _said.Enqueue(new CommandMessage(kind, text));
+        DeliverSaid();
+    }
 
     /// <summary>Runs a command with its first answers, as a menu or a switch does: what asks is ended first, unless the command may run inside it.</summary>
     public Task<InputResult> RunAsync(params string[] inputs)
@@ -406,11 +410,16 @@ public sealed class DesktopModel : IAsyncDisposable
     {
         Volatile.Write(ref _posted, 0);
         Prompt = Session.Prompt;
-        var lines = new List<CommandMessage>();
-        while (_said.TryDequeue(out var message)) lines.Add(message);
-        if (lines.Count > 0) Said?.Invoke(lines);
+        DeliverSaid();
         Derived.Look();
         Changed?.Invoke();
         _released.Look(Derived.Current);
+    }
+
+    private void DeliverSaid()
+    {
+        var lines = new List<CommandMessage>();
+        while (_said.TryDequeue(out var message)) lines.Add(message);
+        if (lines.Count > 0) Said?.Invoke(lines);
     }
 }

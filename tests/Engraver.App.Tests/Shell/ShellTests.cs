@@ -9,6 +9,7 @@ using Engraver.App.StatusBar;
 using Engraver.App.Tables;
 using Engraver.App.Tabs;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Tests.Shell;
 
@@ -162,6 +163,18 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Window.Close();
         here.Step();
         Assert.False(here.Window.IsVisible);
+    });
+
+    /// <summary>Found as a warning of QUIT that stood above the line that had asked for it.</summary>
+    [Fact]
+    public Task What_the_window_says_stands_behind_what_the_session_said_before() => fixture.WithOperator(here =>
+    {
+        Task.Run(() => here.Commands.EnterAsync("nonsense", CancellationToken.None)).Wait(); // said, and not delivered while this thread waits
+        here.Desk.Tell(MessageKind.Warning, "behind it");
+        here.Step();
+
+        Assert.Equal("behind it", here.History.Last());
+        Assert.Contains(here.History, line => line.Contains("nonsense", StringComparison.Ordinal));
     });
 
     /// <summary>QUIT is the window's own closing: it warns as that does. EXIT is an alias.</summary>
