@@ -6,7 +6,7 @@ using Engraver.TestKit;
 namespace Engraver.App.Tests.RealWindow;
 
 /// <summary>A day at the machine (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP: from power-on to the second plate. Judged by what the motors and the tool did. Its pictures are kept.</summary>
-/// <remarks>In the full run: a commit opens, arms and starts a job in a real window in <see cref="RealJobTests"/>, and homes, jogs, sets origins and resumes on a window in memory.</remarks>
+/// <remarks>In the full run: a commit opens, arms and starts a job in a real window in <see cref="RealJobTests"/>, resumes in one in <see cref="KilledDesktopTests"/>, and homes, jogs and sets origins on a window in memory.</remarks>
 [Collection(DesktopCollection.Name)]
 public sealed class OperatorSessionTests(DesktopFixture fixture)
 {
