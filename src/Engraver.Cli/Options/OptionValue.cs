@@ -1,14 +1,17 @@
 using System.CommandLine.Parsing;
-using System.Globalization;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Cli.Options;
 
 /// <summary>Reads the values of options: invariant numbers only, and one sentence when a value cannot be read.</summary>
 internal static class OptionValue
 {
+    /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres. What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
+    private const double Largest = 1e9;
+
     public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAbove"));
 
     public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, Wording.Get("OptionValue.NumberOrMore"));
@@ -22,6 +25,9 @@ internal static class OptionValue
 
     /// <summary>Seconds above 0, at most a day.</summary>
     public static double SecondsOfADay(ArgumentResult result) => Number(result, value => value is > 0.0 and <= 86_400.0, Wording.Get("OptionValue.SecondsOfADay"));
+
+    /// <summary>Mm/min above 0 and below a million.</summary>
+    public static double Speed(ArgumentResult result) => Number(result, value => value is > 0.0 and < 1e6, Wording.Get("OptionValue.Speed"));
 
     /// <summary>Above 0 and below 1.</summary>
     public static double NumberBelowOne(ArgumentResult result) => Number(result, value => value is > 0.0 and < 1.0, Wording.Get("OptionValue.NumberBelowOne"));
@@ -80,8 +86,7 @@ internal static class OptionValue
         return double.NaN;
     }
 
-    private static bool TryNumber(string word, out double value) =>
-        double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && double.IsFinite(value);
+    private static bool TryNumber(string word, out double value) => NumberPrompt.TryNumber(word, out value) && Math.Abs(value) <= Largest;
 
     private static string Name(ArgumentResult result) => result.Argument.Name;
 }

@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Diagnostics;
 using System.Globalization;
+using Engraver.Cli.Options;
 
 namespace Engraver.Cli.Verbs;
 
@@ -14,7 +15,7 @@ internal sealed class DesktopVerb
     private readonly Option<bool> _headless = new("--headless") { Description = Wording.Get("Desktop.NeedsNoDisplayEnds") };
     private readonly Option<string?> _screenshot = new("--screenshot") { Description = Wording.Get("Desktop.WherePictureWindowWritten"), HelpName = "OUT.png" };
     private readonly Option<string?> _size = new("--size") { Description = Wording.Get("Desktop.SizeWindow"), HelpName = "1280x800" };
-    private readonly Option<double?> _scale = new("--scale") { Description = Wording.Get("Desktop.PixelsEachUnit"), HelpName = "1.0" };
+    private readonly Option<double?> _scale = new("--scale") { Description = Wording.Get("Desktop.PixelsEachUnit"), HelpName = "1.0", CustomParser = result => OptionValue.PositiveNumber(result) };
 
     private readonly Option<string?> _benchmark = new("--benchmark") { Description = Wording.Get("Desktop.MeasuresInsteadOpeningStart"), HelpName = "WHAT", Hidden = true };
 

@@ -85,7 +85,7 @@ internal sealed partial class HandVerbs
         private readonly Option<string?> _edge = new("--edge") { HelpName = "left|bottom|right|top", Description = Wording.Get("Hand.ZeroEdge") };
         private readonly Option<double> _radius = new("--radius") { HelpName = "MM", Description = Wording.Get("Hand.ZeroRadius"), CustomParser = ParseRadius };
         private readonly Option<string?> _centre = PlaceOption("--centre", Wording.Get("Hand.ZeroCentre"));
-        private readonly Option<double?> _height = new("--height") { HelpName = "MM", Description = Wording.Get("Hand.ZeroHeight"), CustomParser = ParseHeight };
+        private readonly Option<double?> _height = new("--height") { HelpName = "MM", Description = Wording.Get("Hand.ZeroHeight"), CustomParser = result => OptionValue.AnyNumber(result) };
         private readonly Option<string?> _name = new("--origin") { HelpName = "G54", Description = Wording.Get("Hand.ZeroOrigin") };
 
         public ZeroOptions()
@@ -134,13 +134,6 @@ internal sealed partial class HandVerbs
                 if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
             });
             return option;
-        }
-
-        private static double? ParseHeight(ArgumentResult result)
-        {
-            if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var height)) return height;
-            result.AddError(Wording.Get("Hand.ZeroNoHeight", result.Tokens[0].Value));
-            return null;
         }
 
         private static double ParseRadius(ArgumentResult result)

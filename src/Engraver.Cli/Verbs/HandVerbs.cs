@@ -82,32 +82,27 @@ internal sealed partial class HandVerbs
     public static Command Jog(VerbHost host)
     {
         var verb = new HandVerbs(host);
-        var x = new Option<double>("--x") { HelpName = "MM", Description = Wording.Get("Hand.JogX") };
-        var y = new Option<double>("--y") { HelpName = "MM", Description = Wording.Get("Hand.JogY") };
-        var z = new Option<double>("--z") { HelpName = "MM", Description = Wording.Get("Hand.JogZ") };
-        var feed = new Option<double?>("--feed") { HelpName = "MM/MIN", Description = Wording.Get("Hand.JogFeed") };
+        var x = new Option<double>("--x") { HelpName = "MM", Description = Wording.Get("Hand.JogX"), CustomParser = OptionValue.AnyNumber };
+        var y = new Option<double>("--y") { HelpName = "MM", Description = Wording.Get("Hand.JogY"), CustomParser = OptionValue.AnyNumber };
+        var z = new Option<double>("--z") { HelpName = "MM", Description = Wording.Get("Hand.JogZ"), CustomParser = OptionValue.AnyNumber };
+        var feed = new Option<double?>("--feed") { HelpName = "MM/MIN", Description = Wording.Get("Hand.JogFeed"), CustomParser = result => OptionValue.Speed(result) };
         var command = verb.Command("jog", Wording.Get("Hand.Jog"));
         var hold = new Option<string?>("--hold") { HelpName = "X+|X-|Y+|Y-|Z+|Z-", Description = Wording.Get("Hand.JogHold") };
         foreach (var option in (Option[])[x, y, z, feed, hold]) command.Options.Add(option);
-        command.Validators.Add(result =>
+        command.SetAction((parsed, stop) =>
         {
-            if (result.GetResult(hold) is { Tokens: [var way] })
+            var (step, height) = (new Vector2D(parsed.GetValue(x), parsed.GetValue(y)), parsed.GetValue(z));
+            var isStep = step != default || height != 0.0;
+            if (parsed.GetValue(hold) is not { } way)
             {
-                if (Direction(way.Value) is null) result.AddError(Wording.Get("Hand.JogNoWay", way.Value));
-                if (new[] { x, y, z }.Any(step => result.GetValue(step) != 0.0)) result.AddError(Wording.Get("Hand.JogHoldOrStep"));
-                return;
+                if (!isStep) throw new UsageException(Wording.Get("Hand.JogNowhere"));
+                return verb.WithMachineAsync(parsed, (machine, cancellation) => verb.JogAsync(machine, step, height, parsed.GetValue(feed), cancellation), stop);
             }
 
-            double[] steps = [result.GetValue(x), result.GetValue(y), result.GetValue(z)];
-            if (steps.All(step => step == 0.0) || !steps.All(double.IsFinite)) result.AddError(Wording.Get("Hand.JogNowhere"));
-            if (result.GetValue(feed) is { } speed && speed is not (> 0.0 and < 1e6)) result.AddError(Wording.Get("Hand.JogNoFeed", speed));
+            if (isStep) throw new UsageException(Wording.Get("Hand.JogHoldOrStep"));
+            var direction = Direction(way) ?? throw new UsageException(Wording.Get("Hand.JogNoWay", way));
+            return verb.WithMachineAsync(parsed, (machine, cancellation) => verb.HoldAsync(machine, direction, parsed.GetValue(feed), cancellation), stop);
         });
-        command.SetAction((parsed, stop) => verb.WithMachineAsync(
-            parsed,
-            (machine, cancellation) => parsed.GetValue(hold) is { } way
-                ? verb.HoldAsync(machine, Direction(way)!.Value, parsed.GetValue(feed), cancellation)
-                : verb.JogAsync(machine, new Vector2D(parsed.GetValue(x), parsed.GetValue(y)), parsed.GetValue(z), parsed.GetValue(feed), cancellation),
-            stop));
         return command;
     }
 

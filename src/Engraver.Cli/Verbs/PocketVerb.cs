@@ -58,12 +58,12 @@ internal sealed class PocketVerbOptions
         foreach (var option in (Option[])[_tool, _overlap, _strategy, _angle, _from, _allowance, _depth, _step, _entry, _rampAngle]) command.Options.Add(option);
         command.Validators.Add(result =>
         {
-            if (result.GetResult(_allowance) is not null && result.GetValue(_allowance) > result.GetValue(_tool)) result.AddError(Wording.Get("Pocket.AllowanceAboveTool"));
             NeedsDepth(result, _step);
             NeedsDepth(result, _entry);
         });
     }
 
+    /// <exception cref="UsageException">The allowance is larger than the tool.</exception>
     public PocketOptions Pocket(ParseResult parsed) => new()
     {
         ToolRadius = parsed.GetRequiredValue(_tool),
@@ -71,7 +71,7 @@ internal sealed class PocketVerbOptions
         Strategy = Enum.Parse<PocketStrategy>(parsed.GetValue(_strategy)!, ignoreCase: true),
         Angle = Angle.FromDegrees(parsed.GetValue(_angle)),
         FromCentre = parsed.GetValue(_from) == "centre",
-        Allowance = parsed.GetValue(_allowance),
+        Allowance = parsed.GetValue(_allowance) <= parsed.GetRequiredValue(_tool) ? parsed.GetValue(_allowance) : throw new UsageException(Wording.Get("Pocket.AllowanceAboveTool")),
     };
 
     public PocketDepths Depths(ParseResult parsed) => new()

@@ -176,7 +176,7 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (word == "max") return double.PositiveInfinity;
-        if (double.TryParse(word, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0.0) return speed;
+        if (double.TryParse(word, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0.0 && double.IsFinite(speed)) return speed;
         result.AddError(Wording.Get("Simulate.SpeedNeitherNumberAbove", word));
         return 1.0;
     }

@@ -87,7 +87,7 @@ public abstract record ControllerAddress
     {
         if (query.Length == 0 || query == "speed=max") return new SimulatedAddress(double.PositiveInfinity) { SaysSpeed = query.Length > 0 };
         return query.StartsWith("speed=", StringComparison.Ordinal)
-            && double.TryParse(query.AsSpan(6), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0
+            && double.TryParse(query.AsSpan(6), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0 && double.IsFinite(speed)
             ? new SimulatedAddress(speed)
             : null;
     }

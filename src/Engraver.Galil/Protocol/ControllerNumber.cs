@@ -41,7 +41,7 @@ public static class ControllerNumber
 
     private static bool TryParse(string word, out double value) => word.StartsWith('$')
         ? TryParseHexadecimal(word.AsSpan(1), out value)
-        : double.TryParse(word, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out value);
+        : double.TryParse(word, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out value) && double.IsFinite(value);
 
     /// <summary>$7FFFFFFF.FFFF: 32 bits in two's complement and a fraction of 1/65536.</summary>
     private static bool TryParseHexadecimal(ReadOnlySpan<char> digits, out double value)
