@@ -18,10 +18,10 @@ internal static class PocketBenchmark
         Measure(contours, new PocketOptions { ToolRadius = 2.0 }); // compiles what is measured
         foreach (var strategy in (PocketStrategy[])[PocketStrategy.Contour, PocketStrategy.Zigzag])
         {
-            foreach (var (radius, overlap) in ((double, double)[])[(1.0, 0.5), (0.5, 0.5), (0.5, 0.9), (0.25, 0.5)])
+            foreach (var (radius, stepover) in ((double, double)[])[(1.0, 0.5), (0.5, 0.5), (0.5, 0.9), (0.25, 0.5)])
             {
                 stop.ThrowIfCancellationRequested();
-                yield return Measure(contours, new PocketOptions { ToolRadius = radius, Overlap = overlap, Strategy = strategy });
+                yield return Measure(contours, new PocketOptions { ToolRadius = radius, Stepover = stepover, Strategy = strategy });
             }
         }
     }
@@ -32,7 +32,7 @@ internal static class PocketBenchmark
         var pocket = PocketPlanner.Plan(contours, options);
         var seconds = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
         var metres = pocket.Passes.Sum(pass => pass.Segments.Sum(segment => segment.Length)) / 1000.0;
-        return string.Create(CultureInfo.InvariantCulture, $"| {options.Strategy} | {options.ToolRadius} | {options.Overlap} | {pocket.Passes.Count} | {metres:0.##} | {pocket.Strokes.Count} | {100.0 * pocket.Coverage:0.#####} % | {seconds:0.###} |");
+        return string.Create(CultureInfo.InvariantCulture, $"| {options.Strategy} | {options.ToolRadius} | {options.Stepover} | {pocket.Passes.Count} | {metres:0.##} | {pocket.Strokes.Count} | {100.0 * pocket.Coverage:0.#####} % | {seconds:0.###} |");
     }
 
     private static List<OffsetContour> Contours()

@@ -10,11 +10,15 @@ namespace Engraver.Cli.Output;
 /// <param name="MaxDeviation">Largest difference between a pass's distance from the walls and the one it should have, mm.</param>
 /// <param name="Coverage">Covered part of the reachable area, 0 to 1; null where the tool reaches nothing.</param>
 /// <param name="Strokes">What is cut without a lift, in order, every level by itself.</param>
+/// <param name="Stepover">Distance of neighbouring passes as a part of the tool diameter.</param>
+/// <param name="PassDistance">The same in mm.</param>
+/// <param name="PassOverlap">Width that two neighbouring passes both sweep, mm.</param>
 internal sealed record PocketJson(
     IReadOnlyList<PocketJson.PocketPassJson> Loops, double MaxDeviation, int Regions, double DrawnArea, double ReachableArea, double CoveredArea, double UncoveredArea, double? Coverage, double UnreachableArea,
-    IReadOnlyList<PocketJson.PocketPlaceJson> Unreached, IReadOnlyList<PocketJson.PocketNarrowJson> TooNarrow, IReadOnlyList<double> Levels, IReadOnlyList<PocketJson.PocketStrokeJson> Strokes)
+    IReadOnlyList<PocketJson.PocketPlaceJson> Unreached, IReadOnlyList<PocketJson.PocketNarrowJson> TooNarrow, IReadOnlyList<double> Levels, IReadOnlyList<PocketJson.PocketStrokeJson> Strokes,
+    double Stepover, double PassDistance, double PassOverlap)
 {
-    public static PocketJson From(PocketDrawing pocket, PocketDepths depths)
+    public static PocketJson From(PocketDrawing pocket, PocketOptions options, PocketDepths depths)
     {
         var result = pocket.Result;
         return new PocketJson(
@@ -22,12 +26,16 @@ internal sealed record PocketJson(
             [.. result.Unreached.Select(place => new PocketPlaceJson(place.Place.X, place.Place.Y, place.Depth, place.Area))],
             [.. result.TooNarrow.Select(narrow => new PocketNarrowJson(narrow.Place.X, narrow.Place.Y, narrow.Width))],
             depths.Heights,
-            [.. pocket.Cuts.Select(StrokeOf)]);
+            [.. pocket.Cuts.Select(StrokeOf)],
+            options.Stepover,
+            options.PassDistance,
+            options.PassOverlap);
     }
 
-    public static void Text(TextWriter output, PocketDrawing pocket)
+    public static void Text(TextWriter output, PocketDrawing pocket, PocketOptions options)
     {
         var result = pocket.Result;
+        output.WriteLine(Wording.Get("Pocket.StepoverShown", options.Stepover, options.PassDistance, options.PassOverlap));
         output.WriteLine(Wording.Get("Pocket.Passes", result.Passes.Count, result.Passes.Sum(pass => pass.Segments.Sum(segment => segment.Length)), pocket.Cuts.Count, result.Regions));
         output.WriteLine(result.Coverage is not { } coverage ? Wording.Get("Pocket.NothingReached") : Wording.Get("Pocket.Coverage", 100.0 * coverage, result.ReachableArea, result.UncoveredArea));
         output.WriteLine(Wording.Get("Pocket.Unreached", result.UnreachableArea, result.Unreached.Count));

@@ -24,12 +24,13 @@ internal static class PocketVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
+            var (chosen, depths) = (options.Pocket(parsed), options.Depths(parsed));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var depths = options.Depths(parsed);
-            var pocket = PocketDrawing.Create(read, settings, options.Pocket(parsed), depths);
+            options.TellDeprecated(parsed, host);
+            var pocket = PocketDrawing.Create(read, settings, chosen, depths);
             if (parsed.GetValue(output) is { } path && !DrawingFile.IsUnreadable(read)) host.Write(path, writer => DxfWriter.Write(pocket.ToSheet(), writer));
-            if (parsed.GetValue(json)) ContractJson.Write(host.Out, PocketJson.From(pocket, depths), ContractJson.Default.PocketJson);
-            else PocketJson.Text(host.Out, pocket);
+            if (parsed.GetValue(json)) ContractJson.Write(host.Out, PocketJson.From(pocket, chosen, depths), ContractJson.Default.PocketJson);
+            else PocketJson.Text(host.Out, pocket, chosen);
             return Task.FromResult(host.Report(parsed, read.FileName, pocket.Diagnostics));
         });
         return command;
@@ -40,7 +41,8 @@ internal static class PocketVerb
 internal sealed class PocketVerbOptions
 {
     private readonly Option<double> _tool = new("--tool") { Required = true, HelpName = "R", Description = Wording.Get("Pocket.Tool"), CustomParser = OptionValue.PositiveNumber };
-    private readonly Option<double> _overlap = new("--overlap") { Required = true, HelpName = "F", Description = Wording.Get("Pocket.Overlap"), CustomParser = OptionValue.NumberBelowOne };
+    private readonly Option<double?> _stepover = new("--stepover") { HelpName = "F", Description = Wording.Get("Pocket.Stepover"), CustomParser = result => OptionValue.NumberBelowOne(result) };
+    private readonly Option<double?> _overlap = new("--overlap") { HelpName = "F", Description = Wording.Get("Pocket.Overlap"), CustomParser = result => OptionValue.NumberBelowOne(result) };
     private readonly Option<string> _strategy = new("--strategy") { Description = Wording.Get("Pocket.Strategy"), DefaultValueFactory = _ => "contour" };
     private readonly Option<double> _angle = new("--angle") { HelpName = "DEGREES", Description = Wording.Get("Pocket.Angle"), CustomParser = OptionValue.AnyNumber };
     private readonly Option<string> _from = new("--from") { Description = Wording.Get("Pocket.From"), DefaultValueFactory = _ => "wall" };
@@ -55,7 +57,7 @@ internal sealed class PocketVerbOptions
         _strategy.AcceptOnlyFromAmong("contour", "zigzag");
         _from.AcceptOnlyFromAmong("wall", "centre");
         _entry.AcceptOnlyFromAmong("plunge", "ramp", "helix");
-        foreach (var option in (Option[])[_tool, _overlap, _strategy, _angle, _from, _allowance, _depth, _step, _entry, _rampAngle]) command.Options.Add(option);
+        foreach (var option in (Option[])[_tool, _stepover, _overlap, _strategy, _angle, _from, _allowance, _depth, _step, _entry, _rampAngle]) command.Options.Add(option);
         command.Validators.Add(result =>
         {
             NeedsDepth(result, _step);
@@ -63,16 +65,29 @@ internal sealed class PocketVerbOptions
         });
     }
 
-    /// <exception cref="UsageException">The allowance is larger than the tool.</exception>
+    /// <exception cref="UsageException">The allowance is larger than the tool, or there is not one stepover.</exception>
     public PocketOptions Pocket(ParseResult parsed) => new()
     {
         ToolRadius = parsed.GetRequiredValue(_tool),
-        Overlap = parsed.GetRequiredValue(_overlap),
+        Stepover = Stepover(parsed),
         Strategy = Enum.Parse<PocketStrategy>(parsed.GetValue(_strategy)!, ignoreCase: true),
         Angle = Angle.FromDegrees(parsed.GetValue(_angle)),
         FromCentre = parsed.GetValue(_from) == "centre",
         Allowance = parsed.GetValue(_allowance) <= parsed.GetRequiredValue(_tool) ? parsed.GetValue(_allowance) : throw new UsageException(Wording.Get("Pocket.AllowanceAboveTool")),
     };
+
+    private double Stepover(ParseResult parsed) => (parsed.GetValue(_stepover), parsed.GetValue(_overlap)) switch
+    {
+        ({ } given, null) => given,
+        (null, { } given) => given,
+        _ => throw new UsageException(Wording.Get("Pocket.StepoverOnce")),
+    };
+
+    /// <summary>Tells on standard error that the stepover was given by its deprecated name.</summary>
+    public void TellDeprecated(ParseResult parsed, VerbHost host)
+    {
+        if (parsed.GetValue(_overlap) is { } given && !GlobalOptions.WantsOnlyErrors(parsed)) host.Error.WriteLine(Wording.Get("Pocket.OverlapDeprecated", given));
+    }
 
     public PocketDepths Depths(ParseResult parsed) => new()
     {

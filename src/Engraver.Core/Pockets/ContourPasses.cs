@@ -28,10 +28,10 @@ internal sealed class ContourPasses
         var passes = new ContourPasses(depths, options);
         var first = options.ToolRadius + options.Allowance;
         var loops = wall;
-        for (var level = 0; loops.Count > 0; loops = depths.At(first + (++level * options.Stepover)))
+        for (var level = 0; loops.Count > 0; loops = depths.At(first + (++level * options.PassDistance)))
         {
             passes.Levels.Add([.. loops.Select(loop => new PassChain(loop, loop[^1].End == loop[0].Start, level == 0 ? PassKind.Wall : PassKind.Contour, level))]);
-            passes._distances.Add(first + (level * options.Stepover));
+            passes._distances.Add(first + (level * options.PassDistance));
         }
 
         return passes;
@@ -42,12 +42,12 @@ internal sealed class ContourPasses
     public List<PassChain> Slivers(bool generous)
     {
         var slivers = new List<PassChain>();
-        if (_options.Stepover <= _options.ToolRadius) return slivers;
+        if (_options.PassDistance <= _options.ToolRadius) return slivers;
         for (var level = 0; level < Levels.Count; level++)
         {
             var loops = _depths.At(_distances[level] + _options.ToolRadius);
             PathPiece[] inner = level + 1 < Levels.Count ? [.. Levels[level + 1].SelectMany(chain => chain.Pieces)] : [];
-            var reach = new SweptReach(inner, generous ? Math.Max((2.0 * _options.ToolRadius) - _options.Stepover, 1e-3 * _options.ToolRadius) : _options.ToolRadius);
+            var reach = new SweptReach(inner, generous ? Math.Max((2.0 * _options.ToolRadius) - _options.PassDistance, 1e-3 * _options.ToolRadius) : _options.ToolRadius);
             foreach (var loop in loops) AddMissed(loop, inner.Length == 0 ? null : reach, level, slivers);
         }
 

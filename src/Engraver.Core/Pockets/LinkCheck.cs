@@ -19,7 +19,7 @@ internal sealed class LinkCheck
     }
 
     /// <summary>Longest step from a pass to its neighbour.</summary>
-    public double LongestStep => Math.Max(_options.Stepover, _options.ToolRadius) * (1.0 + 1e-6);
+    public double LongestStep => Math.Max(_options.PassDistance, _options.ToolRadius) * (1.0 + 1e-6);
 
     /// <summary>True when a tool that begins inside the region touches no wall on the way.</summary>
     public bool StaysInside(in PathPiece way) => way.Length == 0.0 || _walls.PartsOutside(way) is [var part] && part == PiecePart.Whole;

@@ -19,7 +19,7 @@ public sealed record PocketOptions
     public required double ToolRadius { get; init; }
 
     /// <summary>Distance of neighbouring passes as a part of the tool's diameter (F), above 0 and below 1.</summary>
-    public double Overlap { get; init; } = 0.5;
+    public double Stepover { get; init; } = 0.5;
 
     public PocketStrategy Strategy { get; init; } = PocketStrategy.Contour;
 
@@ -36,5 +36,8 @@ public sealed record PocketOptions
     public double MaxErrorMm { get; init; } = 0.001;
 
     /// <summary>Distance of neighbouring passes: 2 R F.</summary>
-    public double Stepover => 2.0 * ToolRadius * Overlap;
+    public double PassDistance => 2.0 * ToolRadius * Stepover;
+
+    /// <summary>Width that is swept by both of two neighbouring passes: 2 R (1 - F).</summary>
+    public double PassOverlap => 2.0 * ToolRadius * (1.0 - Stepover);
 }

@@ -16,12 +16,12 @@ public static class PocketPlanner
 
     /// <param name="contours">What was drawn; open contours have no inside and are counted.</param>
     /// <param name="options">Tool and strategy.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The radius is not above 0, the overlap not between 0 and 1, the allowance not between 0 and the radius.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The radius is not above 0, the stepover not between 0 and 1, the allowance not between 0 and the radius.</exception>
     public static PocketResult Plan(IReadOnlyList<OffsetContour> contours, PocketOptions options)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.ToolRadius);
-        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.Overlap);
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(options.Overlap, 1.0);
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.Stepover);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(options.Stepover, 1.0);
         ArgumentOutOfRangeException.ThrowIfNegative(options.Allowance);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(options.Allowance, options.ToolRadius);
         var offset = new OffsetOptions { MaxErrorMm = options.MaxErrorMm };
@@ -110,7 +110,7 @@ public static class PocketPlanner
             var levels = ContourPasses.Of(Depths, wall, options);
             List<PassChain> parallel = [.. levels.Levels.SelectMany(level => level)];
             _chains = [.. parallel, .. levels.Slivers(generous: false)];
-            if (options.Stepover > options.ToolRadius && Sweep().Area < ReachableArea * (1.0 - AreaRounding)) _chains = [.. parallel, .. levels.Slivers(generous: true)];
+            if (options.PassDistance > options.ToolRadius && Sweep().Area < ReachableArea * (1.0 - AreaRounding)) _chains = [.. parallel, .. levels.Slivers(generous: true)];
             if (_chains.Count > 0) AddStrokes(ContourTour.Strokes(_chains, _check, options.FromCentre), isFinish: false);
         }
 

@@ -33,13 +33,13 @@ internal sealed class ZigzagRows
     public static ZigzagRows Of(RegionDepths depths, PocketOptions options)
     {
         var wall = options.ToolRadius + options.Allowance;
-        var inset = 0.9 * (options.ToolRadius - (options.Stepover / 2.0));
+        var inset = 0.9 * (options.ToolRadius - (options.PassDistance / 2.0));
         List<PassChain> ends = [.. depths.At(wall + inset).Select(loop => new PassChain(loop, true, PassKind.Row, 0))];
         var rows = new ZigzagRows(options.Angle) { Ends = ends };
         var left = depths.At(wall + options.ToolRadius).SelectMany(loop => loop).SelectMany(rows.ExtentOf).ToList();
         if (left.Count == 0) return rows;
         var (low, high) = (left.Min(), left.Max());
-        var count = Math.Max(1, (int)Math.Ceiling((high - low) / options.Stepover * (1.0 - 1e-12)));
+        var count = Math.Max(1, (int)Math.Ceiling((high - low) / options.PassDistance * (1.0 - 1e-12)));
         List<PathPiece> monotone = [.. ends.SelectMany(loop => loop.Pieces).SelectMany(rows.Monotone)];
         rows.Sweep(monotone, low, (high - low) / count, count);
         return rows;

@@ -29,8 +29,8 @@ internal sealed class ZigzagTour
     {
         (_walls, _rows, _check) = (walls, rows, check);
         _radius = options.ToolRadius * (1.0 + 1e-9);
-        _longest = LongestWay * (options.Stepover + options.ToolRadius);
-        _step = Math.Max(0.0, options.Stepover - options.ToolRadius) * (1.0 + 1e-6);
+        _longest = LongestWay * (options.PassDistance + options.ToolRadius);
+        _step = Math.Max(0.0, options.PassDistance - options.ToolRadius) * (1.0 + 1e-6);
         (_done, _wallDone) = (new bool[rows.Rows.Count], new bool[walls.Count]);
         _byNumber = Enumerable.Range(0, rows.Rows.Count).ToLookup(row => rows.Rows[row].Row);
         (_wallFinder, _endFinder) = (new PassFinder(walls), new PassFinder(rows.Ends));

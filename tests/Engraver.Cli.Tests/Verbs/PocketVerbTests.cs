@@ -14,12 +14,12 @@ public class PocketVerbTests
     public async Task The_object_has_every_field_of_the_contract()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.RunAsync("pocket", FileOf(folder, Square + Island), "--tool", "1", "--overlap", "0.5", "--json");
+        var run = await CliRun.RunAsync("pocket", FileOf(folder, Square + Island), "--tool", "1", "--stepover", "0.5", "--json");
         var pocket = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Equal(
-            ["loops", "maxDeviation", "regions", "drawnArea", "reachableArea", "coveredArea", "uncoveredArea", "coverage", "unreachableArea", "unreached", "tooNarrow", "levels", "strokes"],
+            ["loops", "maxDeviation", "regions", "drawnArea", "reachableArea", "coveredArea", "uncoveredArea", "coverage", "unreachableArea", "unreached", "tooNarrow", "levels", "strokes", "stepover", "passDistance", "passOverlap"],
             pocket.EnumerateObject().Select(field => field.Name));
         Assert.Equal(["closed", "lines", "arcs", "length", "area", "hole", "kind", "level", "region"], pocket.GetProperty("loops")[0].EnumerateObject().Select(field => field.Name));
         Assert.Equal(["region", "finish", "z", "entry", "startX", "startY", "endX", "endY", "cutLength", "linkLength"], Assert.Single(pocket.GetProperty("strokes").EnumerateArray()).EnumerateObject().Select(field => field.Name));
@@ -38,7 +38,7 @@ public class PocketVerbTests
     {
         using var folder = new TemporaryFolder();
         var written = folder.PathOf("pocket.dxf");
-        var pocket = JsonText.Of(await CliRun.RunAsync("pocket", FileOf(folder, Square + Island), "--tool", "1.5", "--overlap", "0.6", "--depth", "2", "--step", "0.8", "--entry", entry, "--allowance", "0.2", "-o", written, "--json"));
+        var pocket = JsonText.Of(await CliRun.RunAsync("pocket", FileOf(folder, Square + Island), "--tool", "1.5", "--stepover", "0.6", "--depth", "2", "--step", "0.8", "--entry", entry, "--allowance", "0.2", "-o", written, "--json"));
         var run = await CliRun.RunAsync("run", written, "--connect", "sim:?speed=max", "--machine", SampleDrawing.MillProfile, "--order", "drawn", "--journal", folder.PathOf("journal"), "--json");
         var cut = JsonText.Of(run);
 
@@ -55,7 +55,7 @@ public class PocketVerbTests
     {
         using var folder = new TemporaryFolder();
         var (written, program) = (folder.PathOf("pocket.dxf"), folder.PathOf("pocket.dmc"));
-        await CliRun.RunAsync("pocket", FileOf(folder, Square), "--tool", "2", "--overlap", "0.5", "--depth", "1", "--entry", "ramp", "-o", written);
+        await CliRun.RunAsync("pocket", FileOf(folder, Square), "--tool", "2", "--stepover", "0.5", "--depth", "1", "--entry", "ramp", "-o", written);
         var plan = await CliRun.RunAsync("plan", written, "--machine", SampleDrawing.MillProfile, "--order", "drawn", "--json");
         var post = await CliRun.RunAsync("post", written, "--target", "galil", "--machine", SampleDrawing.MillProfile, "--order", "drawn", "-o", program);
         var verify = await CliRun.RunAsync("verify", program, "--against", written, "--target", "galil", "--machine", SampleDrawing.MillProfile, "--order", "drawn", "--json");
@@ -69,7 +69,7 @@ public class PocketVerbTests
     public async Task The_boundary_of_a_hatch_is_a_pocket()
     {
         using var folder = new TemporaryFolder();
-        var (without, with) = (await CliRun.RunAsync("pocket", FileOf(folder, Hatch), "--tool", "1", "--overlap", "0.5", "--json"), await CliRun.RunAsync("pocket", FileOf(folder, Hatch), "--tool", "1", "--overlap", "0.5", "--cut", "hatch", "--json"));
+        var (without, with) = (await CliRun.RunAsync("pocket", FileOf(folder, Hatch), "--tool", "1", "--stepover", "0.5", "--json"), await CliRun.RunAsync("pocket", FileOf(folder, Hatch), "--tool", "1", "--stepover", "0.5", "--cut", "hatch", "--json"));
 
         Assert.Equal(ExitCode.DrawingError, without.ExitCode);
         Assert.Contains("POC0005", without.Error, StringComparison.Ordinal);
@@ -81,7 +81,7 @@ public class PocketVerbTests
     public async Task A_region_that_is_too_narrow_is_told_and_the_others_are_cleared()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.RunAsync("pocket", FileOf(folder, Square + Narrow + Line), "--tool", "1", "--overlap", "0.5", "--json");
+        var run = await CliRun.RunAsync("pocket", FileOf(folder, Square + Narrow + Line), "--tool", "1", "--stepover", "0.5", "--json");
         var narrow = Assert.Single(JsonText.Of(run).GetProperty("tooNarrow").EnumerateArray());
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -95,7 +95,7 @@ public class PocketVerbTests
     {
         using var folder = new TemporaryFolder();
         var file = FileOf(folder, Square);
-        var (text, json) = (await CliRun.RunAsync("pocket", file, "--tool", "11", "--overlap", "0.5"), await CliRun.RunAsync("pocket", file, "--tool", "11", "--overlap", "0.5", "--json"));
+        var (text, json) = (await CliRun.RunAsync("pocket", file, "--tool", "11", "--stepover", "0.5"), await CliRun.RunAsync("pocket", file, "--tool", "11", "--stepover", "0.5", "--json"));
 
         Assert.Contains("covered: nothing", text.Out, StringComparison.Ordinal);
         Assert.DoesNotContain("100 %", text.Out, StringComparison.Ordinal);
@@ -107,23 +107,24 @@ public class PocketVerbTests
     public async Task The_text_tells_coverage_and_corners()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.RunAsync("pocket", FileOf(folder, Square), "--tool", "1", "--overlap", "0.9", "--strategy", "zigzag", "--angle", "45");
+        var run = await CliRun.RunAsync("pocket", FileOf(folder, Square), "--tool", "1", "--stepover", "0.9", "--strategy", "zigzag", "--angle", "45");
 
         Assert.Contains("covered: 100 %", run.Out, StringComparison.Ordinal);
         Assert.Contains("0.858407 mm2 in 4 places", run.Out, StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData("--tool", "0", "--overlap", "0.5")]
-    [InlineData("--tool", "1", "--overlap", "1")]
-    [InlineData("--tool", "1", "--overlap", "0")]
+    [InlineData("--tool", "0", "--stepover", "0.5")]
+    [InlineData("--tool", "1", "--stepover", "1")]
+    [InlineData("--tool", "1", "--stepover", "0")]
     [InlineData("--tool", "1")]
-    [InlineData("--overlap", "0.5")]
-    [InlineData("--tool", "1", "--overlap", "0.5", "--allowance", "1.1")]
-    [InlineData("--tool", "1", "--overlap", "0.5", "--step", "1")]
-    [InlineData("--tool", "1", "--overlap", "0.5", "--entry", "ramp")]
-    [InlineData("--tool", "1", "--overlap", "0.5", "--strategy", "spiral")]
-    [InlineData("--tool", "1", "--overlap", "0.5", "--depth", "1", "--ramp-angle", "90")]
+    [InlineData("--tool", "1", "--stepover", "0.5", "--overlap", "0.5")]
+    [InlineData("--stepover", "0.5")]
+    [InlineData("--tool", "1", "--stepover", "0.5", "--allowance", "1.1")]
+    [InlineData("--tool", "1", "--stepover", "0.5", "--step", "1")]
+    [InlineData("--tool", "1", "--stepover", "0.5", "--entry", "ramp")]
+    [InlineData("--tool", "1", "--stepover", "0.5", "--strategy", "spiral")]
+    [InlineData("--tool", "1", "--stepover", "0.5", "--depth", "1", "--ramp-angle", "90")]
     public async Task What_cannot_be_read_is_a_usage_error(params string[] options)
     {
         var run = await CliRun.RunAsync(["pocket", SampleDrawing.PathOf("gasket"), .. options]);
@@ -133,9 +134,22 @@ public class PocketVerbTests
     }
 
     [Fact]
+    public async Task Overlap_is_the_deprecated_name_of_the_stepover_and_the_output_says_both_figures()
+    {
+        var (old, now) = (await CliRun.RunAsync("pocket", SampleDrawing.PathOf("gasket"), "--tool", "1", "--overlap", "0.3", "--json"), await CliRun.RunAsync("pocket", SampleDrawing.PathOf("gasket"), "--tool", "1", "--stepover", "0.3", "--json"));
+        var text = await CliRun.RunAsync("pocket", SampleDrawing.PathOf("gasket"), "--tool", "1", "--stepover", "0.3");
+
+        Assert.Equal(now.Out, old.Out);
+        Assert.Contains("Use --stepover 0.3.", old.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("--overlap", now.Error, StringComparison.Ordinal);
+        Assert.Equal((0.3, 0.6, 1.4), (JsonText.Of(now).GetProperty("stepover").GetDouble(), JsonText.Of(now).GetProperty("passDistance").GetDouble(), Math.Round(JsonText.Of(now).GetProperty("passOverlap").GetDouble(), 9)));
+        Assert.Contains("passes are 0.6 mm apart and overlap by 1.4 mm", text.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_file_that_is_not_there_is_one_diagnostic_and_an_empty_object()
     {
-        var run = await CliRun.RunAsync("pocket", "/nowhere/none.dxf", "--tool", "1", "--overlap", "0.5", "--json");
+        var run = await CliRun.RunAsync("pocket", "/nowhere/none.dxf", "--tool", "1", "--stepover", "0.5", "--json");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.Empty(JsonText.Of(run).GetProperty("loops").EnumerateArray());

@@ -12,9 +12,9 @@ public class AnalyticPocketTests
     [InlineData(0.5, 10)]
     [InlineData(0.25, 19)]
     [InlineData(0.95, 5)]
-    public void A_circle_is_cleared_by_circles_a_stepover_apart(double overlap, int passes)
+    public void A_circle_is_cleared_by_circles_a_stepover_apart(double stepover, int passes)
     {
-        var result = Plan(Options(1.0, overlap), Circle(3, 4, 10.5));
+        var result = Plan(Options(1.0, stepover), Circle(3, 4, 10.5));
 
         Assert.Equal(passes, result.Passes.Count(pass => pass.Kind is PassKind.Wall or PassKind.Contour));
         Assert.All(result.Passes, pass => Assert.Equal(SegmentKind.Circle, Assert.Single(pass.Segments).Kind));
@@ -164,7 +164,7 @@ public class AnalyticPocketTests
         Assert.Null(result.Coverage);
     }
 
-    private static PocketOptions Options(double radius, double overlap) => new() { ToolRadius = radius, Overlap = overlap };
+    private static PocketOptions Options(double radius, double stepover) => new() { ToolRadius = radius, Stepover = stepover };
 
     private static PocketResult Plan(PocketOptions options, params OffsetContour[] contours)
     {

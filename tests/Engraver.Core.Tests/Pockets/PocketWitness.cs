@@ -60,7 +60,7 @@ internal sealed class PocketWitness(IReadOnlyList<OffsetContour> drawn, PocketOp
     /// <summary>In the order of cutting no link leads farther through uncut material than the stepover is more than the radius.</summary>
     private string? FaultOfLinks(PocketResult result)
     {
-        var most = Math.Max(0.0, options.Stepover - options.ToolRadius) + (options.ToolRadius * 1e-3);
+        var most = Math.Max(0.0, options.PassDistance - options.ToolRadius) + (options.ToolRadius * 1e-3);
         foreach (var region in result.Strokes.GroupBy(stroke => stroke.Region))
         {
             var cut = new List<Segment>();

@@ -32,15 +32,15 @@ public class RandomPocketTests
         Judge(seed, PocketStrategy.Zigzag, fromCentre: false, 0.0);
     }
 
-    /// <summary>Overlaps from 0.3 to 0.95 and angles in steps of 24 degrees on one shape.</summary>
+    /// <summary>Stepovers from 0.3 to 0.95 and angles in steps of 24 degrees on one shape.</summary>
     [Fact]
-    public void Every_overlap_and_angle_leaves_nothing()
+    public void Every_stepover_and_angle_leaves_nothing()
     {
         var contours = SeededPockets.Of(7);
         for (var step = 0; step <= 13; step++)
         {
-            var options = new PocketOptions { ToolRadius = 0.9, Overlap = 0.3 + (0.05 * step), Angle = Angle.FromDegrees(24.0 * step) };
-            foreach (var strategy in new[] { PocketStrategy.Contour, PocketStrategy.Zigzag }) Judge(contours, options with { Strategy = strategy }, FormattableString.Invariant($"overlap {options.Overlap}"));
+            var options = new PocketOptions { ToolRadius = 0.9, Stepover = 0.3 + (0.05 * step), Angle = Angle.FromDegrees(24.0 * step) };
+            foreach (var strategy in new[] { PocketStrategy.Contour, PocketStrategy.Zigzag }) Judge(contours, options with { Strategy = strategy }, FormattableString.Invariant($"overlap {options.Stepover}"));
         }
     }
 
@@ -51,7 +51,7 @@ public class RandomPocketTests
         var options = new PocketOptions
         {
             ToolRadius = radius,
-            Overlap = 0.3 + (0.65 * random.NextDouble()),
+            Stepover = 0.3 + (0.65 * random.NextDouble()),
             Strategy = strategy,
             Angle = Angle.FromDegrees(360.0 * random.NextDouble()),
             FromCentre = fromCentre,

@@ -20,7 +20,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
         var (from, entry) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)));
         context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
-        await NumberAsync("Overlap", 0.01, 0.99).ConfigureAwait(false);
+        await NumberAsync("Stepover", 0.01, 0.99).ConfigureAwait(false);
         if (await ChoiceAsync("Strategy", "Contour", "Zigzag").ConfigureAwait(false) == "Zigzag") await NumberAsync("Angle", -360, 360).ConfigureAwait(false);
         while (await DepthAsync().ConfigureAwait(false) is { } option) await MoreAsync(option).ConfigureAwait(false);
         if (Number("Depth") > 0.0) await NumberAsync("Step", 1e-3, 1e3, NumberPrompt.Show(Number("Depth"))).ConfigureAwait(false);
@@ -80,7 +80,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
 
     private void Remember(string name, double value) => context.Remember(Memory + name, NumberPrompt.Show(value));
 
-    private string First(string name) => context.Remembered(Memory + name) ?? name switch { "Diameter" => "1", "Overlap" => "0.5", "RampAngle" => NumberPrompt.Show(PocketDepths.Flat.RampAngle.Degrees), _ => "0" };
+    private string First(string name) => context.Remembered(Memory + name) ?? name switch { "Diameter" => "1", "Stepover" => "0.5", "RampAngle" => NumberPrompt.Show(PocketDepths.Flat.RampAngle.Degrees), _ => "0" };
 
     private double Number(string name) => NumberPrompt.TryNumber(First(name), out var value) ? value : 0.0;
 
@@ -91,7 +91,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
         var options = new PocketOptions
         {
             ToolRadius = radius,
-            Overlap = Number("Overlap"),
+            Stepover = Number("Stepover"),
             Strategy = Enum.Parse<PocketStrategy>(context.Remembered(Memory + "Strategy", nameof(PocketStrategy.Contour))),
             Angle = Angle.FromDegrees(Number("Angle")),
             FromCentre = context.Remembered(Memory + "From") == "Centre",
