@@ -3,7 +3,9 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Cli.Verbs;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli;
@@ -48,6 +50,10 @@ public static class EngraverProgram
         {
             return Say(streams, wrong.Message, ExitCode.Usage);
         }
+        catch (MachineUnavailableException unavailable)
+        {
+            return Say(streams, unavailable.Message, ExitCode.Refused);
+        }
         catch (ControllerException link)
         {
             return Say(streams, link.Message, ExitCode.LinkLost);
@@ -73,8 +79,12 @@ public static class EngraverProgram
         var machine = new MachineInHand();
         var root = EngraverCommandLine.Build(streams, global, machine);
         var parsed = root.Parse(args);
-        if (parsed.Errors.Count > 0) return Say(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", VerbSuggestion.For(args, root) ?? OneLine(parsed.Errors[0].Message)), ExitCode.Usage);
-        if (EmptyName.In(parsed) is { } empty) return Say(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", Wording.Get("EngraverProgram.EmptyName", empty)), ExitCode.Usage);
+        if (WhyUnusable(args, root, parsed) is { } why)
+        {
+            RunVerb.ReportUnusable(parsed, streams.Out);
+            return Say(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", why), ExitCode.Usage);
+        }
+
         var settings = new InvocationConfiguration
         {
             EnableDefaultExceptionHandler = false,
@@ -84,6 +94,15 @@ public static class EngraverProgram
         };
         if (parsed.CommandResult.Command is MachineCommand) machine.Follow(true);
         return await StoppableVerb.RunAsync(() => parsed.InvokeAsync(settings, stop), streams, machine, stop).ConfigureAwait(false);
+    }
+
+    /// <summary>What is wrong with the arguments; null when they can be used.</summary>
+    private static string? WhyUnusable(string[] args, RootCommand root, ParseResult parsed)
+    {
+        if (VerbSuggestion.For(args, root) is { } verb) return verb;
+        if (UnknownOption.In(parsed) is { } unknown) return unknown;
+        if (parsed.Errors.Count > 0) return OneLine(parsed.Errors[0].Message);
+        return EmptyName.In(parsed) is { } empty ? Wording.Get("EngraverProgram.EmptyName", empty) : null;
     }
 
     private static int Say(ConsoleStreams streams, string sentence, int code)

@@ -16,7 +16,6 @@ internal sealed class PlacementOptions
     {
         HelpName = "work|here|X,Y",
         Description = Wording.Get("Placement.Origin"),
-        DefaultValueFactory = _ => new OriginRequest.Work(),
         CustomParser = ParseOrigin,
     };
 
@@ -25,7 +24,7 @@ internal sealed class PlacementOptions
         command.Options.Add(_origin);
     }
 
-    public OriginRequest Origin(ParseResult parsed) => parsed.GetValue(_origin)!;
+    public OriginRequest Origin(ParseResult parsed) => parsed.GetValue(_origin) ?? new OriginRequest.Work();
 
     /// <summary>Whether the work origin was asked for by name, and is not just the default.</summary>
     public bool AsksForWork(ParseResult parsed) => parsed.GetResult(_origin) is { Implicit: false } && Origin(parsed) is OriginRequest.Work;

@@ -1,5 +1,5 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
+using System.ComponentModel;
 using System.Diagnostics;
 using System.Globalization;
 using Engraver.Cli.Options;
@@ -9,7 +9,6 @@ namespace Engraver.Cli.Verbs;
 /// <summary><c>engraver desktop</c>: starts the operator desktop, the program beside this one, and becomes its exit code.</summary>
 internal sealed class DesktopVerb
 {
-    private const string Program = "engraver-desktop";
     private readonly Argument<string?> _file = new("FILE") { Description = Wording.Get("Desktop.DrawingOpen"), Arity = ArgumentArity.ZeroOrOne };
     private readonly Option<string?> _script = new("--script") { Description = Wording.Get("Desktop.CommandsRunOnceWindow"), HelpName = "FILE.scr" };
     private readonly Option<bool> _headless = new("--headless") { Description = Wording.Get("Desktop.NeedsNoDisplayEnds") };
@@ -27,48 +26,32 @@ internal sealed class DesktopVerb
     {
         var verb = new DesktopVerb();
         var command = new MachineCommand("desktop", Wording.Get("Desktop.OpensOperatorDesktopExit"));
-        verb._file.Validators.Add(NoOption);
         command.Arguments.Add(verb._file);
         foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale, verb._benchmark]) command.Options.Add(option);
         command.SetAction(verb.RunAsync);
         return command;
     }
 
-    /// <summary>Paths at which the desktop may be: published into this program's folder, into the folder beside, or built beside it.</summary>
-    /// <param name="here">This program's folder.</param>
-    internal static IEnumerable<string> Candidates(string here)
-    {
-        var folder = here.TrimEnd(Path.DirectorySeparatorChar);
-        var kind = Path.GetFileName(folder);
-        yield return Path.Combine(folder, Program + ".dll");
-        yield return Path.Combine(folder, "..", "desktop", Program + ".dll");
-        yield return Path.Combine(folder, "..", "..", "Engraver.App", kind, Program + ".dll");
-    }
-
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
-        var program = Candidates(AppContext.BaseDirectory).FirstOrDefault(File.Exists)
-            ?? throw new UsageException(Wording.Get("Desktop.DesktopNotThereNot", Program, AppContext.BaseDirectory));
-        var start = new ProcessStartInfo(Dotnet()) { UseShellExecute = false };
-        start.ArgumentList.Add(Path.GetFullPath(program));
-        foreach (var word in Words(parsed)) start.ArgumentList.Add(word);
-        using var desktop = Process.Start(start) ?? throw new UsageException(Wording.Get("Desktop.CouldNotStarted", program));
+        var program = DesktopProgram.Find(AppContext.BaseDirectory, Environment.ProcessPath) ?? throw new UsageException(Wording.Get("Desktop.NotFound", AppContext.BaseDirectory));
+        using var desktop = Start(program, parsed);
         await using var asked = stop.Register(() => AskToEnd(desktop.Id)).ConfigureAwait(false);
         await desktop.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
         return desktop.ExitCode;
     }
 
-    /// <summary>Refuses an argument that begins like an option, because no option of that name exists.</summary>
-    private static void NoOption(ArgumentResult result)
+    private Process Start(DesktopProgram program, ParseResult parsed)
     {
-        foreach (var token in result.Tokens)
+        try
         {
-            if (token.Value.StartsWith("--", StringComparison.Ordinal)) result.AddError(Wording.Get("Desktop.UnrecognizedOption", token.Value));
+            return Process.Start(program.Start(Words(parsed)))!;
+        }
+        catch (Win32Exception failure)
+        {
+            throw new UsageException(Wording.Get("Desktop.CouldNotStarted", program.Runtime ?? program.File), failure);
         }
     }
-
-    /// <summary>The runtime this program itself runs on.</summary>
-    private static string Dotnet() => Path.GetFileNameWithoutExtension(Environment.ProcessPath) == "dotnet" ? Environment.ProcessPath! : "dotnet";
 
     private IEnumerable<string> Words(ParseResult parsed)
     {
@@ -94,5 +77,44 @@ internal sealed class DesktopVerb
         if (OperatingSystem.IsWindows()) return; // Ctrl-C reaches every program of the console by itself
         using var kill = Process.Start(new ProcessStartInfo("kill") { ArgumentList = { "-TERM", id.ToString(CultureInfo.InvariantCulture) }, UseShellExecute = false });
         kill?.WaitForExit();
+    }
+}
+
+/// <summary>The operator desktop as it lies beside this program: an executable where both were published, otherwise an assembly that the runtime starts.</summary>
+/// <param name="File">Its path.</param>
+/// <param name="Runtime">The program that runs an assembly; null for an executable.</param>
+internal sealed record DesktopProgram(string File, string? Runtime)
+{
+    private const string Name = "engraver-desktop";
+
+    /// <summary>Finds the desktop: published into this program's folder, into the folder beside, or built beside it.</summary>
+    /// <param name="here">This program's folder.</param>
+    /// <param name="process">This program's executable: the runtime itself where an assembly was started, or the published program, beside which no runtime has to be installed.</param>
+    /// <returns>Null when there is none.</returns>
+    public static DesktopProgram? Find(string here, string? process)
+    {
+        var runtime = Path.GetFileNameWithoutExtension(process) == "dotnet" ? process : null;
+        var folders = Folders(here).ToList();
+        var executable = folders.Select(folder => Path.Combine(folder, OperatingSystem.IsWindows() ? Name + ".exe" : Name)).FirstOrDefault(System.IO.File.Exists);
+        var assembly = folders.Select(folder => Path.Combine(folder, Name + ".dll")).FirstOrDefault(System.IO.File.Exists);
+        if (assembly is not null && (runtime is not null || executable is null)) return new DesktopProgram(assembly, runtime ?? "dotnet");
+        return executable is null ? null : new DesktopProgram(executable, null);
+    }
+
+    /// <summary>How it is started with these words.</summary>
+    public ProcessStartInfo Start(IEnumerable<string> words)
+    {
+        var start = new ProcessStartInfo(Runtime ?? Path.GetFullPath(File)) { UseShellExecute = false };
+        if (Runtime is not null) start.ArgumentList.Add(Path.GetFullPath(File));
+        foreach (var word in words) start.ArgumentList.Add(word);
+        return start;
+    }
+
+    private static IEnumerable<string> Folders(string here)
+    {
+        var folder = here.TrimEnd(Path.DirectorySeparatorChar);
+        yield return folder;
+        yield return Path.Combine(folder, "..", "desktop");
+        yield return Path.Combine(folder, "..", "..", "Engraver.App", Path.GetFileName(folder));
     }
 }

@@ -4,5 +4,7 @@ namespace Engraver.Cli.Verbs;
 
 internal static class JsonOption
 {
-    public static Option<bool> New() => new("--json") { Description = Wording.Get("JsonOption.OneJsonObjectOn") };
+    public const string Name = "--json";
+
+    public static Option<bool> New() => new(Name) { Description = Wording.Get("JsonOption.OneJsonObjectOn") };
 }

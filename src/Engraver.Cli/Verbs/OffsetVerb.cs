@@ -26,6 +26,7 @@ internal static class OffsetVerb
         foreach (var option in (Option[])[distance, side, join, limit, output, json]) command.Options.Add(option);
         command.SetAction((parsed, stop) =>
         {
+            OutputFormat.Check(parsed.GetValue(output), ".dxf");
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var options = new OffsetOptions { Join = Enum.Parse<OffsetJoin>(parsed.GetValue(join)!, ignoreCase: true), MitreLimit = parsed.GetValue(limit) };

@@ -28,6 +28,7 @@ internal static class PlotVerb
         {
             var settings = drawing.Settings(parsed);
             VerbHost.KeepApart(drawing.File(parsed), parsed.GetValue(output));
+            OutputFormat.Check(parsed.GetValue(output), ".svg");
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             IReadOnlyList<Diagnostic> findings = [];
             var plot = parsed.GetValue(what) switch

@@ -23,6 +23,7 @@ internal static class PocketVerb
         command.Options.Add(json);
         command.SetAction((parsed, stop) =>
         {
+            OutputFormat.Check(parsed.GetValue(output), ".dxf");
             var settings = drawing.Settings(parsed);
             var (chosen, depths) = (options.Pocket(parsed), options.Depths(parsed));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);

@@ -13,6 +13,7 @@ using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
@@ -24,6 +25,8 @@ internal sealed class RunVerb
 {
     /// <summary>Refusals for what the machine is or can: the others ask for a setting.</summary>
     private static readonly DiagnosticRule[] s_ofTheMachine = [PreparationRules.OutsideTravel, PreparationRules.HeightOutsideTravel, PreparationRules.DryRunOutsideTravel, PreparationRules.NotHomed];
+
+    private const string Name = "run";
 
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
@@ -40,6 +43,11 @@ internal sealed class RunVerb
     private readonly Option<bool> _trajectory = new("--trajectory") { Description = Wording.Get("Run.Trajectory") };
     private readonly Option<double> _leadIn = new("--lead-in") { HelpName = "MM", Description = Wording.Get("Run.LeadIn"), DefaultValueFactory = _ => ResumeRequest.UsualLeadInMm, CustomParser = ParseLeadIn };
 
+    /// <summary>What the one object of <c>--json</c> says of a run that did not start, as far as it is known.</summary>
+    private DrawingSettings _settings = new();
+    private PreparedJob? _job;
+    private bool _isReported;
+
     /// <summary>The trajectories that are run; null for a job of the drawing itself.</summary>
     private TrajectoryJob? _followed;
 
@@ -48,7 +56,7 @@ internal sealed class RunVerb
     public static Command Build(VerbHost host)
     {
         var verb = new RunVerb(host);
-        var command = new MachineCommand("run", Wording.Get("Run.RunsDrawingOnController"));
+        var command = new MachineCommand(Name, Wording.Get("Run.RunsDrawingOnController"));
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn, verb._trajectory]) command.Options.Add(option);
         verb._placement.AddTo(command);
@@ -56,17 +64,40 @@ internal sealed class RunVerb
         return command;
     }
 
+    /// <summary>For arguments that cannot be used: with <c>--json</c> the one object is printed all the same.</summary>
+    public static void ReportUnusable(ParseResult parsed, TextWriter output)
+    {
+        if (parsed.CommandResult.Command.Name != Name || !parsed.Tokens.Any(token => token.Value == JsonOption.Name)) return;
+        ContractJson.Write(output, RunReport.NotStarted(new DrawingSettings(), null, JobOutcome.Refused), ContractJson.Default.RunJson);
+        output.Flush();
+    }
+
+    /// <summary>With <c>--json</c> the one object is printed however the run ends.</summary>
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
-        var settings = _drawing.Settings(parsed);
+        try
+        {
+            return await RunJobAsync(parsed, stop).ConfigureAwait(false);
+        }
+        catch (Exception ended) when (parsed.GetValue(_json) && !_isReported)
+        {
+            await SayNotStartedAsync(ended switch { MachineUnavailableException => JobOutcome.Refused, ControllerException => JobOutcome.LinkLost, OperationCanceledException => JobOutcome.Stopped, _ => JobOutcome.Refused }).ConfigureAwait(false);
+            throw;
+        }
+    }
+
+    private async Task<int> RunJobAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var settings = _settings = _drawing.Settings(parsed);
         var mode = ModeOption.Mode(parsed.GetValue(_mode));
         if (settings is { Finish: FinishPlace.Park, Machine.Park: null }) throw new SettingException(Wording.Get("Placement.NoPark"));
         var (job, fit) = await PrepareAsync(parsed, settings, mode, stop).ConfigureAwait(false);
+        _job = job;
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (_followed is { } followed && !parsed.GetValue(_json)) _host.Out.WriteLine(Wording.Get("Run.Trajectories", followed.Trajectories.Count, followed.Trajectories.Sum(one => one.Curve.Points), followed.Bound));
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
-            return NotStarted(parsed, job, job.Motion.Program is null ? job.WithoutProgram : Wording.Get("Run.DrawingHasErrorsLook"));
+            return NotStarted(parsed, job, WhyNotStarted(job));
         }
 
         if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, job.WithoutProgram);
@@ -76,34 +107,33 @@ internal sealed class RunVerb
         return ended == ExitCode.Done ? code : ended;
     }
 
-    /// <summary>Everything up to the machine, which a stop does not wait for; the one object is printed all the same.</summary>
+    /// <summary>Everything up to the machine, which a stop does not wait for.</summary>
     /// <returns>The program as the link can carry it; null when there is none.</returns>
     private async Task<(PreparedJob Job, LinkFeedFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, JobMode mode, CancellationToken stop)
     {
         var (file, address) = (_drawing.File(parsed), parsed.GetRequiredValue(_connect)!);
-        try
-        {
-            return await StoppableVerb.ComputeAsync(
-                () =>
-                {
-                    var (drawing, style) = (DrawingFile.Open(file, settings, stop), JobPlan.StyleOf(mode));
-                    var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : JobPreparation.Prepare(drawing, settings, style);
-                    return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, mode, job.Drawing) : null);
-                },
-                stop).ConfigureAwait(false);
-        }
-        catch (OperationCanceledException) when (parsed.GetValue(_json) && stop.IsCancellationRequested)
-        {
-            await SayNotStartedAsync(settings, null, JobOutcome.Stopped).ConfigureAwait(false);
-            throw;
-        }
+        return await StoppableVerb.ComputeAsync(
+            () =>
+            {
+                var (drawing, style) = (DrawingFile.Open(file, settings, stop), JobPlan.StyleOf(mode));
+                var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : JobPreparation.Prepare(drawing, settings, style);
+                return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, mode, job.Drawing) : null);
+            },
+            stop).ConfigureAwait(false);
+    }
+
+    /// <summary>That errors can be accepted is said only where there is something to run.</summary>
+    private static string WhyNotStarted(PreparedJob job)
+    {
+        if (DrawingFile.IsUnreadable(job.Drawing)) return Wording.Get("Run.DrawingUnreadable");
+        return job.Motion.Program is null ? job.WithoutProgram : Wording.Get("Run.DrawingHasErrorsLook");
     }
 
     private PreparedJob Follow(TrajectoryJob followed) => (_followed = followed).Job;
 
-    private async Task SayNotStartedAsync(DrawingSettings settings, PreparedJob? job, JobOutcome outcome)
+    private async Task SayNotStartedAsync(JobOutcome outcome)
     {
-        ContractJson.Write(_host.Out, RunReport.NotStarted(settings, job, outcome), ContractJson.Default.RunJson);
+        Write(RunReport.NotStarted(_settings, _job, outcome));
         await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
     }
 
@@ -144,11 +174,9 @@ internal sealed class RunVerb
             await using var written = lines.ConfigureAwait(false);
             report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
         }
-        catch (Exception ended) when (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested && parsed.GetValue(_json)))
+        catch (ControllerException lost) // the link never came up
         {
-            // The link never came up, or the operator did not wait for it: the one object is printed all the same.
-            if (ended is ControllerException) open.End(HistoryEntry.OfLost(job, options, ended.Message, begun));
-            if (parsed.GetValue(_json)) await SayNotStartedAsync(job.Settings, job, ended is ControllerException ? JobOutcome.LinkLost : JobOutcome.Stopped).ConfigureAwait(false);
+            open.End(HistoryEntry.OfLost(job, options, lost.Message, begun));
             throw;
         }
 
@@ -185,7 +213,7 @@ internal sealed class RunVerb
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
         if (report.ResumeRefusal is { } unresumed) return NotPlaced(parsed, job, unresumed, checks);
         if (report.Placement?.Refusal is { } unplaced) return NotPlaced(parsed, job, unplaced, checks);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) }, ContractJson.Default.RunJson);
+        if (parsed.GetValue(_json)) Write(RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) });
         else _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.EngraverTraceNotWhole", failure));
@@ -193,17 +221,23 @@ internal sealed class RunVerb
         return ExitCode.Of(report.Result.Outcome);
     }
 
+    private void Write(RunJson report)
+    {
+        _isReported = true;
+        ContractJson.Write(_host.Out, report, ContractJson.Default.RunJson);
+    }
+
     /// <summary>Nobody can say where the work is: nothing was moved.</summary>
     private int NotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks)
     {
         _host.Report(parsed, job.Drawing.FileName, [refusal]);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks), ContractJson.Default.RunJson);
+        if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks));
         return s_ofTheMachine.Contains(refusal.Rule) ? ExitCode.DrawingError : ExitCode.Usage;
     }
 
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused), ContractJson.Default.RunJson);
+        if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused));
         _host.Error.WriteLine(Wording.Get("Run.EngraverNotStarted", char.ToLowerInvariant(why[0]) + why[1..]));
         return ExitCode.DrawingError;
     }

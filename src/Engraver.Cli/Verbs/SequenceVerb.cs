@@ -26,6 +26,7 @@ internal static class SequenceVerb
         command.Options.Add(output);
         command.SetAction((parsed, stop) =>
         {
+            OutputFormat.Check(parsed.GetValue(output), ".dxf");
             var settings = drawing.Settings(parsed);
             var (read, readSeconds) = Timed(() => DrawingFile.Open(drawing.File(parsed), settings, stop));
             var ((cut, options, chained), chainSeconds) = Timed(() => Chain(read, settings));

@@ -39,10 +39,10 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         return diagnostics.Any(d => d.Severity == Severity.Error) ? ExitCode.DrawingError : ExitCode.Done;
     }
 
-    /// <summary>Prints the list before a start (with --quiet only what prevents it).</summary>
+    /// <summary>Prints the list before a start (with --quiet only what prevents it), without the findings of the drawing, which are printed already.</summary>
     public void Print(ParseResult parsed, ArmingChecklist list)
     {
-        foreach (var check in list.Checks.Where(check => !check.Passed || !global.Quiet(parsed))) Error.WriteLine(check.Line);
+        foreach (var check in list.Checks.Where(check => !check.Passed || (!global.Quiet(parsed) && !check.IsFinding))) Error.WriteLine(check.Line);
     }
 
     /// <summary>Adds a job to the history; that it cannot be kept is said, and changes nothing else.</summary>

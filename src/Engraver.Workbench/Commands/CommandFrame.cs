@@ -1,6 +1,7 @@
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
@@ -122,6 +123,10 @@ internal sealed class CommandFrame : IDisposable
         catch (SettingException unfit)
         {
             return new InputResult.Failed(CommandFailure.Usage, unfit.Message);
+        }
+        catch (MachineUnavailableException unavailable)
+        {
+            return new InputResult.Failed(CommandFailure.Refused, unavailable.Message);
         }
         catch (ControllerException link)
         {

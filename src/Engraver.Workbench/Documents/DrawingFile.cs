@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Settings;
 
@@ -33,7 +34,7 @@ public static class DrawingFile
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
             cancellation.ThrowIfCancellationRequested();
-            return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.')));
+            return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, SystemReason.Of(unreadable)));
         }
     }
 }

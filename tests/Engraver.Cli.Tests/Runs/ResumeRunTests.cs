@@ -85,7 +85,7 @@ public sealed class ResumeRunTests : IDisposable
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--resume", "x", "--lead-in", length);
 
         Assert.Equal(2, run.ExitCode);
-        Assert.Contains("no lead-in", run.Error, StringComparison.Ordinal);
+        Assert.Contains("--lead-in", run.Error, StringComparison.Ordinal);
     }
 
     /// <summary>As it was found: after a dry run in between nothing told any more where the job had been begun, and the rest was cut 33 mm beside it and called complete; and what was left could be cut again and again.</summary>

@@ -39,6 +39,59 @@ public class BadInputTests
         AssertOneError(run, "DXF");
     }
 
+    [Theory]
+    [InlineData("--jsonn", "info", "--jsonn", "part.dxf")]
+    [InlineData("--jsonn", "info", "part.dxf", "--jsonn", "x")]
+    [InlineData("--jsonn", "run", "--connect", "sim:", "--jsonn=x", "part.dxf")]
+    [InlineData("-q", "plan", "-q", "part.dxf")]
+    [InlineData("--fullscreen", "desktop", "--fullscreen")]
+    public async Task An_unknown_option_is_named(string unknown, params string[] words)
+    {
+        var run = await CliRun.RunAsync(words);
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.StartsWith($"engraver: Unknown option {unknown}.", run.Error, StringComparison.Ordinal);
+        Assert.Empty(run.Out);
+    }
+
+    [Fact]
+    public async Task What_looks_like_an_option_behind_two_hyphens_is_a_file()
+    {
+        var run = await CliRun.RunAsync("info", "--", "--jsonn");
+
+        Assert.Equal((ExitCode.DrawingError, true), (run.ExitCode, run.Error.Contains("--jsonn: error DOC0001", StringComparison.Ordinal)));
+    }
+
+    [Theory]
+    [InlineData("plot", "picture.png")]
+    [InlineData("report", "page.pdf")]
+    [InlineData("sequence", "order.svg")]
+    public async Task A_format_that_is_not_written_is_refused_by_name(string verb, string name)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.RunAsync(verb, SampleDrawing.PathOf("gasket"), "-o", folder.PathOf(name));
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains($"the format {Path.GetExtension(name)} is not written by this verb", run.Error, StringComparison.Ordinal);
+        Assert.False(File.Exists(folder.PathOf(name)));
+    }
+
+    /// <summary>The words of .NET name its types, repeat the path and are English in every language.</summary>
+    [Fact]
+    public async Task A_missing_drawing_is_told_in_our_words_and_never_as_errors_that_can_be_accepted()
+    {
+        using var folder = new TemporaryFolder();
+        foreach (var path in (string[])[folder.PathOf("nowhere.dxf"), folder.PathOf("no/folder.dxf")])
+        {
+            var run = await CliRun.RunAsync("run", path, "--connect", "sim:");
+
+            Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+            Assert.Contains("does not exist.", run.Error, StringComparison.Ordinal);
+            Assert.DoesNotContain("Could not find", run.Error, StringComparison.Ordinal);
+            Assert.DoesNotContain("--accept-errors", run.Error, StringComparison.Ordinal);
+        }
+    }
+
     /// <summary>As a variable of a shell that is not set gives it.</summary>
     [Theory]
     [InlineData("FILE is empty.", "plan", "")]

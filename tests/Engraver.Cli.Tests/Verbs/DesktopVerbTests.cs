@@ -4,16 +4,34 @@ namespace Engraver.Cli.Tests.Verbs;
 
 public sealed class DesktopVerbTests
 {
-    [Fact]
-    public void The_desktop_is_looked_for_beside_this_program_however_it_was_built_or_published()
+    /// <summary>A published program has no runtime beside it: the executable is started itself. From a build both lie there, and the runtime that runs this program runs the desktop.</summary>
+    [Theory]
+    [InlineData("engraver", "engraver", false)]
+    [InlineData("engraver", "desktop", false)]
+    [InlineData("bin/Engraver.Cli/release", "bin/Engraver.App/release", true)]
+    public void The_desktop_is_looked_for_beside_this_program_however_it_was_built_or_published(string here, string there, bool byRuntime)
     {
-        var run = Path.Combine(Path.GetTempPath(), "run");
-        var beside = DesktopVerb.Candidates(Path.Combine(run, "engraver") + Path.DirectorySeparatorChar).Select(Path.GetFullPath).ToList();
-        var built = DesktopVerb.Candidates(Path.Combine(run, "bin", "Engraver.Cli", "release")).Select(Path.GetFullPath).ToList();
+        using var folder = new TemporaryFolder();
+        var (own, desktop) = (Directory.CreateDirectory(folder.PathOf(here)).FullName, Directory.CreateDirectory(folder.PathOf(there)).FullName);
+        var executable = Path.Combine(desktop, OperatingSystem.IsWindows() ? "engraver-desktop.exe" : "engraver-desktop");
+        foreach (var file in (string[])[executable, Path.Combine(desktop, "engraver-desktop.dll")]) File.WriteAllText(file, "");
 
-        Assert.Contains(Path.Combine(run, "engraver", "engraver-desktop.dll"), beside);
-        Assert.Contains(Path.Combine(run, "desktop", "engraver-desktop.dll"), beside);
-        Assert.Contains(Path.Combine(run, "bin", "Engraver.App", "release", "engraver-desktop.dll"), built);
+        var start = DesktopProgram.Find(own + Path.DirectorySeparatorChar, byRuntime ? "/usr/bin/dotnet" : Path.Combine(own, "engraver"))!.Start(["part.dxf"]);
+
+        Assert.Equal(byRuntime ? "/usr/bin/dotnet" : executable, start.FileName);
+        Assert.Equal(byRuntime ? [Path.Combine(desktop, "engraver-desktop.dll"), "part.dxf"] : ["part.dxf"], start.ArgumentList);
+    }
+
+    [Fact]
+    public void A_single_executable_is_enough_and_nothing_is_no_desktop()
+    {
+        using var folder = new TemporaryFolder();
+        var own = Directory.CreateDirectory(folder.PathOf("engraver")).FullName;
+        Assert.Null(DesktopProgram.Find(own, Path.Combine(own, "engraver")));
+
+        File.WriteAllText(Path.Combine(own, OperatingSystem.IsWindows() ? "engraver-desktop.exe" : "engraver-desktop"), "");
+
+        Assert.Null(DesktopProgram.Find(own, Path.Combine(own, "engraver"))!.Runtime);
     }
 
     [Fact]

@@ -25,6 +25,7 @@ internal static class ReportVerb
         {
             var (settings, kept) = (drawing.Settings(parsed), parsed.GetValue(journal));
             VerbHost.KeepApart(drawing.File(parsed), parsed.GetValue(output));
+            OutputFormat.Check(parsed.GetValue(output), ".html", ".htm");
             if (kept is not null && !File.Exists(kept) && !File.Exists(KeptTrace.PathOf(kept))) throw new UsageException(Wording.Get("Report.NoJournal", kept));
             var history = new JobHistory(JobHistory.FolderIn(null));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);

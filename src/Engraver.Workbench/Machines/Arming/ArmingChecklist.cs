@@ -91,7 +91,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <summary>Units that were assumed, sizes that no machine has, what is seen and not cut.</summary>
     private static IEnumerable<ArmingCheck> Warnings(PreparedJob job, CheckSpeech speech) =>
         job.Drawing.Diagnostics.Where(found => found.Id == DxfRules.UnitsAssumed.Id).Concat(job.Findings.Where(found => found.Severity == Severity.Warning))
-            .Select(found => Warning(speech.Finding(found).TrimEnd('.')));
+            .Select(found => Warning(speech.Finding(found).TrimEnd('.')) with { IsFinding = true });
 
     /// <summary>A job that would leave the travel has no place, and the line of the origin says so.</summary>
     private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
@@ -161,6 +161,9 @@ public sealed record ArmingCheck(bool Passed, string Sentence)
 
     /// <summary>True for what is only told: nothing is wrong, and nothing was found right either.</summary>
     public bool IsNote { get; init; }
+
+    /// <summary>True for a finding of the drawing, which stands in the list of findings too.</summary>
+    public bool IsFinding { get; init; }
 
     /// <summary>The line as the operator reads it.</summary>
     public string Line => Wording.Get(this switch { { IsNote: true } => "CncArm.Note", { IsWarning: true } => "CncArm.Look", { IsAsked: false } => "CncArm.NotKnown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);

@@ -44,8 +44,26 @@ public sealed class MachineMemories(string? folder)
         Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes($"{identity.Model}\n{place.Serial?.ToString(CultureInfo.InvariantCulture) ?? address}")))[..24];
 }
 
+/// <summary>The machine answers, but this host must not move it: nothing was moved.</summary>
+public abstract class MachineUnavailableException : ControllerException
+{
+    protected MachineUnavailableException()
+    {
+    }
+
+    protected MachineUnavailableException(string message)
+        : base(message)
+    {
+    }
+
+    protected MachineUnavailableException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+}
+
 /// <summary>Another host uses the machine.</summary>
-public sealed class MachineTakenException : ControllerException
+public sealed class MachineTakenException : MachineUnavailableException
 {
     public MachineTakenException()
     {
@@ -63,7 +81,7 @@ public sealed class MachineTakenException : ControllerException
 }
 
 /// <summary>What is kept of a machine cannot be used. Without it nobody knows where the work is, so nothing is moved.</summary>
-public sealed class MachineMemoryException : ControllerException
+public sealed class MachineMemoryException : MachineUnavailableException
 {
     public MachineMemoryException()
     {

@@ -61,7 +61,7 @@ public static class MachineRun
         {
             return await OnMachineAsync(job, program, machine, connection, options, clock, progress, stop).ConfigureAwait(false);
         }
-        catch (Exception refused) when (refused is MachineTakenException or MachineMemoryException)
+        catch (MachineUnavailableException refused)
         {
             return new MachineRunReport(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, machine.Identity.Model, machine.PlannedSeconds(program, options.Mode));
         }

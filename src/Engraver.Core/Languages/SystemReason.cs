@@ -1,0 +1,50 @@
+using System.Net.Sockets;
+using System.Text.Json;
+
+namespace Engraver.Core.Languages;
+
+/// <summary>Why the operating system or a library refused, in the words of this program: part of a sentence that names the file or the address, without a full stop.</summary>
+/// <remarks>The texts of the runtime name its own types and repeat the path, and are English in every language. What this program threw itself keeps its message.</remarks>
+public static class SystemReason
+{
+    /// <summary>HResult of an <see cref="IOException"/> that nobody gave a cause: thrown by this program with a message of its own.</summary>
+    private const int Unspecified = unchecked((int)0x80131620);
+
+    /// <param name="failure">Of a file, a socket or a serial port, or of reading JSON.</param>
+    public static string Of(Exception failure)
+    {
+        ArgumentNullException.ThrowIfNull(failure);
+        if (failure is JsonException { LineNumber: { } line }) return Wording.Get("SystemReason.Json", line + 1);
+        return Key(failure) is { } key ? Wording.Get(key) : TextCatalogue.Fact(failure.Message.TrimEnd('.'));
+    }
+
+    /// <summary>Name of the text; null for what has none.</summary>
+    private static string? Key(Exception failure) => failure switch
+    {
+        FileNotFoundException => "SystemReason.NoFile",
+        DirectoryNotFoundException => "SystemReason.NoFolder",
+        PathTooLongException => "SystemReason.PathTooLong",
+        UnauthorizedAccessException => "SystemReason.AccessDenied",
+        IOException { InnerException: SocketException socket } => Key(socket),
+        SocketException socket => Key(socket),
+        IOException { HResult: not Unspecified } => OfCode(failure.HResult),
+        _ => null,
+    };
+
+    private static string? Key(SocketException socket) => socket.SocketErrorCode switch
+    {
+        SocketError.ConnectionRefused => "SystemReason.ConnectionRefused",
+        SocketError.HostNotFound or SocketError.NoData or SocketError.TryAgain => "SystemReason.NoHost",
+        SocketError.TimedOut => "SystemReason.NoAnswer",
+        SocketError.NetworkUnreachable or SocketError.HostUnreachable or SocketError.NetworkDown or SocketError.HostDown => "SystemReason.Unreachable",
+        SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.Shutdown => "SystemReason.ConnectionClosed",
+        SocketError.AddressAlreadyInUse => "SystemReason.PortInUse",
+        SocketError.AccessDenied => "SystemReason.AccessDenied",
+        _ => null,
+    };
+
+    /// <summary>Codes of Windows (the low 16 bits of the HResult) and of Unix (errno).</summary>
+    private static string? OfCode(int code) => (code & 0xFFFF0000) == 0x80070000
+        ? (code & 0xFFFF) switch { 39 or 112 => "SystemReason.DiskFull", 32 or 33 => "SystemReason.InUse", 19 => "SystemReason.ReadOnly", 80 or 183 => "SystemReason.Exists", _ => null }
+        : code switch { 28 or 122 => "SystemReason.DiskFull", 11 or 16 or 26 => "SystemReason.InUse", 30 => "SystemReason.ReadOnly", 17 => "SystemReason.Exists", 5 => "SystemReason.DeviceFailed", 32 => "SystemReason.ReaderGone", _ => null };
+}

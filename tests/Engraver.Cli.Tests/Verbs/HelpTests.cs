@@ -1,0 +1,55 @@
+using System.CommandLine;
+using System.Text.RegularExpressions;
+using Engraver.Cli.Options;
+using Engraver.TestKit;
+
+namespace Engraver.Cli.Tests.Verbs;
+
+/// <summary>What the help and the contract's page say of verbs and options is what the program has.</summary>
+public sealed partial class HelpTests
+{
+    public static TheoryData<string> Verbs => [.. Root().Subcommands.Select(verb => verb.Name)];
+
+    [Theory]
+    [MemberData(nameof(Verbs))]
+    public async Task Help_shows_no_words_of_the_runtime(string verb)
+    {
+        var run = await CliRun.RunAsync(verb, "--help");
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.DoesNotContain("{ ", run.Out, StringComparison.Ordinal);
+        Assert.DoesNotContain("System.", run.Out, StringComparison.Ordinal);
+        Assert.DoesNotContain("Engraver.", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void The_contract_names_no_option_that_is_not_built()
+    {
+        var known = All(Root()).SelectMany(command => command.Options).SelectMany(option => option.Aliases.Append(option.Name)).ToHashSet();
+        var contract = File.ReadAllText(Path.Combine(RepositoryFolder.Root, "docs", "cli-contract.md"));
+
+        var unknown = OptionName().Matches(contract).Select(match => match.Value).Distinct().Where(name => !known.Contains(name)).ToList();
+
+        Assert.Contains("--connect", OptionName().Matches(contract).Select(match => match.Value));
+        Assert.Empty(unknown);
+    }
+
+    [Theory]
+    [InlineData("--cut")]
+    [InlineData("--order")]
+    public void The_contract_offers_the_values_that_are_taken(string option)
+    {
+        var contract = File.ReadAllText(Path.Combine(RepositoryFolder.Root, "docs", "cli-contract.md"));
+        var offered = Regex.Match(contract, $"`{option} ([a-z]+(?:[,|][a-z]+)+)`").Groups[1].Value.Split(',', '|');
+
+        Assert.True(offered.Length > 1);
+        foreach (var value in offered) Assert.Empty(Root().Parse(["plan", "part.dxf", option, value]).Errors);
+    }
+
+    private static IEnumerable<Command> All(Command command) => command.Subcommands.SelectMany(All).Prepend(command);
+
+    private static RootCommand Root() => EngraverCommandLine.Build(new ConsoleStreams(Stream.Null, TextWriter.Null, TextReader.Null), new GlobalOptions(), new MachineInHand());
+
+    [GeneratedRegex("(?<=[` (\\[|/])--[a-z][a-z-]+[a-z]")]
+    private static partial Regex OptionName();
+}
