@@ -4,6 +4,7 @@ using System.Runtime.InteropServices;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Cli.Verbs;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Settings;
@@ -64,7 +65,7 @@ public static class EngraverProgram
         }
         catch (IOException unwritable)
         {
-            return Say(streams, Wording.Get("EngraverProgram.ResultCannotWritten", unwritable.Message), ExitCode.DrawingError);
+            return Say(streams, Wording.Get("EngraverProgram.ResultCannotWritten", SystemReason.Of(unwritable)), ExitCode.DrawingError);
         }
         catch (Exception bug)
         {

@@ -7,6 +7,7 @@ using Engraver.App.Canvas.Rasterising;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Canvas.Views;
 using Engraver.App.Texts;
+using Engraver.Core.Languages;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
@@ -38,7 +39,7 @@ internal sealed record FilePreview(Picture? Picture, string Lines, string Captio
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return new FilePreview(null, "", unreadable.Message);
+            return new FilePreview(null, "", Text.Get("Files.PreviewUnreadable"));
         }
     }
 

@@ -1,4 +1,5 @@
 using Engraver.App.Texts;
+using Engraver.Core.Languages;
 
 namespace Engraver.App.FileDialogs;
 
@@ -23,7 +24,7 @@ internal sealed record FolderListing(IReadOnlyList<FileRow> Rows, string? Findin
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return new FolderListing([], Text.Get("Files.FolderUnreadable", folder, unreadable.Message.TrimEnd('.')));
+            return new FolderListing([], Text.Get("Files.FolderUnreadable", folder, SystemReason.Of(unreadable)));
         }
     }
 

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Languages;
 using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Cli.Output;
@@ -23,7 +24,7 @@ internal static class CrossCheckReport
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            error.WriteLine(Wording.Get("CrossCheckReport.NoSecondReading", read.FileName, unreadable.Message));
+            error.WriteLine(Wording.Get("CrossCheckReport.NoSecondReading", read.FileName, SystemReason.Of(unreadable)));
         }
 
         return false;

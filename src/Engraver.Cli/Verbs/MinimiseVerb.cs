@@ -50,7 +50,7 @@ internal static class MinimiseVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            host.Error.WriteLine($"engraver: {TextCatalogue.Fact(unreadable.Message)}");
+            host.Error.WriteLine($"engraver: {SystemReason.WithPath(unreadable)}.");
             return null;
         }
     }

@@ -2,6 +2,7 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Languages;
 using Engraver.Core.Plots;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
@@ -61,7 +62,7 @@ internal static class PlotVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or FormatException)
         {
-            throw new UsageException(Wording.Get("Plot.Unreadable", KeptTrace.PathOf(kept), unreadable.Message), unreadable);
+            throw new UsageException(Wording.Get("Plot.Unreadable", KeptTrace.PathOf(kept), SystemReason.Of(unreadable)), unreadable);
         }
     }
 }

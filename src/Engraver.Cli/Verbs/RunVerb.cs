@@ -4,6 +4,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Cli.Terminals;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Certificates;
@@ -253,7 +254,7 @@ internal sealed class RunVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, unwritable.Message), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, SystemReason.Of(unwritable)), unwritable);
         }
     }
 }

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Output;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Machines;
@@ -77,7 +78,7 @@ internal sealed class ScriptVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Script.CannotRead", UserFiles.Aliases, unreadable.Message), unreadable);
+            throw new UsageException(Wording.Get("Script.CannotRead", UserFiles.Aliases, SystemReason.Of(unreadable)), unreadable);
         }
     }
 

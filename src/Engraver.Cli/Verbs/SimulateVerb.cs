@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using Engraver.Cli.Options;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 
@@ -100,7 +101,7 @@ internal static class SimulateVerb
         }
         catch (SocketException taken)
         {
-            throw new ControllerLinkException(Wording.Get("Simulate.PortCannotServedUse", port.ToString(CultureInfo.InvariantCulture), taken.Message, transport), taken);
+            throw new ControllerLinkException(Wording.Get("Simulate.PortCannotServedUse", port.ToString(CultureInfo.InvariantCulture), SystemReason.Of(taken), transport), taken);
         }
     }
 
@@ -119,7 +120,7 @@ internal static class SimulateVerb
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or PlatformNotSupportedException)
         {
-            throw new UsageException(Wording.Get("Simulate.Serial", path, unusable.Message), unusable);
+            throw new UsageException(Wording.Get("Simulate.Serial", path, SystemReason.Of(unusable)), unusable);
         }
     }
 
@@ -132,7 +133,7 @@ internal static class SimulateVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, unwritable.Message), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, SystemReason.Of(unwritable)), unwritable);
         }
     }
 
@@ -145,7 +146,7 @@ internal static class SimulateVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Simulate.Faults", path, unreadable.Message), unreadable);
+            throw new UsageException(Wording.Get("Simulate.Faults", path, SystemReason.Of(unreadable)), unreadable);
         }
     }
 

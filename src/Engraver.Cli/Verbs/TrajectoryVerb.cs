@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core.Languages;
 using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
 using Engraver.Workbench.Documents;
@@ -67,7 +68,7 @@ internal sealed class TrajectoryVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", folder, unwritable.Message), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", folder, SystemReason.Of(unwritable)), unwritable);
         }
     }
 

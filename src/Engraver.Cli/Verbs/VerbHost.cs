@@ -2,6 +2,7 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines.Arming;
@@ -95,7 +96,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, unwritable.Message), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, SystemReason.Of(unwritable)), unwritable);
         }
     }
 }

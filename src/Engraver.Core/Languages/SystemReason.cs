@@ -14,8 +14,15 @@ public static class SystemReason
     public static string Of(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
-        if (failure is JsonException { LineNumber: { } line }) return Wording.Get("SystemReason.Json", line + 1);
+        if (failure is JsonException { LineNumber: { } line } unreadable) return unreadable.Path is { Length: > 2 } path ? Wording.Get("SystemReason.JsonValue", line + 1, path[2..]) : Wording.Get("SystemReason.Json", line + 1);
         return Key(failure) is { } key ? Wording.Get(key) : TextCatalogue.Fact(failure.Message.TrimEnd('.'));
+    }
+
+    /// <summary>The same behind the path that the runtime's message names, for a sentence that knows no name of its own.</summary>
+    public static string WithPath(Exception failure)
+    {
+        ArgumentNullException.ThrowIfNull(failure);
+        return Key(failure) is not null && failure.Message.Split('\'') is [_, { Length: > 0 } path, _] ? Wording.Get("SystemReason.OfPath", path, Of(failure)) : Of(failure);
     }
 
     /// <summary>Name of the text; null for what has none.</summary>

@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Motion;
@@ -99,7 +100,7 @@ internal sealed class Job
         }
         catch (IOException failure)
         {
-            return result with { Sentence = Wording.Get("Job.JournalLastLineCould", result.Sentence, failure.Message) };
+            return result with { Sentence = Wording.Get("Job.JournalLastLineCould", result.Sentence, SystemReason.Of(failure)) };
         }
     }
 
@@ -123,7 +124,7 @@ internal sealed class Job
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobStep.Broken(Wording.Get("Job.JournalCannotWrittenJob", failure.Message));
+            return JobStep.Broken(Wording.Get("Job.JournalCannotWrittenJob", SystemReason.Of(failure)));
         }
     }
 
@@ -307,7 +308,7 @@ internal sealed class Job
         }
         catch (Exception unwritten) when (unwritten is IOException or UnauthorizedAccessException)
         {
-            return [Wording.Get("Job.JournalEarlierRunCould", unwritten.Message)];
+            return [Wording.Get("Job.JournalEarlierRunCould", SystemReason.Of(unwritten))];
         }
         catch (ControllerException failure)
         {

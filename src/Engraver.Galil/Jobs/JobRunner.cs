@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Jobs.Execution;
@@ -91,7 +92,7 @@ public static class JobRunner
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalCannotWrittenName", failure.Message));
+            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalCannotWrittenName", SystemReason.Of(failure)));
         }
 
         // Replies from memory are immediate: without a thread of its own the whole job would run before this method returns.

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
@@ -59,7 +60,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         {
             clock.Dispose();
             throw new ControllerLinkException(
-                Wording.Get("OfferedClock.NoClockPortComputer", port, failure.Message), failure);
+                Wording.Get("OfferedClock.NoClockPortComputer", port, SystemReason.Of(failure)), failure);
         }
     }
 

@@ -1,4 +1,5 @@
 using System.Net.Sockets;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
@@ -38,7 +39,7 @@ public sealed class TcpLink : IControllerLink
         {
             socket.Dispose();
             var hint = failure.SocketErrorCode == SocketError.ConnectionReset ? " " + HandlesTaken : "";
-            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, failure.Message, hint).Replace("..", ".", StringComparison.Ordinal), failure);
+            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, SystemReason.Of(failure), hint).Replace("..", ".", StringComparison.Ordinal), failure);
         }
         catch (OperationCanceledException failure) when (!cancellation.IsCancellationRequested)
         {
@@ -60,7 +61,7 @@ public sealed class TcpLink : IControllerLink
         }
         catch (SocketException failure)
         {
-            throw new IOException(failure.Message, failure);
+            throw new IOException(SystemReason.Of(failure), failure);
         }
     }
 
@@ -72,7 +73,7 @@ public sealed class TcpLink : IControllerLink
         }
         catch (SocketException failure)
         {
-            throw new IOException(failure.Message, failure);
+            throw new IOException(SystemReason.Of(failure), failure);
         }
     }
 

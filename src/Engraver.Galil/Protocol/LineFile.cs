@@ -1,4 +1,5 @@
 using System.Threading.Channels;
+using Engraver.Core.Languages;
 
 namespace Engraver.Galil.Protocol;
 
@@ -76,7 +77,7 @@ internal sealed class LineFile
         }
         catch (IOException unwritten)
         {
-            Fail(unwritten.Message);
+            Fail(SystemReason.Of(unwritten));
         }
     }
 

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Language;
@@ -121,7 +122,7 @@ public sealed class ControllerSession : IAsyncDisposable
         catch (Exception failure) when (failure is ControllerException or IOException)
         {
             _second = null;
-            return failure.Message.TrimEnd('.');
+            return SystemReason.Of(failure);
         }
     }
 

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Files;
 
@@ -36,7 +37,7 @@ public static class CertificateFile
         }
         catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)
         {
-            return (null, unusable.Message.TrimEnd('.'));
+            return (null, SystemReason.Of(unusable));
         }
     }
 }

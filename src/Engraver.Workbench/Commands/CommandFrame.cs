@@ -134,7 +134,7 @@ internal sealed class CommandFrame : IDisposable
         }
         catch (Exception file) when (file is IOException or UnauthorizedAccessException)
         {
-            return new InputResult.Failed(CommandFailure.Usage, TextCatalogue.Fact(file.Message));
+            return new InputResult.Failed(CommandFailure.Usage, SystemReason.WithPath(file) + ".");
         }
         catch (OperationCanceledException)
         {

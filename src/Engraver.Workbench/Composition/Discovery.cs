@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Workbench.Files;
@@ -43,7 +44,7 @@ public static class Discovery
         }
         catch (Exception silent) when (silent is ControllerException or PlatformNotSupportedException or IOException or UnauthorizedAccessException)
         {
-            return new DiscoveredController(address, null, null, silent.Message);
+            return new DiscoveredController(address, null, null, SystemReason.Of(silent));
         }
         catch (OperationCanceledException) when (!cancellation.IsCancellationRequested)
         {

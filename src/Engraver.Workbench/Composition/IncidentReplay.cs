@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Protocol;
@@ -68,7 +69,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or FormatException)
         {
-            return (null, Wording.Get("Replay.Unreadable", unusable.Message.TrimEnd('.')));
+            return (null, Wording.Get("Replay.Unreadable", SystemReason.WithPath(unusable)));
         }
 
         try
@@ -78,7 +79,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         catch (IOException refused)
         {
             await replay.DisposeAsync().ConfigureAwait(false); // more links than a controller has
-            return (null, Wording.Get("Replay.Unreadable", refused.Message.TrimEnd('.')));
+            return (null, Wording.Get("Replay.Unreadable", SystemReason.WithPath(refused)));
         }
 
         replay.ComeToRest(cancellation);

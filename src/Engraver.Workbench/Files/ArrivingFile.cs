@@ -1,4 +1,5 @@
 using Engraver.Core.Dxf;
+using Engraver.Core.Languages;
 using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.Workbench.Files;
@@ -115,7 +116,7 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
         }
         catch (Exception failed) when (failed is IOException or UnauthorizedAccessException)
         {
-            return (0, failed.Message);
+            return (0, SystemReason.Of(failed));
         }
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Histories;
@@ -125,7 +126,7 @@ public sealed class JobHistory
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return unwritable.Message.TrimEnd('.');
+            return SystemReason.Of(unwritable);
         }
     }
 
@@ -139,7 +140,7 @@ public sealed class JobHistory
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return stuck.Message.TrimEnd('.');
+            return SystemReason.Of(stuck);
         }
     }
 
@@ -151,7 +152,7 @@ public sealed class JobHistory
         }
         catch (Exception closed) when (closed is IOException or UnauthorizedAccessException)
         {
-            findings.Add(Wording.Get("History.Unreadable", _folder, closed.Message));
+            findings.Add(Wording.Get("History.Unreadable", _folder, SystemReason.Of(closed)));
             return [];
         }
     }
@@ -176,11 +177,11 @@ public sealed class JobHistory
         }
         catch (JsonException broken)
         {
-            findings.Add(SetAside(file, broken.Message));
+            findings.Add(SetAside(file, SystemReason.Of(broken)));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            findings.Add(Wording.Get("History.Unreadable", file, unreadable.Message));
+            findings.Add(Wording.Get("History.Unreadable", file, SystemReason.Of(unreadable)));
         }
 
         return null;
@@ -197,7 +198,7 @@ public sealed class JobHistory
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return Wording.Get("History.Unreadable", file, stuck.Message);
+            return Wording.Get("History.Unreadable", file, SystemReason.Of(stuck));
         }
     }
 

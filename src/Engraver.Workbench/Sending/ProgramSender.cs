@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Core.Sending;
 
 namespace Engraver.Workbench.Sending;
@@ -57,7 +58,7 @@ public sealed class ProgramSender
         }
         catch (IOException gone)
         {
-            return Result(SendOutcome.LinkLost, job, gone.Message);
+            return Result(SendOutcome.LinkLost, job, SystemReason.Of(gone));
         }
         finally
         {

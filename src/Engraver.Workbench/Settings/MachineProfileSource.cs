@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Profiles;
 using Engraver.Workbench.Composition;
@@ -34,7 +35,7 @@ public static class MachineProfileSource
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new SettingException(Wording.Get("MachineProfileSource.CannotRead", path, unreadable.Message), unreadable);
+            throw new SettingException(Wording.Get("MachineProfileSource.CannotRead", path, SystemReason.Of(unreadable)), unreadable);
         }
     }
 }

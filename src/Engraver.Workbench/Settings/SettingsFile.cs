@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Settings;
@@ -18,11 +19,11 @@ public static class SettingsFile
         }
         catch (JsonException broken)
         {
-            return SetAside(path, broken.Message, time);
+            return SetAside(path, SystemReason.Of(broken), time);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotReadDefaults", path, unreadable.Message));
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotReadDefaults", path, SystemReason.Of(unreadable)));
         }
     }
 
@@ -44,7 +45,7 @@ public static class SettingsFile
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotUnderstoodThey", path, why, stuck.Message));
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotUnderstoodThey", path, why, SystemReason.Of(stuck)));
         }
     }
 

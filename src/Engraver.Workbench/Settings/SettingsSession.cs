@@ -1,3 +1,5 @@
+using Engraver.Core.Languages;
+
 namespace Engraver.Workbench.Settings;
 
 /// <summary>The settings of the desktop and the file that keeps them. Without a file they live as long as the session.</summary>
@@ -46,7 +48,7 @@ public sealed class SettingsSession
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            Finding = Wording.Get("SettingsSession.SettingsCannotKept", _path, stuck.Message);
+            Finding = Wording.Get("SettingsSession.SettingsCannotKept", _path, SystemReason.Of(stuck));
         }
     }
 }

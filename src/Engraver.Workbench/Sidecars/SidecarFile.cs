@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Languages;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Files;
 
@@ -35,7 +36,7 @@ public static class SidecarFile
         }
         catch (JsonException damaged)
         {
-            return new SidecarReading(null, null, [SidecarRules.Damaged.At(default, name, damaged.Message.TrimEnd('.'))]);
+            return new SidecarReading(null, null, [SidecarRules.Damaged.At(default, name, SystemReason.Of(damaged))]);
         }
         catch (SidecarVersionException other)
         {
@@ -43,7 +44,7 @@ public static class SidecarFile
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return new SidecarReading(null, null, [SidecarRules.Unreadable.At(default, name, unreadable.Message.TrimEnd('.'))]);
+            return new SidecarReading(null, null, [SidecarRules.Unreadable.At(default, name, SystemReason.Of(unreadable))]);
         }
     }
 

@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Verification;
 
@@ -42,5 +43,5 @@ public sealed class ReadBackFile(Func<TextReader> open)
 
     private static bool IsUnreadable(Exception exception) => exception is IOException or UnauthorizedAccessException or InvalidDataException;
 
-    private static Diagnostic Fault(Exception unreadable) => DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'));
+    private static Diagnostic Fault(Exception unreadable) => DocumentRules.Unreadable.At(default, SystemReason.Of(unreadable));
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using Engraver.Core.Languages;
 using Engraver.Core.Posts;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Core.Trajectories.Reading;
@@ -52,7 +53,7 @@ public static class TrajectoryReadBack
         }
         catch (Exception other) when (other is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
         {
-            throw new InvalidDataException(other.Message, other);
+            throw new InvalidDataException(SystemReason.Of(other), other);
         }
     }
 

@@ -280,7 +280,7 @@ public class BadInputTests
         }
 
         Assert.Equal(ExitCode.DrawingError, code);
-        Assert.Equal("engraver: the result cannot be written: No space left on device", error.ToString().TrimEnd());
+        Assert.Equal("engraver: the result cannot be written: No space left on device.", error.ToString().TrimEnd());
     }
 
     private static void AssertOneError(CliRun run, string id)

@@ -100,7 +100,7 @@ public class SendVerbTests
         var line = await CliRun.RunAsync([.. words, folder.PathOf("x.nc")]);
 
         Assert.Equal((ExitCode.Usage, ExitCode.Usage, ExitCode.Usage, ExitCode.LinkLost), (missing.ExitCode, directory.ExitCode, endless.ExitCode, line.ExitCode));
-        Assert.Contains("There is no folder", missing.Error, StringComparison.Ordinal);
+        Assert.Contains("the folder does not exist", missing.Error, StringComparison.Ordinal);
         Assert.Contains("86400", endless.Error, StringComparison.Ordinal);
         Assert.Empty(Directory.EnumerateFileSystemEntries(folder.PathOf("")));
     }

@@ -48,7 +48,7 @@ public class JournalTests
         folder.Delete(recursive: true);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("The journal cannot be written: No space left", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("The journal cannot be written: the disk is full", result.Sentence, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Status.Outputs);
         Assert.Equal((0, 0), (result.SegmentsSent, bench.Controller.Record.Count));
     }

@@ -179,7 +179,7 @@ public class CommandChannelTests
         Assert.IsType<Accepted>(await channel.SendAsync("CB 1", CancellationToken.None));
         await trace.CloseAsync(CancellationToken.None);
 
-        Assert.Contains("No space left", trace.Failure, StringComparison.Ordinal);
+        Assert.Contains("the disk is full", trace.Failure, StringComparison.Ordinal);
     }
 
     [Fact]

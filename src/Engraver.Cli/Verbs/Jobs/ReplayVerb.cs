@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Output;
 using Engraver.Cli.Output.Jobs;
+using Engraver.Core.Languages;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Machines.Runs;
 
@@ -54,7 +55,7 @@ internal static class ReplayVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Replay.RecordUnreadable", record, unreadable.Message), unreadable);
+            throw new UsageException(Wording.Get("Replay.RecordUnreadable", record, SystemReason.Of(unreadable)), unreadable);
         }
     }
 }

@@ -4,6 +4,7 @@ using System.Text;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 using Engraver.Core.Sending;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Sending;
@@ -61,7 +62,7 @@ internal sealed class ReceiveVerb(VerbHost host)
         }
         catch (IOException gone)
         {
-            return (ReceiveEnd.LinkLost, gone.Message);
+            return (ReceiveEnd.LinkLost, SystemReason.Of(gone));
         }
         catch (PlatformNotSupportedException unbuilt)
         {

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Engraver.Cli.Output;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Sending;
 using Engraver.Workbench.Composition;
@@ -90,7 +91,7 @@ internal sealed class SendVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Send.CannotRead", path, unreadable.Message), unreadable);
+            throw new UsageException(Wording.Get("Send.CannotRead", path, SystemReason.Of(unreadable)), unreadable);
         }
     }
 

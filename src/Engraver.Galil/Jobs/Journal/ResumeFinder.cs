@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Execution;
@@ -64,7 +65,7 @@ internal static class ResumeFinder
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            refused = Wording.Get(writing ? "Resume.Unwritable" : "Resume.Unreadable", failure.Message.TrimEnd('.'));
+            refused = Wording.Get(writing ? "Resume.Unwritable" : "Resume.Unreadable", SystemReason.Of(failure));
             return null;
         }
     }

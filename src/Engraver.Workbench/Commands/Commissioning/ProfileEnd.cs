@@ -49,7 +49,7 @@ internal static class ProfileEnd
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            context.Say(Wording.Get("Commission.NotWritten", name, TextCatalogue.Fact(failure.Message)), MessageKind.Warning);
+            context.Say(Wording.Get("Commission.NotWritten", name, SystemReason.Of(failure)), MessageKind.Warning);
             return false;
         }
     }

@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Sending;
 using Engraver.Workbench.CommandLanguage;
@@ -68,7 +69,7 @@ internal sealed class SendCommand : ICommand
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new CommandException(CommandFailure.Usage, Wording.Get("Send.CannotRead", path, unreadable.Message));
+            throw new CommandException(CommandFailure.Usage, Wording.Get("Send.CannotRead", path, SystemReason.Of(unreadable)));
         }
     }
 

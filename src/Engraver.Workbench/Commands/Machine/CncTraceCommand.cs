@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.CommandLanguage;
@@ -76,7 +77,7 @@ internal sealed class CncTraceCommand : ICommand
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or FormatException)
         {
-            throw new CommandException(CommandFailure.Usage, Wording.Get("CncTrace.Unreadable", file, unreadable.Message));
+            throw new CommandException(CommandFailure.Usage, Wording.Get("CncTrace.Unreadable", file, SystemReason.Of(unreadable)));
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Files;
@@ -33,7 +34,7 @@ public sealed class MachineHold : IDisposable
         catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)
         {
             taken.Dispose(); // releases the machine
-            if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.NoRecord", unusable.Message), unusable);
+            if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.NoRecord", SystemReason.Of(unusable)), unusable);
             throw;
         }
     }
@@ -87,7 +88,7 @@ public sealed class MachineHold : IDisposable
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
             _isWritten = false;
-            return failure.Message.TrimEnd('.');
+            return SystemReason.Of(failure);
         }
     }
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Files;
@@ -35,7 +36,7 @@ public sealed class MachineMemories(string? folder)
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
         {
-            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, unusable.Message.TrimEnd('.')), unusable);
+            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, SystemReason.Of(unusable)), unusable);
         }
     }
 

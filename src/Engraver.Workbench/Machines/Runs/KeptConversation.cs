@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -24,7 +25,7 @@ public static class KeptConversation
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return (null, unwritable.Message.TrimEnd('.'));
+            return (null, SystemReason.Of(unwritable));
         }
     }
 

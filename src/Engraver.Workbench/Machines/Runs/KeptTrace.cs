@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Files;
 
@@ -23,7 +24,7 @@ public static class KeptTrace
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return failure.Message.TrimEnd('.');
+            return SystemReason.Of(failure);
         }
     }
 

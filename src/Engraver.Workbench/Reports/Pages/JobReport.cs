@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Verification;
@@ -113,7 +114,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or FormatException)
         {
-            return this with { TraceProblem = unreadable.Message };
+            return this with { TraceProblem = SystemReason.Of(unreadable) };
         }
     }
 }

@@ -65,7 +65,7 @@ public static class JobReportPage
         page.Section("path", Wording.Get("JobReport.Path"), () => Picture(PlotModel.FromPath(job.Toolpath, title), page));
         if (report.Motion is { } motion) page.Section("speed", Wording.Get("JobReport.Speed"), () => page.Figure("chart", output => SpeedPicture.Write(motion, output)));
         if (report.Trace is { } trace) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => Deviation(report, trace, title, page));
-        else if (report.TraceProblem is { } problem) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Paragraph(problem));
+        else if (report.TraceProblem is { } problem) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Paragraph(problem.TrimEnd('.') + "."));
     }
 
     private static void Deviation(JobReport report, RunTrace trace, string title, PageWriter page)

@@ -70,7 +70,7 @@ public sealed class MachineHoldTests : IDisposable
 
     [Theory]
     [InlineData("null", "it holds null")]
-    [InlineData("[]", "could not be converted")]
+    [InlineData("[]", "line 1 is not valid JSON")]
     [InlineData("{\"active\":\"G60\"}", "'G60' is no work origin")]
     [InlineData("{\"origins\":{\"G1\":{\"x\":1}}}", "'G1' is no work origin")]
     [InlineData("{\"active\":\"G54\",\"origins\":null}", "origins")]

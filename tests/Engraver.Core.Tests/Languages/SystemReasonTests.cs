@@ -1,0 +1,55 @@
+using System.Net.Sockets;
+using System.Text.Json;
+using Engraver.Core.Languages;
+
+namespace Engraver.Core.Tests.Languages;
+
+/// <summary>What the operating system refuses is told in the words of this program.</summary>
+public sealed class SystemReasonTests
+{
+    [Fact]
+    public void Files_that_cannot_be_used_say_why_without_the_words_of_the_runtime()
+    {
+        var folder = Directory.CreateTempSubdirectory("engraver-reason-").FullName;
+        try
+        {
+            Assert.Equal("the file does not exist", Of(() => File.ReadAllText(Path.Combine(folder, "none"))));
+            Assert.Equal("the folder does not exist", Of(() => File.ReadAllText(Path.Combine(folder, "none", "none"))));
+            Assert.Equal("access is denied", Of(() => File.ReadAllText(folder)));
+            Assert.Equal("the path is too long", Of(() => File.ReadAllText(Path.Combine(folder, new string('a', 5000)))));
+            using var taken = File.Open(Path.Combine(folder, "taken"), FileMode.Create, FileAccess.Write, FileShare.None);
+            Assert.Equal("another program uses it", Of(() => File.Open(Path.Combine(folder, "taken"), FileMode.Open, FileAccess.Write, FileShare.None).Dispose()));
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    [Fact]
+    public void A_path_that_the_runtime_names_stands_before_the_reason()
+    {
+        var missing = Path.Combine(Path.GetTempPath(), "engraver-nowhere", "part.dxf");
+
+        Assert.Equal($"{missing}: the folder does not exist", SystemReason.WithPath(Assert.ThrowsAny<IOException>(() => File.ReadAllText(missing))));
+    }
+
+    [Theory]
+    [InlineData(SocketError.ConnectionRefused, "the connection is refused")]
+    [InlineData(SocketError.HostNotFound, "the name of the computer is unknown")]
+    [InlineData(SocketError.TimedOut, "there is no answer")]
+    public void Sockets_say_why(SocketError error, string reason)
+    {
+        Assert.Equal(reason, SystemReason.Of(new SocketException((int)error)));
+        Assert.Equal(reason, SystemReason.Of(new IOException("wrapped", new SocketException((int)error))));
+    }
+
+    [Fact]
+    public void Own_messages_stay_and_damaged_JSON_names_its_line()
+    {
+        Assert.Equal("The folder is a pipe", SystemReason.Of(new IOException("The folder is a pipe.")));
+        Assert.Equal("line 2 is not valid JSON", Of(() => JsonDocument.Parse("{\n \"a\": }")));
+    }
+
+    private static string Of(Action refused) => SystemReason.Of(Assert.ThrowsAny<Exception>(refused));
+}
