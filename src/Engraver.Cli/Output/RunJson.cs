@@ -34,6 +34,12 @@ internal sealed record RunJson(
     /// <summary>X, Y and Z as far as steppers move them: what is polled of those is what was commanded.</summary>
     public IReadOnlyList<string> OpenLoop { get; init; } = [];
 
+    /// <summary>Largest following error of the servo axes while the tool cut, mm; null where nobody knows it.</summary>
+    public double? MaxFollowingError { get; init; }
+
+    /// <summary>The distance from the drawing up to which the run counts as right, mm; null for a run that did not begin.</summary>
+    public double? Tolerance { get; init; }
+
     /// <summary>The trajectories that were run; null for a job of the drawing itself.</summary>
     public FollowedJson? Trajectory { get; init; }
 

@@ -32,7 +32,7 @@ internal static class RunReport
         job.Settings.Machine.Axes.Z is null ? null : report.Result.FinalPosition?.Z,
         report.Result.Holds,
         report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, from.Along / job.Settings.Machine.Scale.Largest) : null,
-        StartCheckJson.Of(checks)) { OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())] };
+        StartCheckJson.Of(checks)) { OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())], MaxFollowingError = report.Judgement.FollowingMm, Tolerance = report.ToleranceMm };
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
     /// <param name="checks">The list before the start, as far as it was gone through.</param>

@@ -53,8 +53,8 @@ public sealed record JobOptions
     /// <summary>Whether every polled position is kept for a later comparison. If not, only the last ones are, and memory does not grow with the time of the run.</summary>
     public bool KeepsPolledTrace { get; init; } = true;
 
-    /// <summary>Whether the controller is asked ten times a second how far its motors are from their command. Not over a serial line, where the question would take the time of segments.</summary>
-    public bool AsksFollowingError { get; init; }
+    /// <summary>The controller's letters of the axes whose position error is asked for while the job runs: ten times a second over a network, with every second look at the path over a serial line. Empty where nobody needs it; steppers have none.</summary>
+    public string FollowedAxes { get; init; } = "";
 
     /// <summary>Longest pause between two polls, on the session's clock, while the controller works on its own and no end is expected soon.</summary>
     public TimeSpan PollInterval { get; init; } = UsualPollInterval;

@@ -41,6 +41,20 @@ public sealed record MachineProfile
     /// <summary>What turns the tool; null where it turns by itself or not at all.</summary>
     public Spindle? Spindle { get; init; }
 
+    /// <summary>Position error that a healthy axis may have, mm; null: <see cref="FollowingErrorAt"/> says how much for a speed. A larger one means that the axis is jammed or its motor cannot follow.</summary>
+    public double? FollowingErrorMm { get; init; }
+
+    /// <summary>Position error that a healthy axis may have at a speed, mm: where the profile does not say it, 0.5 mm of friction and the distance of 0.07 s, by which a slow servo is behind its command.</summary>
+    /// <param name="mmPerSecond">Speed of the axis or of the path.</param>
+    public double FollowingErrorAt(double mmPerSecond) => FollowingErrorMm ?? FrictionErrorMm + (SlowestLagSeconds * mmPerSecond);
+
+    /// <summary>The fastest that a job moves an axis, mm/s: a rapid, or the feed at its highest override.</summary>
+    public double FastestMmPerSecond => Math.Max(RapidMmPerMinute, FeedMmPerMinute * JobControl.FeedRange.Fastest) / 60.0;
+
+    private const double FrictionErrorMm = 0.5;
+
+    private const double SlowestLagSeconds = 0.07;
+
     /// <summary>Steps in which the controller holds the angles of CR, degrees (galil-dmc.md B.3: 1/65536; older manuals 1/256).</summary>
     public double AngleQuantumDegrees { get; init; } = 1.0 / 65536.0;
 

@@ -80,7 +80,7 @@ public sealed class HeightJudge : ITraceJudge
     {
         _samples++;
         _asked = new Vector3D(sample.XMm, sample.YMm, sample.ZMm);
-        _isVertical = _last is { } before && before.Place == sample.Place;
+        _isVertical = _last is { } before && (before.Place == sample.Place || !before.Cutting); // polled, the first sample of a plunge may be the only one of it
         var nearest = Nearest(out var deviation);
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         if (deviation > _tolerances.Coverage && _last is { Cutting: true } last) _extra += double.Hypot(last.Place.DistanceTo(sample.Place), last.ZMm - sample.ZMm);

@@ -160,6 +160,7 @@ internal sealed class Job
         commands.AddRange(_session.Found.MotorsOff.Where(axes.Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(Programs.Subprograms.AccelerationCommands(_program.Profile));
         commands.AddRange(_session.SoftLimitCommands(_options.SoftLimits));
+        commands.AddRange(PositionErrorLimit.Commands(_program.Profile, _session.Found));
         commands.Add(ResidentServer.StartCommand(_resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
         if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => axes.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;

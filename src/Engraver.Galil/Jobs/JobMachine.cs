@@ -33,8 +33,10 @@ internal sealed class JobMachine
     private readonly StateQuestions _questions;
     private static readonly TimeSpan s_betweenErrors = TimeSpan.FromMilliseconds(100);
 
-    private readonly bool _asksFollowingError;
-    private long _errorAsked;
+    /// <summary>On a serial line the question takes the time of a segment or two.</summary>
+    private static readonly TimeSpan s_betweenErrorsOnALine = TimeSpan.FromSeconds(1);
+
+    private long? _errorAsked;
     private bool _isGuarded;
     private int _glances;
 
@@ -42,11 +44,10 @@ internal sealed class JobMachine
     {
         _session = session;
         Profile = program.Profile;
-        _questions = new StateQuestions(program.Profile.Axes, isSlow: session.Line is not null);
+        _questions = new StateQuestions(program.Profile.Axes, isSlow: session.Line is not null, options.FollowedAxes);
         Start = program.Start;
         _times = new PollTimes(session.Time, (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
         _pollInterval = options.PollInterval;
-        _asksFollowingError = options.AsksFollowingError;
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
@@ -91,8 +92,8 @@ internal sealed class JobMachine
     /// <summary>From the job frame to the controller's own counts.</summary>
     public ControllerFrame ControllerFrame => new(default, Frame);
 
-    /// <summary>Commanded minus actual position of each axis, counts, when it was asked last; null before, and where nobody asks.</summary>
-    public CountsPoint? FollowingError { get; private set; }
+    /// <summary>Commanded minus actual position of each axis, counts, as it was asked with the last position; null where it was not.</summary>
+    public CountsPoint? FollowingError => Known?.Error;
 
     /// <summary>Present position, job frame.</summary>
     public CountsPoint Here => State.Position - Frame;
@@ -210,7 +211,9 @@ internal sealed class JobMachine
     public async ValueTask<JobStep> GlanceAsync()
     {
         if (Line is null || Known is null || _toolWatch.IsSuspicious || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
-        if (await ReadAsync(_questions.Motion).ConfigureAwait(false) is { Ends: true } end) return end;
+        var withErrors = _glances % GlancesBetweenPolls == GlancesBetweenPolls / 2 ? _questions.MotionWithErrors : null;
+        if (await ReadAsync(withErrors ?? _questions.Motion).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (withErrors is not null && !State.SequenceRunning && await ReadAsync(_questions.Motion).ConfigureAwait(false) is { Ends: true } unread) return unread; // why it ended
 
         // The axes were last seen in motion because of the path: now that it has ended they must be read again.
         return !State.SequenceRunning && State.AxesRunning ? await PollAsync().ConfigureAwait(false) : await PolledAsync().ConfigureAwait(false);
@@ -239,14 +242,13 @@ internal sealed class JobMachine
         return await Hold.AttendAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Asks _TE of each axis (galil-dmc.md A.10), where that is wanted and was not asked just now.</summary>
+    /// <summary>Asks _TE of the axes that have one (galil-dmc.md A.10) where it was not asked just now: in a message of its own, because the poll is as long as a line may be.</summary>
     private async ValueTask<JobStep> AskFollowingErrorAsync()
     {
-        if (!_asksFollowingError || Line is not null || IsStopped || (FollowingError is not null && Time.GetElapsedTime(_errorAsked) < s_betweenErrors)) return JobStep.Done;
+        if (FollowingError is not null) _errorAsked = Time.GetTimestamp();
+        if (_questions.Errors is not { } errors || IsStopped || FollowingError is not null || (_errorAsked is { } asked && Time.GetElapsedTime(asked) < (Line is null ? s_betweenErrors : s_betweenErrorsOnALine))) return JobStep.Done;
         _errorAsked = Time.GetTimestamp();
-        var (values, end) = await AskAllAsync(DmcAxes.Operands(Profile.Axes.Letters, "_TE")).ConfigureAwait(false);
-        if (!end.Ends) FollowingError = CountsPoint.From([.. values]);
-        return end;
+        return await ReadAsync(errors).ConfigureAwait(false);
     }
 
     /// <summary>Ends the job when a poll shows that the program in the controller has ended, the tool is not as it should be, or there is no progress.</summary>

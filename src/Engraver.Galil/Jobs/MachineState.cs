@@ -23,6 +23,9 @@ namespace Engraver.Galil.Jobs;
 internal readonly record struct MachineState(
     bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, bool WatchdogRuns, int ProgramError, int Trip, int Outputs)
 {
+    /// <summary>_TE: commanded minus actual position of each axis, counts, 0 of those that are not asked; null where it was not asked with or just behind this position.</summary>
+    public CountsPoint? Error { get; init; }
+
     public bool Stands => !SequenceRunning && !AxesRunning;
 }
 
@@ -30,13 +33,16 @@ internal readonly record struct MachineState(
 internal sealed class StateQuestions
 {
     /// <param name="isSlow">On a serial line the questions go in two parts, so that the heartbeat fits between them.</param>
-    public StateQuestions(MachineAxes axes, bool isSlow)
+    /// <param name="followed">Letters of the axes whose position error is wanted; empty for none.</param>
+    public StateQuestions(MachineAxes axes, bool isSlow, string followed)
     {
         var (running, places, code) = (DmcAxes.Operands(axes.Letters, "_BG"), DmcAxes.Operands(axes.Letters, "_RP"), $"_SC{axes.X.Letter}");
         var all = $"_BGS,{running},_CSS,{Variables.Sequence},_VMS,{places},TIME,{code},_XQ0,_XQ1,{Variables.ErrorCode},{Variables.WatchdogTripped},_OP0";
         IsOne = !isSlow && "MG ".Length + all.Length <= DmcLimits.LineLength;
         Program = new StateQuestion(isSlow ? $"{running},{Variables.Sequence},_XQ0,_XQ1,{Variables.ErrorCode}" : $"{running},_XQ0,_XQ1,{Variables.ErrorCode}");
         Motion = new StateQuestion(isSlow ? $"_BGS,_CSS,_VMS,{places},TIME,{code},{Variables.WatchdogTripped},_OP0" : $"_BGS,_CSS,{Variables.Sequence},_VMS,{places},TIME,{code},{Variables.WatchdogTripped},_OP0");
+        Errors = followed.Length == 0 ? null : new StateQuestion(DmcAxes.Operands(followed, "_TE"), axes.Letters);
+        MotionWithErrors = followed.Length == 0 || !isSlow ? null : new StateQuestion($"_BGS,_CSS,_VMS,{places},TIME,_OP0,{Errors!.Text}", axes.Letters);
         Whole = IsOne ? [new StateQuestion(all)] : [Program, Motion];
     }
 
@@ -49,13 +55,20 @@ internal sealed class StateQuestions
     /// <summary>In two parts: first what a program does ...</summary>
     public StateQuestion Program { get; }
 
+    /// <summary>The position errors alone; null where nobody wants them.</summary>
+    public StateQuestion? Errors { get; }
+
+    /// <summary>On a serial line, where a question more would take the time of segments: what the path does with the position errors in place of stop code and wtrip. Null over a network, and where nobody wants the errors.</summary>
+    public StateQuestion? MotionWithErrors { get; }
+
     /// <summary>... then, and on a serial line more often, what the path does. Asked last: where the axes stood before, the position is final. Where a line holds it, seq is asked here too, with the position it belongs to.</summary>
     public StateQuestion Motion { get; }
 }
 
 /// <summary>One line of operands, and what their answers say of the machine.</summary>
 /// <param name="Text">Operands divided by commas, as MG takes them.</param>
-internal sealed record StateQuestion(string Text)
+/// <param name="Letters">Of the axes that the job moves, where position errors are asked for.</param>
+internal sealed record StateQuestion(string Text, string Letters = "")
 {
     private readonly string[] _operands = Text.Split(',');
 
@@ -65,6 +78,8 @@ internal sealed record StateQuestion(string Text)
     {
         var (axis, areAxesAsked, runs) = (0, false, false);
         Span<double> place = stackalloc double[3];
+        Span<double> error = stackalloc double[Math.Max(2, Letters.Length)];
+        var areErrorsAsked = false;
         for (var i = 0; i < _operands.Length; i++)
         {
             switch (_operands[i])
@@ -81,12 +96,15 @@ internal sealed record StateQuestion(string Text)
                 case Variables.WatchdogTripped: state = state with { Trip = (int)v[i] }; break;
                 case ['_', 'B', 'G', _]: (areAxesAsked, runs) = (true, runs || v[i] != 0); break;
                 case ['_', 'R', 'P', _]: place[axis++] = v[i]; break;
+                case ['_', 'T', 'E', var letter]: (areErrorsAsked, error[Letters.IndexOf(letter, StringComparison.Ordinal)]) = (true, v[i]); break;
                 case ['_', 'S', 'C', _]: state = state with { StopCode = (int)v[i] }; break;
                 default: throw new InvalidOperationException(_operands[i]);
             }
         }
 
         if (areAxesAsked) state = state with { AxesRunning = runs };
+        if (areErrorsAsked) state = state with { Error = CountsPoint.From(error) };
+        else if (axis > 0) state = state with { Error = null };
         return axis == 0 ? state : state with { Position = CountsPoint.From(place[..axis]) };
     }
 }

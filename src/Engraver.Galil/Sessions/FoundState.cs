@@ -5,7 +5,7 @@ namespace Engraver.Galil.Sessions;
 
 /// <summary>The settings that this program changes, as found, so that they can be restored (galil-dmc.md F.2, L.3). Settings that the controller does not report are missing.</summary>
 /// <param name="Wire">CF, CW, DR and the number format: changed by the handshake.</param>
-/// <param name="Motion">The selected plane, VS VA VD VR of the S plane and SP AC DC of every axis: changed by a job.</param>
+/// <param name="Motion">The selected plane, VS VA VD VR of the S plane and SP AC DC ER of every axis: changed by a job.</param>
 /// <param name="MotorsOff">Letters of the axes whose motor was off.</param>
 public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Motion, string MotorsOff)
 {
@@ -44,7 +44,7 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
         foreach (var name in new[] { "VS", "VA", "VD" }) yield return ($"_{name}S", $"{name}S=");
         foreach (var letter in letters)
         {
-            foreach (var name in new[] { "SP", "AC", "DC" }) yield return ($"_{name}{letter}", $"{name}{letter}=");
+            foreach (var name in new[] { "SP", "AC", "DC", "ER" }) yield return ($"_{name}{letter}", $"{name}{letter}=");
         }
     }
 }

@@ -50,8 +50,8 @@ internal sealed class Axis
     /// <summary>TP: the main encoder; of a stepper, which has none in its loop, the commanded position.</summary>
     public int Encoder => IsStepper ? Reference : Motor.Counts;
 
-    /// <summary>For the record: the commanded position, and of a stepper, which may have lost steps, where its shaft stands.</summary>
-    public int Place => IsStepper ? Motor.Counts : Reference;
+    /// <summary>For the record: where the motor is, whatever it was commanded.</summary>
+    public int Place => Motor.Counts;
 
     /// <summary>TD: the auxiliary encoder, for a stepper the pulses sent.</summary>
     public int SecondEncoder => IsStepper ? Reference : Auxiliary;
@@ -95,7 +95,7 @@ internal sealed class Axis
     public bool IsSmoothing => !IsMoving && Math.Abs(Position - _smoothed) >= 0.5;
 
     /// <summary>A sample will still change something although no profile runs.</summary>
-    public bool IsSettling => IsSmoothing || (IsLoopReversed && Motor.WillRunOn(_smoothed, MotorOff)) || Motor.IsSettling(_smoothed, MotorOff);
+    public bool IsSettling => IsSmoothing || (IsLoopReversed && Motor.WillRunOn(_smoothed, MotorOff)) || (!IsStepper && !IsLoopReversed && Motor.IsSettling(_smoothed, MotorOff));
 
     /// <summary>A homing move in progress; null otherwise.</summary>
     public HomingRun? Homing { get; private set; }

@@ -237,14 +237,14 @@ internal sealed class MotionKernel
 
     private bool Follow(Axis axis)
     {
-        var before = axis.Reference;
+        var (before, motor) = (axis.Reference, axis.Motor.Counts);
         if (axis.Gear.IsEngaged) FollowGear(axis);
         var settling = axis.IsSmoothing;
         axis.Follow();
         if (axis.Latch is { IsArmed: true, WaitsForIndex: true } && axis.Inputs.IndexPassed is { } away) axis.Latch.Catch(axis.Motor.Position + away);
         if (axis.Index < Axis.Real) CheckError(axis);
         if (settling && !axis.IsSmoothing) Ends++;
-        return axis.Reference != before;
+        return axis.Reference != before || axis.Motor.Counts != motor;
     }
 
     private void FollowGear(Axis axis)

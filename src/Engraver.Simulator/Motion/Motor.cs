@@ -58,8 +58,8 @@ internal sealed class Motor(TimeSpan lag)
     /// <summary>A motor in a loop of the wrong sign is still on its way.</summary>
     public bool WillRunOn(double commanded, bool isOff) => !IsHeld && !isOff && Math.Abs(Position - commanded) < RunawayEnd;
 
-    /// <summary>It will still move although the commanded position does not change.</summary>
-    public bool IsSettling(double commanded, bool isOff) => _share < 1 && !IsHeld && !isOff && Position != commanded;
+    /// <summary>A servo will still move although the commanded position does not change: it lags behind, or was blocked and is free again.</summary>
+    public bool IsSettling(double commanded, bool isOff) => !IsHeld && !isOff && Position != commanded;
 
     /// <summary>The place where the shaft stands, and the commanded position with it, get this number.</summary>
     public void Define(double position) => (Position, Lost) = (position, 0);

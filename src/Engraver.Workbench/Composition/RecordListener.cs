@@ -22,6 +22,9 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
     /// <summary>Keeps the places besides; null for nobody.</summary>
     public RunTraceBuilder? Places { get; init; }
 
+    /// <summary>Compares the motors with the drawing besides; null for nobody.</summary>
+    public MotorJudge? Motors { get; init; }
+
     /// <summary>Samples from now on belong to the job and are judged; earlier ones are ignored.</summary>
     /// <param name="frameX">Counts of the controller at the drawing's zero, axis of X.</param>
     /// <param name="frameY">The same, axis of Y.</param>
@@ -81,14 +84,20 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         for (var i = 0L; i < span.Count; i++) Tell(frame, span[i]);
     }
 
+    /// <summary>The record holds where the motors were; the path that was commanded is so far from it as the controller's position error says.</summary>
     private void Tell((double X, double Y, double Z) frame, in MotionSample sample)
     {
-        var place = Place(frame, sample[_x], sample[_y]);
-        var height = _z is { } z ? sample[z] - frame.Z : 0.0;
-        var isCutting = _z is null ? IsCutting(sample.Outputs) : profile.Up * height < profile.Up * (double)profile.RetractCounts;
-        var told = new TraceSample(sample.Seconds, place.X, place.Y, isCutting, profile.Scale.ToMillimetres(height)) { FollowingMm = double.Hypot(sample.ErrorOf(_x) / profile.Scale.X, sample.ErrorOf(_y) / profile.Scale.Y) };
+        var motor = Place(frame, sample[_x], sample[_y]);
+        var (errorX, errorY, errorZ) = (sample.ErrorOf(_x), sample.ErrorOf(_y), _z is { } height ? sample.ErrorOf(height) : 0);
+        var commanded = errorX == 0 && errorY == 0 ? motor : Place(frame, (double)sample[_x] + errorX, (double)sample[_y] + errorY);
+        var z = _z is { } axis ? sample[axis] + (double)errorZ - frame.Z : 0.0;
+        var isCutting = _z is null ? IsCutting(sample.Outputs) : profile.Up * z < profile.Up * (double)profile.RetractCounts;
+        var following = double.Hypot(motor.DistanceTo(commanded), profile.Scale.ToMillimetres((double)errorZ));
+        var told = new TraceSample(sample.Seconds, commanded.X, commanded.Y, isCutting, profile.Scale.ToMillimetres(z)) { FollowingMm = following };
+        var seen = told with { XMm = motor.X, YMm = motor.Y, ZMm = profile.Scale.ToMillimetres(z - errorZ) };
         foreach (var judge in judges) judge.Add(told);
-        Places?.Add(told);
+        Motors?.Add(told, seen);
+        Places?.Add(seen);
     }
 
     private bool IsCutting(byte outputs) => _tool.IsOn(outputs);
@@ -106,6 +115,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
     {
         var told = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs)) { FollowingMm = 0.0 };
         foreach (var judge in judges) judge.Add(told);
+        Motors?.Followed(told.Cutting);
         Places?.Add(told);
     }
 

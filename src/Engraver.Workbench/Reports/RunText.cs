@@ -23,13 +23,20 @@ public static class RunText
     /// <summary>What is seen and not cut, and how to have it cut; empty when there is nothing of the kind.</summary>
     private static string Unseen(NotCutFindings notCut) => notCut.Counts.Count == 0 ? "" : $"; {notCut.Clause}: {notCut.HowTo}";
 
+    /// <summary>Of servos that were behind their command: by how much, and what was allowed.</summary>
+    private static string Tolerance(MachineRunReport report) => (report.ToleranceMm, report.Judgement.FollowingMm) switch
+    {
+        ({ } tolerance, { } following and > 0.0) => Wording.Get("RunText.ToleranceWithLag", tolerance, following),
+        _ => "",
+    };
+
     private static string Verdict(MachineRunReport report, int leftOut, NotCutFindings notCut)
     {
         var (judgement, openLoop) = (report.Judgement, report.Unseen);
         var unseen = Unseen(notCut);
         if (judgement.MaxDeviationMm is not { } deviation) return Wording.Get("RunText.NothingKnownAboutCut", unseen);
         var isOpenLoop = openLoop.Count > 0;
-        var who = Wording.Get(judgement.Source == "record" ? "RunText.SimulatedMotors" : isOpenLoop ? "RunText.CommandedPositions" : "RunText.PolledPositions");
+        var who = Wording.Get(judgement.Source == "record" ? "RunText.SimulatedMotors" : judgement.FollowingMm is not null && !isOpenLoop ? "RunText.Motors" : isOpenLoop ? "RunText.CommandedPositions" : "RunText.PolledPositions");
         var missing = judgement.MissingLengthMm switch
         {
             null => Wording.Get("RunText.HowMuchMissingNot"),
@@ -39,6 +46,6 @@ public static class RunText
         };
         if (leftOut > 0) missing += Wording.Get("RunText.ButItsEntitiesCould", leftOut, leftOut == 1 ? Wording.Get("RunText.Is") : Wording.Get("RunText.Are"));
         if (isOpenLoop) missing = Wording.Get("RunText.IfTheSteppersFollowed", missing, string.Join(", ", openLoop));
-        return Wording.Get("RunText.WorstMmFromDrawing", who, deviation, missing, unseen);
+        return Wording.Get("RunText.WorstMmFromDrawing", who, deviation, missing, unseen, Tolerance(report));
     }
 }

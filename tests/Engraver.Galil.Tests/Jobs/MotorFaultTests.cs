@@ -26,7 +26,7 @@ public class MotorFaultTests
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
-    /// <summary>The factory's ER is 16384 counts: of an axis that stands 8 mm beside its place the controller says nothing by itself.</summary>
+    /// <summary>The job's ER is 4 mm at the default profile: of an axis that stands 2 mm beside its place the controller says nothing by itself.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -34,7 +34,7 @@ public class MotorFaultTests
     public async Task A_job_at_whose_end_a_motor_stands_beside_its_place_by_less_than_ER_is_not_called_complete(JobMode mode)
     {
         await using var bench = new SimulatedBench();
-        var jam = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.HoldMotor(0, true));
+        var jam = new CancelWhen(progress => progress.X > 58000, () => bench.Controller.HoldMotor(0, true));
 
         var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Mode = mode }, jam);
 
@@ -45,6 +45,38 @@ public class MotorFaultTests
         Assert.Equal(0, (int)bench.Controller.Status.Outputs);
     }
 
+    /// <summary>0.5 mm and the way of 0.07 s at the fastest speed, 50 mm/s: 4 mm. The factory's limit would be 16 mm; OE stays as it is.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task The_controller_itself_ends_a_job_beyond_the_following_error_of_the_profile_and_gets_its_limit_back(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        await bench.SendAsync("ERA=12345", "OEB=1");
+        var jam = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.HoldMotor(0, true));
+
+        var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Mode = mode }, jam);
+
+        Assert.NotEqual(JobOutcome.Complete, result.Outcome);
+        Assert.Contains("position error", result.Sentence, StringComparison.Ordinal);
+        Assert.InRange(result.FinalPosition!.Value.X, 53_500, 56_000);
+        Assert.Empty(result.NotRestored);
+        Assert.Equal(("12345", "1"), ((await bench.WholeAsync("_ERA")).Trim(), (await bench.WholeAsync("_OEB")).Trim()));
+        Assert.Equal(0, (int)bench.Controller.Status.Outputs);
+    }
+
+    [Fact]
+    public async Task A_limit_of_the_profile_is_sent_in_counts_of_each_axis_and_none_to_a_stepper()
+    {
+        var profile = MachineProfile.Default with { FollowingErrorMm = 1.25, Axes = new MachineAxes(new MachineAxis('A', 1000.0), new MachineAxis('B', -40.0), new MachineAxis('C', 100.0, 2.0)) };
+        await using var bench = new SimulatedBench();
+        await using var session = await bench.OpenAsync();
+
+        Assert.Equal(["ERA=1250", "ERB=50"], PositionErrorLimit.Commands(profile, session.Found));
+        Assert.Equal(["ERA=4000", "ERB=4000"], PositionErrorLimit.Commands(MachineProfile.Default, session.Found));
+    }
+
     [Fact]
     public async Task A_move_by_hand_whose_motor_did_not_come_along_is_not_called_done()
     {
@@ -52,10 +84,10 @@ public class MotorFaultTests
         bench.Controller.HoldMotor(1, true);
         await using var session = await bench.OpenAsync();
 
-        var result = await JobRunner.GoToAsync(MotionPrograms.LongLine(1000), new CountsPoint(3000, 9000), session, SimulatedBench.Job, null, CancellationToken.None);
+        var result = await JobRunner.GoToAsync(MotionPrograms.LongLine(1000), new CountsPoint(3000, 2000), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("Y is 9000", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("Y is 2000", result.Sentence, StringComparison.Ordinal);
         Assert.NotEqual("", result.PositionDoubt);
     }
 

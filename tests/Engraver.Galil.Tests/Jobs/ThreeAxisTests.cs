@@ -34,7 +34,7 @@ public class ThreeAxisTests
     [InlineData(true, true, 2)]
     public void A_line_of_questions_never_exceeds_the_80_characters_of_a_command(bool isSlow, bool isTall, int lines)
     {
-        var questions = new Engraver.Galil.Jobs.StateQuestions(isTall ? s_axes : MachineAxes.Default, isSlow);
+        var questions = new Engraver.Galil.Jobs.StateQuestions(isTall ? s_axes : MachineAxes.Default, isSlow, followed: "");
 
         Assert.Equal(lines, questions.Whole.Count);
         Assert.All(questions.Whole, question => Assert.InRange("MG ".Length + question.Text.Length, 1, 80));
@@ -43,7 +43,7 @@ public class ThreeAxisTests
     [Fact]
     public void The_parts_of_a_poll_each_leave_what_they_did_not_ask_as_it_was()
     {
-        var questions = new Engraver.Galil.Jobs.StateQuestions(s_axes, isSlow: false);
+        var questions = new Engraver.Galil.Jobs.StateQuestions(s_axes, isSlow: false, followed: "");
         var motion = questions.Motion.Text.Split(',');
         var state = questions.Program.Update(default, [0, 0, 1, 5, 6, 7]);
         state = questions.Motion.Update(state, [.. motion.Select((_, i) => (double)(i + 1))]);

@@ -11,9 +11,9 @@ internal static class RecordJudgement
     /// <param name="frameX">Counts of the controller at the drawing's zero.</param>
     public static RunJudgement Of(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY, long frameZ = 0)
     {
-        var listener = new RecordListener(job.Settings.Machine, RunJudge.JudgeOf(job));
+        var listener = new RecordListener(job.Settings.Machine, RunJudge.JudgeOf(job)) { Motors = RunJudge.MotorsOf(job) };
         listener.Start(frameX, frameY, frameZ);
         foreach (var sample in record) listener.Add(sample);
-        return RunJudge.ByRecord(listener.Verdicts()[0]);
+        return RunJudge.ByRecord(listener.Verdicts()[0], listener.Motors);
     }
 }

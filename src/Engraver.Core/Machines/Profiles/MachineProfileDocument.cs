@@ -23,6 +23,8 @@ internal sealed class MachineProfileDocument
 
     public double? SharpCornerDegrees { get; set; }
 
+    public double? FollowingErrorMm { get; set; }
+
     public int? ToolOutput { get; set; }
 
     public double? ToolSettleSeconds { get; set; }
@@ -59,6 +61,7 @@ internal sealed class MachineProfileDocument
         RapidMmPerMinute = profile.RapidMmPerMinute,
         AccelerationCounts = profile.AccelerationCounts,
         SharpCornerDegrees = profile.SharpCornerDegrees,
+        FollowingErrorMm = profile.FollowingErrorMm,
         ToolOutput = profile.ToolOutput,
         ToolSettleSeconds = profile.ToolSettleSeconds,
         AngleQuantumDegrees = profile.AngleQuantumDegrees,
@@ -100,6 +103,7 @@ internal sealed class MachineProfileDocument
         RapidMmPerMinute = RapidMmPerMinute ?? profile.RapidMmPerMinute,
         AccelerationCounts = AccelerationCounts ?? profile.AccelerationCounts,
         SharpCornerDegrees = SharpCornerDegrees ?? profile.SharpCornerDegrees,
+        FollowingErrorMm = FollowingErrorMm ?? profile.FollowingErrorMm,
         ToolOutput = ToolOutput ?? profile.ToolOutput,
         ToolSettleSeconds = ToolSettleSeconds ?? profile.ToolSettleSeconds,
         AngleQuantumDegrees = AngleQuantumDegrees ?? profile.AngleQuantumDegrees,

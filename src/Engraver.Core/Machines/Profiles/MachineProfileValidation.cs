@@ -14,6 +14,8 @@ public static class MachineProfileValidation
 
     private const double LargestRate = 1e9;
 
+    private const double LargestFollowingErrorMm = 1000.0;
+
     /// <summary>One error for each setting that cannot be used, naming the setting, its value and the limit; empty for a usable profile.</summary>
     public static IReadOnlyList<Diagnostic> Check(MachineProfile profile, MachineLimits limits) => [.. Findings(profile, limits)];
 
@@ -38,6 +40,7 @@ public static class MachineProfileValidation
         if (!IsSpeed(p.RapidMmPerMinute, p, limits)) yield return Finding("rapidMmPerMinute", p.RapidMmPerMinute, AxisSpeeds(limits));
         if (!IsAcceleration(p.AccelerationCounts, limits)) yield return Finding("accelerationCounts", p.AccelerationCounts, Accelerations(limits));
         if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, Wording.Get("MachineProfileValidation.Degrees"));
+        if (p.FollowingErrorMm is not (null or (> 0.0 and <= LargestFollowingErrorMm))) yield return Finding("followingErrorMm", p.FollowingErrorMm.Value, Wording.Get("MachineProfileValidation.FollowingError", LargestFollowingErrorMm));
         if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, Wording.Get("MachineProfileValidation.OutputFrom", limits.Outputs));
         if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
         foreach (var finding in ToolFindings(p, limits)) yield return finding;

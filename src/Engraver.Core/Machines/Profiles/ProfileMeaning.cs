@@ -28,6 +28,7 @@ public static class ProfileMeaning
     {
         var (feed, acceleration) = (profile.FeedMmPerMinute / 60.0, profile.AccelerationCounts / profile.Scale.Largest);
         yield return Wording.Get("ProfileMeaning.Feed", profile.FeedMmPerMinute, feed, profile.RapidMmPerMinute, profile.JogMmPerMinute);
+        yield return Wording.Get("ProfileMeaning.FollowingError", profile.FollowingErrorAt(feed), profile.FollowingErrorAt(profile.FastestMmPerSecond));
         yield return Wording.Get("ProfileMeaning.Acceleration", acceleration, feed / acceleration, feed * feed / acceleration / 2.0, profile.SharpCornerDegrees);
     }
 

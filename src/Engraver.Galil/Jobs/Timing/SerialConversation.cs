@@ -23,7 +23,7 @@ internal sealed class SerialConversation(SerialLine line)
     private const int ThreadLineDigits = 2;
 
     /// <summary>Letters do not matter: only the length of a question does.</summary>
-    private static readonly StateQuestions s_questions = new(MachineAxes.Default, isSlow: true);
+    private static readonly StateQuestions s_questions = new(MachineAxes.Default, isSlow: true, followed: "");
 
     private readonly double _byteSeconds = line.ByteSeconds;
     private double _beaten;

@@ -32,7 +32,8 @@ internal sealed class FollowingCheck(ControllerSession session, MachineProfile p
 
     private async ValueTask<string> LookAsync()
     {
-        var axes = profile.Axes.All;
+        MachineAxis[] axes = [.. profile.Axes.All.Where(axis => !axis.IsStepper)];
+        if (axes.Length == 0) return "";
         var reading = await session.StopHandle.ReadAsync(string.Join(',', axes.Select(axis => $"_TE{axis.Letter}")), CancellationToken.None).ConfigureAwait(false);
         if (reading.Refusal is not null) return "";
         return string.Join(Wording.Get("Common.And"), axes.Select((axis, i) => (Axis: axis, Error: reading.Values[i])).Where(one => Math.Abs(one.Error) > Allowed(one.Axis)).Select(one => Wording.Get("JobMachine.AxisError", profile.Axes.NameOf(one.Axis.Letter), one.Error)));

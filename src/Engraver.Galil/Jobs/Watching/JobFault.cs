@@ -82,8 +82,15 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
             if (await machine.AskAtRestAsync($"_TE{letter}").ConfigureAwait(false) is { } error) errors.Add(Wording.Get("JobMachine.AxisError", machine.Profile.Axes.NameOf(letter), error));
         }
 
+        var switched = "";
+        foreach (var letter in machine.Profile.Axes.Letters)
+        {
+            if (await machine.AskAtRestAsync($"_OE{letter}").ConfigureAwait(false) is 1.0 or 3.0) switched += machine.Profile.Axes.NameOf(letter);
+        }
+
+        var motors = switched.Length == 0 ? Wording.Get("JobFault.MotorsStayOn") : Wording.Get("JobFault.MotorsSwitchedOff", string.Join(", ", switched.AsEnumerable()));
         var far = errors.Count == machine.Profile.Axes.All.Count ? Wording.Get("JobMachine.CountsOff", string.Join(Wording.Get("Common.And"), errors)) : "";
-        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", machine.State.Position.X, machine.State.Position.Y, far)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
+        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", machine.State.Position.X, machine.State.Position.Y, far, motors)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
     }
 
     /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>

@@ -86,6 +86,7 @@ public static class MachineRun
         {
             Placement = placement.Found,
             OpenLoop = placement.OpenLoop,
+            ToleranceMm = RunVerdict.Tolerance(job, placement.Program, judged.Judgement),
             Trace = judged.Trace,
             IsDryRun = options.DryRun,
             ResumedFrom = options.Resume is null ? null : beginning.Place,
@@ -118,7 +119,7 @@ public static class MachineRun
     {
         var judge = options.DryRun || connection.Simulator is null ? null : RunJudge.JudgeOf(job);
         if (judge is not null) beginning.Tell(judge, placement.Program);
-        var listener = judge is null ? null : new RecordListener(job.Settings.Machine, judge) { Places = RunJudge.PlacesOf(job) };
+        var listener = judge is null ? null : new RecordListener(job.Settings.Machine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
         listener?.Start(frame.X, frame.Y, frame.Z);
         var judgement = RunJudgement.Unknown;
@@ -140,7 +141,7 @@ public static class MachineRun
             Frame = frame,
             SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],
             KeepsPolledTrace = connection.Simulator is null,
-            AsksFollowingError = connection.Simulator is null && !placement.OpenLoop.Intersect("XY").Any(), // a stepper has none: its position is what was commanded
+            FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.All.Zip("XYZ").Where(axis => !placement.OpenLoop.Contains(axis.Second)).Select(axis => axis.First.Letter)) : "", // a stepper has no position error: its position is what was commanded
         };
         options.Placed?.Invoke(frame);
         if (placement.Untold.Count > 0) options.Told?.Invoke(PreparationRules.MotorUntold.At(default, string.Join(", ", placement.Untold)));
@@ -162,7 +163,7 @@ public static class MachineRun
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, RecordListener? listener, bool dryRun)
     {
         if (dryRun || result.FrameOrigin is null) return RunJudgement.Unknown;
-        return listener is null ? RunJudge.ByPolling(job, program, result) : RunJudge.ByRecord(listener.Verdicts()[0]);
+        return listener is null ? RunJudge.ByPolling(job, program, result) : RunJudge.ByRecord(listener.Verdicts()[0], listener.Motors);
     }
 }
 
@@ -179,6 +180,9 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
 
     /// <summary>Those of <see cref="OpenLoop"/> whose deviation is that of what was commanded: the record of a simulated controller knows where its motors were.</summary>
     public IReadOnlyList<char> Unseen => Judgement.Source == "record" ? [] : OpenLoop;
+
+    /// <summary>The distance from the drawing up to which this run counts as right, mm: max error, counts and, of servos, the lag that the profile allows.</summary>
+    public double? ToleranceMm { get; init; }
 
     /// <summary>The tool stayed off.</summary>
     public bool IsDryRun { get; init; }

@@ -32,6 +32,7 @@ internal sealed class LiveTrace(PreparedJob job, bool isDryRun)
 
     private readonly RunTraceBuilder _places = RunJudge.PlacesOf(job);
     private double _shown = double.NegativeInfinity;
+    private CountsPoint? _error;
 
     /// <returns>Null for a drawing that is too large for it.</returns>
     public static LiveTrace? Of(PreparedJob job, bool isDryRun) => job.Analysed.Count > MostSegments ? null : new LiveTrace(job, isDryRun);
@@ -40,7 +41,8 @@ internal sealed class LiveTrace(PreparedJob job, bool isDryRun)
     /// <returns>The run so far when it is time to show it; otherwise null.</returns>
     public RecordedRun? Add(JobProgress told)
     {
-        _places.Add(RunJudge.Sample(job, told, isDryRun));
+        _error = told.Error ?? _error;
+        _places.Add(RunJudge.Sample(job, told, isDryRun, _error));
         if (told.Seconds - _shown < Between) return null;
         _shown = told.Seconds;
         return new RecordedRun(job, _places.ToTrace("polled"));

@@ -3,6 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -11,7 +12,28 @@ namespace Engraver.Workbench.Machines.Runs;
 public static class RunJudge
 {
     /// <summary>What was found while the controller ran.</summary>
-    public static RunJudgement ByRecord(TraceVerdict found) => new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt };
+    /// <param name="motors">What was found of the motors; null where only the commanded path is judged.</param>
+    internal static RunJudgement ByRecord(TraceVerdict found, MotorJudge? motors = null) =>
+        WithMotors(new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt }, motors);
+
+    /// <summary>Compares the motors of a job with the drawing, in plan: how far the height is behind is part of the following error.</summary>
+    internal static MotorJudge MotorsOf(PreparedJob job) => new(() => PlanJudgeOf(job, null, Tolerances(job)));
+
+    private static RunJudgement WithMotors(RunJudgement path, MotorJudge? motors) => motors?.Following is not { } following || path.MaxDeviationMm is not { } commanded ? path : path with
+    {
+        MaxDeviationMm = Math.Max(commanded, motors.Deviation),
+        DeviationAt = motors.Deviation > commanded ? motors.DeviationAt : path.DeviationAt,
+        CommandedDeviationMm = commanded,
+        FollowingMm = following,
+        FollowingAt = motors.FollowingAt,
+    };
+
+    /// <summary>The following error that the profile allows at the fastest cutting speed of a program, mm: by so much healthy servos may be beside a path that bends.</summary>
+    internal static double AllowedFollowing(MotionProgram program)
+    {
+        var fastest = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max();
+        return program.Profile.FollowingErrorAt(fastest / program.Profile.Scale.Smallest);
+    }
 
     /// <summary>A judge that compares recorded motion with the drawing.</summary>
     /// <param name="bridges">Lines that may be cut besides; what is missing is then not to be asked of the verdict.</param>
@@ -30,12 +52,15 @@ public static class RunJudge
     internal static RunTrace PolledPlaces(PreparedJob job, JobResult result)
     {
         var places = PlacesOf(job);
-        foreach (var point in result.PolledTrace) places.Add(Sample(job.Settings.Machine, point.Seconds, point.Place, point.ToolOn, point.Error));
+        CountsPoint? error = null;
+        foreach (var point in result.PolledTrace) places.Add(MotorSample(job.Settings.Machine, point with { Error = error = point.Error ?? error })); // between two questions the last answer is the best that is known
         return places.ToTrace("polled");
     }
 
     /// <summary>A place that a job has told while it runs; of a dry run the path counts as cut.</summary>
-    internal static TraceSample Sample(PreparedJob job, JobProgress told, bool isDryRun) => Sample(job.Settings.Machine, told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath), told.Error);
+    /// <param name="error">The position error that was told last; null where nobody asks.</param>
+    internal static TraceSample Sample(PreparedJob job, JobProgress told, bool isDryRun, CountsPoint? error) =>
+        MotorSample(job.Settings.Machine, new TracePoint(told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath)) { Error = error });
 
     /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed; the one under way counts up to the last position known on it.</summary>
     public static RunJudgement ByPolling(PreparedJob job, MotionProgram program, JobResult result)
@@ -43,14 +68,21 @@ public static class RunJudge
         var profile = job.Settings.Machine;
         var trace = result.PolledTrace.Select(point => Sample(profile, point.Seconds, point.Place, point.ToolOn)).ToArray();
         if (!trace.Any(sample => sample.Cutting)) return RunJudgement.Unknown;
-        var judge = JudgeOf(job);
-        foreach (var sample in trace) judge.Add(sample);
+        var (judge, motors) = (JudgeOf(job), MotorsOf(job));
+        for (var i = 0; i < trace.Length; i++)
+        {
+            // The last poll before the tool is out of the work may be the only one of its way up; the judge of heights knows a way up or down by what is no cut before it.
+            if (trace[i].Cutting && i + 1 < trace.Length && !trace[i + 1].Cutting) judge.Add(trace[i] with { Cutting = false });
+            judge.Add(trace[i]);
+        }
+
+        foreach (var point in result.PolledTrace.Where(point => point.Error is not null)) motors.Add(Sample(profile, point.Seconds, point.Place, point.ToolOn), MotorSample(profile, point));
         var found = judge.Verdict();
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         var tolerances = Tolerances(job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
         var missing = Math.Max(0.0, planned - cut) / profile.Scale.Largest;
-        return new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place };
+        return WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, motors);
     }
 
     /// <summary>The differences that a correct run of the job may have.</summary>
@@ -63,20 +95,36 @@ public static class RunJudge
     /// <summary>Millimetres; of the Z axis too, where it cuts.</summary>
     private static double CoarsestCount(MachineProfile profile) => 1.0 / (profile.Height is null ? profile.Scale.Smallest : Math.Min(profile.Scale.Smallest, Math.Abs(profile.Scale.Z)));
 
+    /// <summary>Where the motors were: the commanded position less the position error, where somebody asked for it.</summary>
+    private static TraceSample MotorSample(MachineProfile profile, TracePoint point) => Sample(profile, point.Seconds, point.Place - (point.Error ?? default), point.ToolOn, point.Error);
+
     private static TraceSample Sample(MachineProfile profile, double seconds, CountsPoint counts, bool cutting, CountsPoint? error = null)
     {
         var place = profile.Scale.ToMillimetres(counts.X, counts.Y);
-        return new(seconds, place.X, place.Y, cutting, profile.Scale.ToMillimetres(counts.Z)) { FollowingMm = error is { } known ? double.Hypot(known.X / profile.Scale.X, known.Y / profile.Scale.Y) : null };
+        return new(seconds, place.X, place.Y, cutting, profile.Scale.ToMillimetres(counts.Z)) { FollowingMm = error is { } known ? Following(profile, known) : null };
     }
+
+    /// <summary>Millimetres; of the height too, where an axis holds the tool.</summary>
+    private static double Following(MachineProfile profile, CountsPoint error) =>
+        double.Hypot(double.Hypot(error.X / profile.Scale.X, error.Y / profile.Scale.Y), profile.Height is null ? 0.0 : error.Z / profile.Scale.Z);
 }
 
 /// <summary>What a run is worth, by what the controller or the simulator's record says; null where nothing is known.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing.</param>
+/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing: of the motors, where their position error is known, otherwise of what was commanded.</param>
 /// <param name="MissingLengthMm">Drawn length that was never cut; null too when the link was lost and the controller went on alone.</param>
 /// <param name="Source">"record", "polled" or "none".</param>
 public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthMm, string Source)
 {
     public static RunJudgement Unknown { get; } = new(null, null, "none");
+
+    /// <summary>Largest distance of the commanded path from the drawing, where the motors' own is known; null where only one of the two is, and then it is <see cref="MaxDeviationMm"/>.</summary>
+    public double? CommandedDeviationMm { get; init; }
+
+    /// <summary>Largest following error of the servo axes while the tool cut, mm; null where nobody asked, or steppers move them.</summary>
+    public double? FollowingMm { get; init; }
+
+    /// <summary>Where on the commanded path that was, millimetres.</summary>
+    public Point2D? FollowingAt { get; init; }
 
     /// <summary>Where on the drawing the machine was furthest from it, millimetres; null where that is not known.</summary>
     public Point2D? DeviationAt { get; init; }

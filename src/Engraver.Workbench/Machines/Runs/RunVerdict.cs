@@ -17,12 +17,21 @@ internal static class RunVerdict
     {
         if (result.Outcome != JobOutcome.Complete) return result;
         var tolerances = RunJudge.Tolerances(job);
-        if (judgement.MaxDeviationMm is { } deviation && deviation > AllowedDeviation(job, program, judgement, tolerances))
-            return Deviated(result, Wording.Get("RunVerdict.RunWorstMmBeside", Millimetres(deviation), At(judgement.DeviationAt)));
+        var (allowed, lag) = (AllowedDeviation(job, program, judgement, tolerances), RunJudge.AllowedFollowing(program));
+        if ((judgement.CommandedDeviationMm ?? judgement.MaxDeviationMm) is { } commanded && commanded > allowed)
+            return Deviated(result, Wording.Get("RunVerdict.RunWorstMmBeside", Millimetres(commanded), At(judgement.DeviationAt)));
+        if (judgement.CommandedDeviationMm is not null && judgement.MaxDeviationMm is { } deviation && deviation > allowed + lag)
+            return Deviated(result, Wording.Get("RunVerdict.MotorsBeside", Millimetres(deviation), At(judgement.DeviationAt), Millimetres(allowed + lag)));
+        if (judgement.FollowingMm is { } following && following > lag)
+            return Deviated(result, Wording.Get("RunVerdict.DidNotFollow", Millimetres(following), At(judgement.FollowingAt), Millimetres(lag)));
         if (judgement.MissingLengthMm is { } missing && missing > AllowedMissing(judgement, tolerances))
             return Deviated(result, Wording.Get("RunVerdict.MmDrawingNotCut", Millimetres(missing), At(judgement.MissingAt)));
         return result;
     }
+
+    /// <summary>The distance from the drawing up to which a run counts as right, mm: with the lag that healthy servos may have, where their position errors are known.</summary>
+    public static double Tolerance(PreparedJob job, MotionProgram program, RunJudgement judgement) =>
+        AllowedDeviation(job, program, judgement, RunJudge.Tolerances(job)) + (judgement.FollowingMm is null ? 0.0 : RunJudge.AllowedFollowing(program));
 
     private static JobResult Deviated(JobResult result, string what) => result with
     {

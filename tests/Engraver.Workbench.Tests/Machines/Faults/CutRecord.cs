@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Tests.Machines.Faults;
 /// <summary>What the record says of the tool.</summary>
 internal static class CutRecord
 {
-    /// <summary>No axis moves so many counts in a sample: the controller counts the place where it stands otherwise now.</summary>
+    /// <summary>No axis is commanded so many counts in a sample: the controller counts the place where it stands otherwise now. A motor may well go farther, when its shaft is free again.</summary>
     private const int Jump = 60;
 
     /// <summary>The record from a row on, in counts of the machine as it was switched on first.</summary>
@@ -17,12 +17,14 @@ internal static class CutRecord
         for (var i = 0; i < record.Count; i++)
         {
             var at = record[i];
-            if (isFollowed && i > 0 && record[i - 1] is var before && (Math.Abs(at.A - before.A) > Jump || Math.Abs(at.B - before.B) > Jump || Math.Abs(at.C - before.C) > Jump)) (a, b, c) = (a + before.A - at.A, b + before.B - at.B, c + before.C - at.C);
+            if (isFollowed && i > 0 && record[i - 1] is var before && (Commanded(at, 0, before) > Jump || Commanded(at, 1, before) > Jump || Commanded(at, 2, before) > Jump)) (a, b, c) = (a + before.A - at.A, b + before.B - at.B, c + before.C - at.C);
             if (i >= from) placed.Add(at with { A = at.A + a, B = at.B + b, C = at.C + c });
         }
 
         return placed;
     }
+
+    private static int Commanded(in MotionSample at, int axis, in MotionSample before) => Math.Abs(at[axis] + at.ErrorOf(axis) - before[axis] - before.ErrorOf(axis));
 
     /// <summary>Length of the way in plan on which the tool was at work, counts.</summary>
     public static double Length(IReadOnlyList<MotionSample> samples, Func<MotionSample, bool> isAtWork)

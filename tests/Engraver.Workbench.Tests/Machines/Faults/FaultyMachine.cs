@@ -379,7 +379,8 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
 
     public bool IsComplete => Result is { Outcome: JobOutcome.Complete };
 
-    public bool IsCutRight => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && deviation <= Tolerance && missing <= Tolerance;
+    /// <summary>The commanded path is the drawing, and the motors were never farther from it than healthy servos of this machine may be: 0.5 mm and 0.07 s of 20 mm/s.</summary>
+    public bool IsCutRight => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && (Record.CommandedDeviationMm ?? deviation) <= Tolerance && missing <= Tolerance && (Record.FollowingMm ?? 0.0) <= 0.5 + (0.07 * 20.0);
 
     public static FaultyRun Unconnected(string sentence) => new(null, null, RunJudgement.Unknown, 0.0) { Sentence = sentence };
 
