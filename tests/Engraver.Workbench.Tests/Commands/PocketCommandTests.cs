@@ -24,7 +24,8 @@ public class PocketCommandTests
         Assert.Equal("POCKET", drawing.Layers[drawing.Entities[added].Layer].Name);
         Assert.Equal(CurveType.LwPolyline, drawing.Entities[added].Type);
         Assert.Contains("100 % of 28.274 mm2 covered", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("half a tool diameter into the wall", talk.Said, StringComparison.Ordinal); // the circle itself is still cut
+        Assert.Equal(["POCKET"], talk.State.Settings.Layers!); // the circle itself would be cut half a tool diameter into the wall
+        Assert.DoesNotContain("half a tool diameter into the wall", talk.Said, StringComparison.Ordinal);
         Assert.All(Outline(drawing, added), segment => Assert.True(segment.PointAt(0.5).DistanceTo(new Point2D(20, 5)) <= 2.0 + 1e-9));
         await talk.TypeAsync("U");
         Assert.Same(before, talk.State.Drawing);
@@ -127,13 +128,31 @@ public class PocketCommandTests
     }
 
     [Fact]
-    public async Task The_choice_of_the_job_is_not_taken_over_and_the_job_may_stay_the_whole_drawing()
+    public async Task The_job_may_stay_the_whole_drawing_and_that_choice_is_not_taken_over()
     {
         await using var talk = CommandTalk.WithDrawing();
-        await talk.TypeAsync("POCKET", "H", "A4", "", "2", "0.5", "Contour", "Job", "Pocket", "0", "U", "POCKET", "H", "A4", "", "", "", "", "");
-
+        await talk.TypeAsync("POCKET", "H", "A4", "", "2", "0.5", "Contour", "Job");
+        Assert.Contains("Everything cuts the outlines too, half a tool diameter into the wall", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.EndsWith("<Pocket>:", talk.Session.Prompt.Text.TrimEnd(), StringComparison.Ordinal);
+        await talk.TypeAsync("Everything", "0");
         Assert.Null(talk.State.Settings.Layers);
-        Assert.Contains("half a tool diameter", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The outlines stay in the drawing", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("U", "POCKET", "H", "A4", "", "", "", "", "");
+
+        Assert.Equal(["POCKET"], talk.State.Settings.Layers!);
+    }
+
+    /// <summary>With Enter at every question nothing is cut nearer to the wall than the tool's radius.</summary>
+    [Fact]
+    public async Task What_Enter_gives_never_cuts_into_the_wall()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("POCKET", "H", "A3", "", "2", "0.5", "", "0", "CNCCONNECT", "sim:");
+        var derived = await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None);
+        var moves = derived.Job!.Toolpath.Strokes.SelectMany(stroke => stroke.Moves).ToList();
+
+        Assert.NotEmpty(moves);
+        Assert.All(moves, move => Assert.InRange(move.Segment.PointAt(0.5).DistanceTo(new Point2D(20, 5)), 0.0, 3.0 - 1.0 + 0.001));
     }
 
     /// <summary>A square of 8: a tool of 7.8 has no room for a screw line and goes down on its pass; for one of 8 all of it is one place.</summary>

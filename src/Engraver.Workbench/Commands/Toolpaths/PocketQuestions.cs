@@ -16,9 +16,9 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
     /// <summary>The questions in their order; From, Allowance, Entry and Job are options of the last but one, the depth.</summary>
     public async Task<PocketRequest> AskAsync()
     {
-        context.Remember(Memory + "Job", "Everything"); // never taken over in silence
+        context.Remember(Memory + "Job", "Pocket"); // with everything the outlines are cut into the wall: chosen each time, never taken over
         var (from, entry) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)));
-        context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry));
+        context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry, "Pocket"));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
         await NumberAsync("Stepover", 0.01, 0.99).ConfigureAwait(false);
         if (await ChoiceAsync("Strategy", "Contour", "Zigzag").ConfigureAwait(false) == "Zigzag") await NumberAsync("Angle", -360, 360).ConfigureAwait(false);
@@ -54,7 +54,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
                 await NumberAsync("Allowance", 0, Number("Diameter") / 2.0).ConfigureAwait(false);
                 break;
             case "Job":
-                await ChoiceAsync("Job", "Everything", "Pocket").ConfigureAwait(false);
+                await ChoiceAsync("Job", "Pocket", "Everything").ConfigureAwait(false);
                 break;
             default:
                 if (await ChoiceAsync("Entry", "Plunge", "Ramp", "Helix").ConfigureAwait(false) != "Plunge") await NumberAsync("RampAngle", 0.1, 89).ConfigureAwait(false);
@@ -100,7 +100,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
         };
         var entry = depth > 0.0 ? Enum.Parse<PocketEntry>(context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge))) : PocketEntry.Plunge;
         var depths = new PocketDepths { Depth = depth, Step = depth > 0.0 ? Number("Step") : 0.0, Entry = entry, RampAngle = Angle.FromDegrees(Number("RampAngle")) };
-        return new PocketRequest(options, depths, IsJob: context.Remembered(Memory + "Job") == "Pocket");
+        return new PocketRequest(options, depths, IsJob: context.Remembered(Memory + "Job") != "Everything");
     }
 
     /// <summary>The passes of one level with their links, in drawing units.</summary>
