@@ -137,7 +137,8 @@ public sealed class HandMovesModel : Observable, IDisposable
 
         if (Step.Millimetres is { } step)
         {
-            if (!_desk.IsMoving) StepBy(way, step);
+            if (!_desk.IsMoving || _desk.Session.Machine.IsHeld) StepBy(way, step);
+            else _desk.Tell(MessageKind.Error, Text.Get("Pad.Busy")); // the jog before it has not ended yet
             return;
         }
 

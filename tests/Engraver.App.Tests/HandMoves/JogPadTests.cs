@@ -155,6 +155,37 @@ public sealed class JogPadTests(DesktopFixture fixture)
         NobodyWasLate(here);
     });
 
+    /// <summary>Each press is a step, also one before the step before it has ended; the job goes on at its place.</summary>
+    [Fact]
+    public Task While_a_job_stands_held_the_pad_steps_and_the_job_goes_on_at_its_place() => WithPad(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCARM", "Stream");
+        here.Show("Machine");
+        Choose(here, "10");
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status is { State: Workbench.Machines.MachineState.Running, ToolCommanded: true } && Y(here) > 49.0);
+        here.Hands.Click(Cell(here, "Y+"));
+        here.Step();
+        Assert.Contains("A job or a move is under way.", here.History);
+        here.Hands.Press(Key.Escape);
+        here.Until(() => here.Commands.Machine.Status.State == Workbench.Machines.MachineState.Held);
+        here.Step();
+        var (x, y) = (X(here), Y(here));
+        here.Hands.Click(Cell(here, "Y+"));
+        here.Hands.Click(Cell(here, "Y+"));
+        here.Until(() => Math.Abs(Y(here) - y - 20.0) < 0.001);
+        Choose(here, "0.1");
+        here.Hands.Click(Cell(here, "X−"));
+        here.Until(() => Math.Abs(X(here) - x + 0.1) < 0.001);
+        here.Until(() => here.Window.Canvas.Machine!.Place.DistanceTo(here.Commands.Machine.Status.WorkPosition!.Value) < 0.001);
+        here.Click(here.Find<Button>("StartKey"));
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.InRange(here.Commands.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.01);
+    });
+
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
