@@ -111,7 +111,8 @@ internal sealed class Operator
     public void Leave()
     {
         Window.Close();
-        if (Window.IsVisible) Window.Close(); // a job runs: the second one is meant
+        if (Window.IsVisible && !Window.Model.Files.Question.IsOpen) Window.Close(); // a job runs: the second one is meant
+        if (Window.Model.Files.Question.IsOpen) Window.Model.Files.Question.Answers.Single(answer => answer.Name == "Files.DoNotSave").Choose.Execute(null);
         Step();
         var leaving = Session.DisposeAsync().AsTask();
         Until(() => leaving.IsCompleted);

@@ -7,7 +7,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>Shows the file dialog whenever a command asks for a file and the system variable FILEDIA is not 0, whether the command was clicked or typed; a script and pasted lines answer by themselves. Asks before a file is replaced and before edits are lost.</summary>
+/// <summary>Shows the file dialog whenever a command asks for a file and the system variable FILEDIA is not 0, whether the command was clicked or typed; a script and pasted lines answer by themselves. Asks before a file is replaced and before edits are lost, also by closing the window.</summary>
 public sealed class FileQuestions : Observable
 {
     private readonly DesktopModel _desk;
@@ -41,10 +41,14 @@ public sealed class FileQuestions : Observable
     /// <summary>Opens a drawing that was dropped, or chosen from a list: edits of the one that is open are asked about first.</summary>
     public async Task OpenAsync(string path)
     {
-        if (!await MayLoseEditsAsync()) return;
+        if (!await MayLoseEditsAsync("Files.Edited", "Files.OpenAnyway")) return;
         Remember(FileWanted.Drawing, path);
         await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
     }
+
+    /// <summary>Asks about edits before the window closes. A question that stands already is left for this one.</summary>
+    /// <returns>False when the window stays: the operator wants it, or the edits could not be saved.</returns>
+    public Task<bool> MayCloseAsync() => MayLoseEditsAsync("Files.EditedClose", "Files.DoNotSave");
 
     /// <summary>Runs a script that was dropped.</summary>
     public Task RunScriptAsync(string path) => TellAsync(_desk.RunAsync("SCRIPT", TypedFileName.Write(path)));
@@ -112,7 +116,7 @@ public sealed class FileQuestions : Observable
         if (wanted.Writes && choice.Exists && !await MayReplaceAsync(choice.Path)) return;
         if (wanted is { Kind: FileWanted.Drawing, Writes: false })
         {
-            if (await AskAboutEditsAsync() is not { } saves || !ReferenceEquals(_asked, wanted)) return;
+            if (await AskAboutEditsAsync("Files.Edited", "Files.OpenAnyway") is not { } saves || !ReferenceEquals(_asked, wanted)) return;
             Remember(wanted.Kind, choice.Path);
             if (saves) await SaveAndOpenAsync(choice.Path);
             else await AnswerNowAsync(wanted, choice.Path);
@@ -141,24 +145,22 @@ public sealed class FileQuestions : Observable
     private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.RunAsync("QSAVE", "Yes") : await _desk.RunAsync("QSAVE")) is InputResult.Done;
 
     /// <returns>False when the operator wants to keep the drawing open, or it could not be saved.</returns>
-    private async Task<bool> MayLoseEditsAsync()
+    private async Task<bool> MayLoseEditsAsync(string question, string without)
     {
-        if (await AskAboutEditsAsync() is not { } saves) return false;
+        if (await AskAboutEditsAsync(question, without) is not { } saves) return false;
         if (!saves || await SaveAsync()) return true;
         Refused?.Invoke();
         return false;
     }
 
     /// <summary>Asks whether edits that are in no file are saved first.</summary>
+    /// <param name="question">Name of the text; it says what would lose them.</param>
+    /// <param name="without">Name of the answer that does not save.</param>
     /// <returns>True: save them; false: there are none, or they need not be kept; null: the drawing stays open.</returns>
-    private async Task<bool?> AskAboutEditsAsync()
+    private async Task<bool?> AskAboutEditsAsync(string question, string without)
     {
         if (!_desk.Session.Document.IsEdited) return false;
-        return await Question.AskAsync(Text.Get("Files.Edited", Path.GetFileName(_desk.Session.Document.FilePath)), "Files.SaveFirst", "Files.OpenAnyway", "Files.Stay") switch
-        {
-            "Files.SaveFirst" => true,
-            "Files.OpenAnyway" => false,
-            _ => null,
-        };
+        var answer = await Question.AskAsync(Text.Get(question, Path.GetFileName(_desk.Session.Document.FilePath)), "Files.SaveFirst", without, "Files.Stay");
+        return answer is null or "Files.Stay" ? null : answer == "Files.SaveFirst";
     }
 }

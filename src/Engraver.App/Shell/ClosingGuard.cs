@@ -1,35 +1,66 @@
 using Avalonia.Controls;
 using Engraver.App.Desk;
+using Engraver.App.FileDialogs;
 using Engraver.App.Texts;
 using Engraver.Core.Drawings;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Closing the window ends a job and loses edits that are in no file: the first request to close is answered with a warning, the second one is carried out.</summary>
+/// <summary>Closing the window ends a job and loses edits that are in no file. With a job under way the first request to close is answered with a warning, the second one is carried out; edits are asked about each time, until the operator has answered.</summary>
 internal sealed class ClosingGuard
 {
     private readonly DesktopModel _desk;
+    private readonly FileQuestions _files;
+    private readonly Action _close;
     private bool _warnedOfJob;
-    private Drawing? _warnedOf;
 
-    public ClosingGuard(DesktopModel desk)
+    /// <summary>The edits that need not be kept; null: nobody has said so.</summary>
+    private Drawing? _given;
+    private bool _isAsking;
+
+    /// <param name="close">Asks the window to close again, once the edits may be lost or are saved.</param>
+    public ClosingGuard(DesktopModel desk, FileQuestions files, Action close)
     {
-        _desk = desk;
+        (_desk, _files, _close) = (desk, files, close);
         desk.Changed += () => _warnedOfJob &= desk.IsMoving;
     }
 
-    /// <summary>Tells in the history why the window stays open.</summary>
+    /// <summary>Tells in the history why the window stays open, or asks whether edits are saved first; a request to close while that question stands changes nothing.</summary>
     /// <returns>True when it has to stay this time.</returns>
     public bool Holds(WindowCloseReason reason)
     {
         if (reason is WindowCloseReason.ApplicationShutdown or WindowCloseReason.OSShutdown) return false;
-        var state = _desk.Session.Document.Current;
+        if (_isAsking) return true;
         var warnsOfJob = _desk.IsMoving && !_warnedOfJob;
-        var warnsOfEdits = _desk.Session.Document.IsEdited && !ReferenceEquals(state.Edition, _warnedOf);
-        if (warnsOfJob) _desk.Tell(MessageKind.Warning, Text.Get("Window.JobRuns"));
-        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Get("Window.NotSaved", Path.GetFileName(_desk.Session.Document.FilePath)));
-        (_warnedOfJob, _warnedOf) = (_desk.IsMoving, state.Edition);
-        return warnsOfJob || warnsOfEdits;
+        _warnedOfJob = _desk.IsMoving;
+        if (warnsOfJob)
+        {
+            _desk.Tell(MessageKind.Warning, Text.Get("Window.JobRuns"));
+            return true;
+        }
+
+        if (!_desk.Session.Document.IsEdited || ReferenceEquals(_desk.Session.Document.Current.Edition, _given)) return false;
+        _ = AskAsync();
+        return true;
+    }
+
+    private async Task AskAsync()
+    {
+        var edits = _desk.Session.Document.Current.Edition;
+        _isAsking = true;
+        bool may;
+        try
+        {
+            may = await _files.MayCloseAsync();
+        }
+        finally
+        {
+            _isAsking = false;
+        }
+
+        if (!may) return;
+        _given = edits;
+        _close();
     }
 }

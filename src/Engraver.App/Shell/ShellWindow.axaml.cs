@@ -30,8 +30,8 @@ public partial class ShellWindow : Window
     {
         (_desk, _stopKeys) = (desk, stopKeys);
         InitializeComponent();
-        _guard = new ClosingGuard(desk);
         DataContext = Model = new ShellModel(desk, ActOf);
+        _guard = new ClosingGuard(desk, Model.Files, Close);
         var menus = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf, new RecentMenu(Model.Recent, Model.StartPage.OpenRecent, ActOf("RECENT")));
         MainMenu.ItemsSource = menus.Build(MenuLayout.For(desk.Session.Catalog));
         Palettes.SetPages(Model.Palettes(), "Layers");
@@ -79,7 +79,7 @@ public partial class ShellWindow : Window
         base.OnClosing(e);
         if (_guard.Holds(e.CloseReason))
         {
-            _panels.BringCommandLine();
+            if (!Model.Files.Question.IsOpen) _panels.BringCommandLine();
             e.Cancel = true;
             return;
         }

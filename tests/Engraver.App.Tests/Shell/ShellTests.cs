@@ -9,6 +9,7 @@ using Engraver.App.StatusBar;
 using Engraver.App.Tables;
 using Engraver.App.Tabs;
 using Engraver.Core.Machines;
+using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Tests.Shell;
@@ -146,23 +147,89 @@ public sealed class ShellTests(DesktopFixture fixture)
     }
 
     [Fact]
-    public Task Leaving_with_edits_that_are_in_no_file_is_warned_of_once() => fixture.WithOperator(here =>
+    public Task Closing_with_edits_asks_and_a_second_x_is_no_answer() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
         here.Enter("ERASE", "L", "");
-        here.Window.Close();
-        here.Step();
+        here.Hands.AskToClose();
+        Assert.Equal(["Save", "Do not save", "Cancel"], Question(here).Answers.Select(answer => answer.Words));
+        Assert.Equal("gasket.dxf has edits that are in no file. Save them before the window closes?", here.Find<TextBlock>("QuestionText").Text);
+        for (var i = 0; i < 3; i++) here.Hands.AskToClose();
 
-        Assert.True(here.Window.IsVisible);
-        Assert.Equal("gasket.dxf was edited and is not saved (SAVEAS). Close once more to leave without saving.", here.History.Last());
-        here.Enter("ERASE", "L", "");
-        here.Window.Close();
+        Assert.True(here.Window.IsVisible && Question(here).IsOpen);
+        here.Hands.Press(Key.Escape);
         here.Step();
-        Assert.True(here.Window.IsVisible, "a later edit was not warned of");
-        here.Enter("U", "U");
-        here.Window.Close();
-        here.Step();
+        Assert.True(here.Window.IsVisible && !Question(here).IsOpen);
+        here.Hands.AskToClose();
+        Assert.True(Question(here).IsOpen, "Cancel was taken for an answer of the next request");
+        here.Hands.Press(Key.Escape);
+        here.Enter("U");
+        here.Hands.AskToClose();
         Assert.False(here.Window.IsVisible);
+    });
+
+    [Theory]
+    [InlineData("Save", true)]
+    [InlineData("Do not save", false)]
+    public Task The_answer_closes_the_window_and_decides_about_the_file(string answer, bool saved)
+    {
+        var folder = Directory.CreateTempSubdirectory("closing-").FullName;
+        var path = Path.Combine(folder, "plate.dxf");
+        File.Copy(Path.Combine(RepositoryFolder.Samples, "gasket.dxf"), path);
+        var before = File.ReadAllText(path);
+        return fixture.WithOperator(here =>
+        {
+            here.Open(path);
+            here.Enter("ERASE", "L", "");
+            here.Hands.AskToClose();
+            here.Hands.Type(answer[..1]);
+            here.Hands.Press(Key.Enter);
+            here.Until(() => !here.Window.IsVisible);
+
+            Assert.Equal(saved, File.ReadAllText(path) != before);
+            Directory.Delete(folder, recursive: true);
+        });
+    }
+
+    [Fact]
+    public Task A_save_that_fails_keeps_the_window_open()
+    {
+        var folder = Directory.CreateTempSubdirectory("closing-").FullName;
+        var path = Path.Combine(folder, "plate.dxf");
+        File.Copy(Path.Combine(RepositoryFolder.Samples, "gasket.dxf"), path);
+        return fixture.WithOperator(here =>
+        {
+            here.Open(path);
+            here.Enter("ERASE", "L", "");
+            Directory.Delete(folder, recursive: true); // where it was read is gone
+            File.WriteAllText(folder, "no folder");
+            here.Hands.AskToClose();
+            here.Hands.Press(Key.Enter);
+            here.Rest();
+
+            Assert.True(here.Window.IsVisible);
+            Assert.True(here.Commands.Document.IsEdited);
+            Assert.Equal(Engraver.Workbench.Commands.MessageKind.Error, here.Window.Model.Command.History[^1].Kind);
+            here.Hands.AskToClose();
+            Assert.True(Question(here).IsOpen);
+            File.Delete(folder);
+        });
+    }
+
+    /// <summary>A new drawing has no file: Save asks for one, and the window stays until it is closed again.</summary>
+    [Fact]
+    public Task A_new_drawing_is_asked_for_its_file() => fixture.WithOperator(here =>
+    {
+        here.Enter("NEW", "", "LINE", "0,0", "10,0", "");
+        Assert.True(here.Commands.Document.IsEdited, string.Join('\n', here.History));
+        here.Hands.AskToClose();
+        here.Hands.Press(Key.Enter);
+        here.Rest();
+
+        Assert.True(here.Window.IsVisible && here.Window.Model.Files.Dialog.IsOpen);
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+        Assert.True(here.Window.IsVisible && here.Commands.Document.IsEdited);
     });
 
     /// <summary>Found as a warning of QUIT that stood above the line that had asked for it.</summary>
@@ -177,20 +244,25 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Contains(here.History, line => line.Contains("nonsense", StringComparison.Ordinal));
     });
 
-    /// <summary>QUIT is the window's own closing: it warns as that does. EXIT is an alias.</summary>
+    /// <summary>QUIT is the window's own closing: it asks as that does. EXIT is an alias.</summary>
     [Fact]
-    public Task Quit_closes_the_window_and_warns_of_edits_first() => fixture.WithOperator(here =>
+    public Task Quit_asks_about_edits_and_closes_the_window() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
         here.Enter("ERASE", "L", "", "EXIT");
-        here.Until(() => here.History.Last().Contains("Close once more to leave without saving.", StringComparison.Ordinal));
-        Assert.True(here.Window.IsVisible);
+        here.Until(() => Question(here).IsOpen);
+        here.Hands.Press(Key.Escape);
         here.Enter("");
-        Assert.True(here.Window.IsVisible, "Enter alone was the second QUIT");
-        here.Hands.Type("quit");
+        Assert.True(here.Window.IsVisible && !Question(here).IsOpen, "Enter alone was the second QUIT");
+        here.Hands.Press(Key.Q, RawInputModifiers.Control);
+        here.Until(() => Question(here).IsOpen);
+        Assert.True(here.Window.IsVisible);
+        here.Hands.Type("D");
         here.Hands.Press(Key.Enter);
         here.Until(() => !here.Window.IsVisible);
     });
+
+    private static Engraver.App.FileDialogs.QuestionModel Question(Operator here) => here.Window.Model.Files.Question;
 
     [Fact]
     public Task Objects_that_are_only_hidden_do_not_hold_the_window() => fixture.WithOperator(here =>

@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
 
-/// <summary>QUIT: Closes the window, which asks first where a job runs or the drawing was edited. Enter alone is not the second QUIT that leaves without saving.</summary>
+/// <summary>QUIT: Closes the window, which warns first where a job runs and asks whether edits are saved. Enter alone is not the second QUIT that ends a job.</summary>
 internal sealed class QuitCommand : ICommand
 {
     public CommandInfo Info { get; } = new("QUIT", CommandGroup.File) { HeardDuringJob = true, IsRepeated = false };
