@@ -11,7 +11,7 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The visual between picture and cursor: hovered entity, the entity under the tool, grips, the tool, the marked place, and the UCS icon.</summary>
+/// <summary>The visual between picture and cursor: hovered entity, the entity under the playback, grips, the places of machine and playback, the marked place, and the UCS icon.</summary>
 internal sealed class CanvasSigns : Control
 {
     private const int MostOutlinedParts = 2000;
@@ -45,7 +45,11 @@ internal sealed class CanvasSigns : Control
     /// <summary>Where the grip that is dragged was, drawing units; null: none is.</summary>
     public Point2D? HotGrip { get; private set; }
 
-    public Point2D? Tool { get; set; }
+    /// <summary>Where the machine is; null: not known, or none is connected.</summary>
+    public MachineMark? Machine { get; set; }
+
+    /// <summary>Where the playback is, drawing units; null: it is not looked at.</summary>
+    public Point2D? Playback { get; set; }
 
     public Point2D? PointedAt { get; set; }
 
@@ -65,12 +69,13 @@ internal sealed class CanvasSigns : Control
         if (Scene is { } scene)
         {
             if (Hovered is { } hovered) Outline(context, scene, hovered, CanvasBrushes.Pen(Colours.Hover, 2.5));
-            if (Highlight is { } highlight) Outline(context, scene, highlight, CanvasBrushes.Pen(Colours.Tool, 3.0));
+            if (Highlight is { } highlight) Outline(context, scene, highlight, CanvasBrushes.Pen(Colours.Playback, 3.0));
             DrawGrips(context);
         }
 
         if (PointedAt is { } place) DrawPointer(context, ToControl(place));
-        if (Tool is { } tool) DrawTool(context, ToControl(tool));
+        if (Machine is { } machine) ToolMarks.DrawMachine(context, machine, ToControl, Bounds.Size, Colours);
+        if (Playback is { } moment) ToolMarks.DrawPlayback(context, ToControl(moment), Colours);
     }
 
     private Point ToControl(Point2D place)
@@ -123,14 +128,6 @@ internal sealed class CanvasSigns : Control
         context.DrawLine(green, new Point(x - 4.0, y - Arm - 12.0), new Point(x, y - Arm - 7.0));
         context.DrawLine(green, new Point(x + 4.0, y - Arm - 12.0), new Point(x, y - Arm - 7.0));
         context.DrawLine(green, new Point(x, y - Arm - 7.0), new Point(x, y - Arm - 3.0));
-    }
-
-    private void DrawTool(DrawingContext context, Point at)
-    {
-        var pen = CanvasBrushes.Pen(Colours.Tool, 2.0);
-        context.DrawEllipse(null, pen, at, 7.0, 7.0);
-        context.DrawLine(pen, at + new Point(-12.0, 0.0), at + new Point(12.0, 0.0));
-        context.DrawLine(pen, at + new Point(0.0, -12.0), at + new Point(0.0, 12.0));
     }
 
     private void DrawPointer(DrawingContext context, Point at)

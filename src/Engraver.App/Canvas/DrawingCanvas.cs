@@ -23,7 +23,8 @@ public sealed partial class DrawingCanvas : Panel
     public static readonly StyledProperty<ViewSession?> ViewProperty = AvaloniaProperty.Register<DrawingCanvas, ViewSession?>(nameof(View));
     public static readonly StyledProperty<IReadOnlyList<int>?> SelectionProperty = AvaloniaProperty.Register<DrawingCanvas, IReadOnlyList<int>?>(nameof(Selection));
     public static readonly StyledProperty<int?> HighlightProperty = AvaloniaProperty.Register<DrawingCanvas, int?>(nameof(Highlight));
-    public static readonly StyledProperty<Point2D?> ToolPositionProperty = AvaloniaProperty.Register<DrawingCanvas, Point2D?>(nameof(ToolPosition));
+    public static readonly StyledProperty<Point2D?> PlaybackPositionProperty = AvaloniaProperty.Register<DrawingCanvas, Point2D?>(nameof(PlaybackPosition));
+    public static readonly StyledProperty<MachineMark?> MachineProperty = AvaloniaProperty.Register<DrawingCanvas, MachineMark?>(nameof(Machine));
     public static readonly StyledProperty<int> EngravedMovesProperty = AvaloniaProperty.Register<DrawingCanvas, int>(nameof(EngravedMoves));
 
     public static readonly StyledProperty<bool> ShowsGripsProperty = AvaloniaProperty.Register<DrawingCanvas, bool>(nameof(ShowsGrips), defaultValue: true);
@@ -33,13 +34,14 @@ public sealed partial class DrawingCanvas : Panel
     private readonly CanvasPicture _picture;
     private readonly CanvasSigns _signs = new() { IsHitTestVisible = false };
     private readonly CanvasCursor _cursor = new() { IsHitTestVisible = false };
+    private readonly MachineNote _note = new();
     private readonly PictureRefiner _refiner;
     private readonly GhostRunner _ghosts;
 
     public DrawingCanvas()
     {
         _picture = new CanvasPicture(_keeper) { IsHitTestVisible = false };
-        Children.AddRange([_picture, _signs, _cursor]);
+        Children.AddRange([_picture, _signs, _cursor, _note]);
         (Background, Focusable, ClipToBounds, Cursor) = (Brushes.Transparent, true, true, new Cursor(StandardCursorType.None));
         _refiner = new PictureRefiner(_keeper);
         _ghosts = new GhostRunner(ShowCursor);
@@ -85,18 +87,25 @@ public sealed partial class DrawingCanvas : Panel
         set => SetValue(ShowsGripsProperty, value);
     }
 
-    /// <summary>The entity under the tool, of the table row or of the program line; null: none.</summary>
+    /// <summary>The entity under the playback, of the table row or of the program line; null: none.</summary>
     public int? Highlight
     {
         get => GetValue(HighlightProperty);
         set => SetValue(HighlightProperty, value);
     }
 
-    /// <summary>Where the tool is, drawing units; null: not known.</summary>
-    public Point2D? ToolPosition
+    /// <summary>Where the playback is, drawing units; null: it is not looked at.</summary>
+    public Point2D? PlaybackPosition
     {
-        get => GetValue(ToolPositionProperty);
-        set => SetValue(ToolPositionProperty, value);
+        get => GetValue(PlaybackPositionProperty);
+        set => SetValue(PlaybackPositionProperty, value);
+    }
+
+    /// <summary>Where the machine is; null: not known, or none is connected.</summary>
+    public MachineMark? Machine
+    {
+        get => GetValue(MachineProperty);
+        set => SetValue(MachineProperty, value);
     }
 
     /// <summary>How many cutting moves of the job are done, from its first one on.</summary>
@@ -159,7 +168,7 @@ public sealed partial class DrawingCanvas : Panel
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
         if (change.Property == ViewProperty) Follow(change.GetOldValue<ViewSession?>(), change.GetNewValue<ViewSession?>());
-        else if (change.Property == HighlightProperty || change.Property == ToolPositionProperty || change.Property == ShowsGripsProperty) UpdateSigns();
+        else if (change.Property == HighlightProperty || change.Property == PlaybackPositionProperty || change.Property == MachineProperty || change.Property == ShowsGripsProperty) UpdateSigns();
         else if (change.Property == SceneProperty) TakeScene();
         else if (change.Property == OverlayProperty || change.Property == SelectionProperty || change.Property == EngravedMovesProperty) UpdateContent();
     }
@@ -246,7 +255,8 @@ public sealed partial class DrawingCanvas : Panel
     private void UpdateSigns()
     {
         (_signs.Scene, _signs.View, _signs.Scaling, _signs.Colours) = (Scene, _keeper.View, Scaling, _keeper.Content.Theme);
-        (_signs.Highlight, _signs.Tool, _signs.PointedAt) = (Highlight, ToolPosition, View?.Current.Focus?.Place);
+        (_signs.Highlight, _signs.Machine, _signs.Playback, _signs.PointedAt) = (Highlight, Machine, PlaybackPosition, View?.Current.Focus?.Place);
+        _note.Show(Machine?.Note ?? "");
         _signs.ShowGrips(ShowsGrips ? Selection ?? [] : [], _held);
         _cursor.Colours = _keeper.Content.Theme;
         _signs.InvalidateVisual();

@@ -11,7 +11,7 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Gives the canvas what it shows: the drawing and the job made ready in the background, selection, tool and progress as they change. UI thread only.</summary>
+/// <summary>Gives the canvas what it shows: the drawing and the job made ready in the background, selection, playback, machine and progress as they change. UI thread only.</summary>
 public sealed class CanvasSource
 {
     private readonly DesktopModel _desk;
@@ -20,7 +20,6 @@ public sealed class CanvasSource
     private PreparedJob? _job;
     private MachineOverlay? _machine;
     private TrajectoryList _trajectories = TrajectoryList.Empty;
-    private bool _machineLeads;
     private readonly FirstPicture _first;
 
     public CanvasSource(DesktopModel desk, DrawingCanvas canvas)
@@ -31,7 +30,7 @@ public sealed class CanvasSource
         desk.Session.Derivation.Before = state => _first.Of(state.Drawing);
         canvas.PictureDrawn += () => _first.Show(canvas.HasPictureOfScene ? canvas.Scene?.Drawing : null);
         desk.Changed += Look;
-        desk.Derived.Moved += OnPlaybackMoved;
+        desk.Derived.Moved += ShowTool;
         Look();
     }
 
@@ -104,22 +103,15 @@ public sealed class CanvasSource
         _canvas.Overlay = overlay.WithMachine(now.Over(OverlayInputs.None));
     }
 
-    private void OnPlaybackMoved()
-    {
-        _machineLeads = _desk.Derived.FollowsMachine;
-        ShowTool();
-    }
-
-    /// <summary>From the start of a job on, the tool is where the machine says, also after a stop; once the playback is moved it is where that is.</summary>
+    /// <summary>Where the machine is, always; where the playback is, while somebody looks at it.</summary>
     private void ShowTool()
     {
-        var status = _desk.Session.Machine.Status;
-        var runs = status.State.IsJob();
-        _machineLeads = runs || (_machineLeads && status.WorkPosition is not null);
-        var place = _machineLeads ? status.WorkPosition : _desk.Derived.Moment?.Position;
-        _canvas.ToolPosition = place is { } at && _drawing is { } drawing ? new Point2D(at.X / drawing.Unit.ToMillimetres, at.Y / drawing.Unit.ToMillimetres) : null;
-        var isOfScene = ReferenceEquals(_desk.Derived.Current.State.Drawing, _canvas.Scene?.Drawing); // the plan of an earlier drawing names other entities
-        _canvas.Highlight = _machineLeads || !isOfScene ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
+        var (status, state) = (_desk.Session.Machine.Status, _desk.Session.Document.Current);
+        _canvas.Machine = MachineMarks.Of(_desk.Session.Machine, state);
+        var isOfScene = ReferenceEquals(_desk.Derived.Current.State.Drawing, _canvas.Scene?.Drawing); // the plan of an earlier drawing names other entities and places
+        var moment = _desk.Session.Playback.IsShown && isOfScene ? _desk.Derived.Moment : null;
+        _canvas.PlaybackPosition = moment?.Position is { } at && MachineMarks.UnitOf(state) is var unit ? new Point2D(at.X / unit, at.Y / unit) : null;
+        _canvas.Highlight = moment?.Entity is >= 0 and var entity ? entity : null;
         _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
     }
 

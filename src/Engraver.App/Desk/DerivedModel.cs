@@ -142,7 +142,7 @@ public sealed class DerivedModel(CommandSession session)
         }
 
         var now = SecondsDone(motion, told);
-        if (_told is null || Math.Abs(now - _reached) >= LeastStep) session.Playback.Scrub(_reached = now);
+        if (_told is null || Math.Abs(now - _reached) >= LeastStep) session.Playback.Follow(_reached = now);
         _told = told;
         return runs;
     }

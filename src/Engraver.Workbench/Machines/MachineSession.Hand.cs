@@ -73,9 +73,17 @@ public sealed partial class MachineSession
             return homed.Result;
         }
 
-        var result = await _work.RunAsync(stop => WatchedAsync(connection, Wording.Get("MachineSession.Homing"), () => Home(stop)), cancellation).ConfigureAwait(false);
-        if (Hold is { } hold) OriginChanged(hold); // its counts may be others now
-        return new HomedMachine(result, forgotten);
+        Trail.IsHoming = true;
+        try
+        {
+            var result = await _work.RunAsync(stop => WatchedAsync(connection, Wording.Get("MachineSession.Homing"), () => Home(stop)), cancellation).ConfigureAwait(false);
+            if (Hold is { } hold) OriginChanged(hold); // its counts may be others now
+            return new HomedMachine(result, forgotten);
+        }
+        finally
+        {
+            Trail.IsHoming = false;
+        }
     }
 
     /// <summary>Switches an output of the connected machine by hand. What works on the material is only switched off: nothing in the controller would do it if this program died.</summary>

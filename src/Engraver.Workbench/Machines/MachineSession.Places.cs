@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines.Origins;
@@ -40,6 +41,18 @@ public sealed partial class MachineSession
         ArgumentNullException.ThrowIfNull(program);
         var scale = program.Profile.Scale;
         return Status.MachinePosition is { } at ? LastPlacement(program, dryRun, scale.ToCounts(at) with { Z = scale.ToHeight(Status.MachineHeight ?? 0.0) }) : null;
+    }
+
+    /// <summary>Where the machine is in the drawing, by what the watch or the job told last, millimetres.</summary>
+    /// <returns>Null where nobody knows the machine's place, or where the drawing lies on it.</returns>
+    public Point2D? PlaceInDrawing
+    {
+        get
+        {
+            var status = Status;
+            if (status.State.IsJob()) return status.WorkPosition;
+            return status.MachinePosition is { } at && LastPlacement(NoJob, dryRun: false)?.Frame is { } zero ? default(Point2D) + (at - Profile.Scale.ToMillimetres(zero.X, zero.Y)) : null;
+        }
     }
 
     /// <summary>Changes the work origins, with the machine's position as the controller tells it now. Disarms.</summary>

@@ -40,6 +40,9 @@ public sealed partial class MachineSession : IAsyncDisposable
 
     public AlarmLog Alarms => _status.Alarms;
 
+    /// <summary>Where the machine was last, also while no job runs.</summary>
+    public MachineTrail Trail { get; } = new();
+
     /// <summary>The lines of the terminal page.</summary>
     public LiveTerminal Terminal { get; }
 
@@ -146,6 +149,7 @@ public sealed partial class MachineSession : IAsyncDisposable
         await FreeAsync().ConfigureAwait(false);
         Hold?.Dispose();
         (Hold, _place) = (null, null);
+        Trail.Clear();
         if (_watched.Take() is not var (connection, watch)) return;
         _status.Disconnected();
         if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
@@ -235,5 +239,9 @@ public sealed partial class MachineSession : IAsyncDisposable
         RaiseChanged();
     }
 
-    private void RaiseChanged() => Changed?.Invoke(this, EventArgs.Empty);
+    private void RaiseChanged()
+    {
+        if (Status is { IsLinkLost: false, MachinePosition: { } at }) Trail.Add(at);
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
 }

@@ -9,6 +9,7 @@ public sealed class PlaybackSession(TimeProvider time)
     private double _position;
     private double _speed = 1.0;
     private long? _since;
+    private bool _isPlaced;
 
     /// <summary>Raised when playing begins or ends, the position is set, the speed or the motion changes; not while it merely runs.</summary>
     public event EventHandler? Changed;
@@ -27,6 +28,15 @@ public sealed class PlaybackSession(TimeProvider time)
         get
         {
             lock (_guard) return _since is not null && Now() < Duration;
+        }
+    }
+
+    /// <summary>It plays, or the operator has put it somewhere or paused it; not while it waits at its beginning, after it has played to its end, or while it follows a machine.</summary>
+    public bool IsShown
+    {
+        get
+        {
+            lock (_guard) return _since is null ? _isPlaced : Now() < Duration;
         }
     }
 
@@ -66,24 +76,38 @@ public sealed class PlaybackSession(TimeProvider time)
     private double Duration => _motion?.DurationSeconds ?? 0.0;
 
     /// <summary>Another motion: the position goes to its beginning and waits.</summary>
-    public void Load(PlannedMotion? motion) => Set(() => (_motion, _position, _since) = (motion, 0.0, null));
+    public void Load(PlannedMotion? motion) => Set(() => (_motion, _position, _since, _isPlaced) = (motion, 0.0, null, false));
 
     /// <summary>Runs from where it is, from the beginning when it is at the end.</summary>
     public void Play() => Set(() =>
     {
         if (_position >= Duration) _position = 0.0;
         _since = _motion is null ? null : time.GetTimestamp();
+        _isPlaced = _motion is not null;
     });
 
     public void Pause() => Set(() => _since = null);
 
     /// <summary>Puts the position somewhere; a playback that runs goes on from there.</summary>
-    public void Scrub(double seconds) => Set(() => _position = double.IsNaN(seconds) ? 0.0 : Math.Clamp(seconds, 0.0, Duration));
+    public void Scrub(double seconds) => Set(() =>
+    {
+        _position = Inside(seconds);
+        _isPlaced = _position > 0.0;
+    });
+
+    /// <summary>Puts the position where a machine has come to, which shows its place itself.</summary>
+    public void Follow(double seconds) => Set(() => (_position, _isPlaced) = (Inside(seconds), false));
 
     /// <summary>To the moment at which a row of the sequenced table begins; false when it is not cut.</summary>
     public bool GoToRow(int row) => GoTo(Motion?.TimeOfRow(row));
 
-    public bool GoToEntity(int entity) => GoTo(Motion?.TimeOfEntity(entity));
+    /// <summary>To the moment at which an entity that was picked is cut. Whether the place is shown does not change.</summary>
+    public bool GoToEntity(int entity)
+    {
+        if (Motion?.TimeOfEntity(entity) is not { } at) return false;
+        Set(() => _position = Inside(at));
+        return true;
+    }
 
     public bool GoToLine(int line) => GoTo(Motion?.TimeOfLine(line));
 
@@ -95,6 +119,8 @@ public sealed class PlaybackSession(TimeProvider time)
         Scrub(at);
         return true;
     }
+
+    private double Inside(double seconds) => double.IsNaN(seconds) ? 0.0 : Math.Clamp(seconds, 0.0, Duration);
 
     private double Now()
     {
@@ -109,7 +135,8 @@ public sealed class PlaybackSession(TimeProvider time)
         lock (_guard)
         {
             _position = Now();
-            if (_since is not null) _since = _position >= Duration ? null : time.GetTimestamp();
+            if (_since is not null && _position >= Duration) (_since, _isPlaced) = (null, false);
+            else if (_since is not null) _since = time.GetTimestamp();
             change();
         }
 

@@ -251,26 +251,6 @@ public sealed class MachineTests(DesktopFixture fixture)
     });
 
     [Fact]
-    public Task The_tool_stays_where_the_machine_stopped_until_the_playback_is_moved() => fixture.WithOperator(here =>
-    {
-        StartSlowly(here);
-        here.Until(() => here.Window.Model.Machine.Feed is not "–" and not "0");
-        here.Hands.Press(Key.Pause);
-        here.Rest();
-
-        var place = here.Commands.Machine.Status.WorkPosition!.Value;
-        var tool = here.Window.Canvas.ToolPosition!.Value;
-        Assert.True(place.DistanceTo(default) > 0.1);
-        Assert.Equal(place.X, tool.X * 25.4, 6); // the gasket is drawn in inches
-        Assert.Equal(place.Y, tool.Y * 25.4, 6);
-        Assert.Null(here.Window.Canvas.Highlight);
-        here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 2;
-        here.Step();
-        Assert.Equal(here.Desk.Derived.Moment!.Value.Position.X, here.Window.Canvas.ToolPosition!.Value.X * 25.4, 6);
-        Assert.NotNull(here.Window.Canvas.Highlight);
-    });
-
-    [Fact]
     public Task Stop_acts_when_it_is_pressed_not_when_it_is_let_go() => fixture.WithOperator(here =>
     {
         StartSlowly(here);

@@ -13,7 +13,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     public Task Row_contour_line_and_tool_move_together() => fixture.WithOperator(here =>
     {
         Prepare(here);
-        var before = here.Window.Canvas.ToolPosition;
+        Assert.Null(here.Window.Canvas.PlaybackPosition); // nobody has looked at it
         here.Window.Model.Playback.At = here.Window.Model.Playback.Total * 0.6;
         here.Step();
 
@@ -22,7 +22,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         Assert.Equal(moment.Stroke, here.Find<ListBox>("ContourList").SelectedIndex);
         Assert.True(moment.Row > 0 && moment.Stroke > 0);
         Assert.Equal(moment.Entity, here.Window.Canvas.Highlight);
-        Assert.NotEqual(before, here.Window.Canvas.ToolPosition);
+        Assert.Equal(moment.Position.X, here.Window.Canvas.PlaybackPosition!.Value.X * 25.4, 6);
         here.Show("Program");
         Assert.Equal(here.Commands.Playback.Motion!.LineOf(moment.Segment) - 1, here.Find<ListBox>("LineList").SelectedIndex);
     });
@@ -115,6 +115,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         canvas.Commands!.PickAt(default, entity, canvas.Scene!.Drawing, remove: false);
         here.Rest();
 
+        Assert.Null(here.Window.Canvas.PlaybackPosition); // it was picked, not played
         Assert.Equal([entity], here.Commands.Document.Current.Selection);
         Assert.Equal(here.Commands.Derivation.Current.Motion!.TimeOfEntity(entity)!.Value, here.Desk.Derived.AtSeconds, 6);
     });
@@ -130,6 +131,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
 
         Assert.Equal(here.Window.Model.Playback.Total, here.Window.Model.Playback.At, 6);
         Assert.Equal(here.Window.Model.Playback.Total, here.Find<Slider>("Scrub").Value, 3);
+        Assert.Null(here.Window.Canvas.PlaybackPosition);
     });
 
     [Fact]

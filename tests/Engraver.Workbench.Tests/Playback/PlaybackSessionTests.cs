@@ -38,6 +38,36 @@ public class PlaybackSessionTests
         Assert.Equal(0.0, _playback.Position);
     }
 
+    /// <summary>A mark on the canvas that nobody asked for would be taken for the machine.</summary>
+    [Fact]
+    public void It_is_shown_while_it_plays_or_was_put_somewhere()
+    {
+        Assert.False(_playback.IsShown);
+        _playback.Play();
+        _time.Advance(TimeSpan.FromSeconds(1));
+        Assert.True(_playback.IsShown);
+        _playback.Pause();
+        Assert.True(_playback.IsShown);
+        _playback.Play();
+        _time.Advance(TimeSpan.FromSeconds(1000));
+        Assert.False(_playback.IsShown);
+        _playback.Pause();
+        Assert.False(_playback.IsShown);
+        _playback.Scrub(_motion.DurationSeconds);
+        Assert.True(_playback.IsShown);
+        _playback.Scrub(0.0);
+        Assert.False(_playback.IsShown);
+        Assert.True(_playback.GoToStroke(1));
+        Assert.True(_playback.IsShown);
+        _playback.Follow(3.0);
+        Assert.Equal((3.0, false), (_playback.Position, _playback.IsShown));
+        Assert.True(_playback.GoToEntity(1));
+        Assert.False(_playback.IsShown);
+        _playback.Scrub(2.0);
+        _playback.Load(_motion);
+        Assert.False(_playback.IsShown);
+    }
+
     [Fact]
     public void It_waits_while_paused_and_goes_on_from_there()
     {

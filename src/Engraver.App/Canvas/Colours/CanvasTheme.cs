@@ -9,7 +9,7 @@ public sealed record CanvasTheme
     public static CanvasTheme Dark { get; } = new()
     {
         Background = 0xFF212830, Foreground = 0xFFFFFFFF, MinorGrid = 0xFF272F38, MajorGrid = 0xFF313B46, AxisX = 0xFF6B3A3A, AxisY = 0xFF35603C,
-        Crosshair = 0xFFFFFFFF, Selected = 0xFF4FA3FF, Hover = 0xFF9CC9FF, Tool = 0xFFFFB000,
+        Crosshair = 0xFFFFFFFF, Selected = 0xFF4FA3FF, Hover = 0xFF9CC9FF, Tool = 0xFFFFB000, Playback = 0xFF2EE6D6,
         ClosedContour = 0xFF4CC2FF, InsideContour = 0xFF9AD66B, OpenContour = 0xFFFF8A5B, Rapid = 0xFF8C96A3, Direction = 0xFFFFD866, Start = 0xFF7CE38B, Machine = 0xFFB59CFF, Finding = 0xFFFF5C8A, Engraved = 0xFF35D07F, Remaining = 0xFF6E7B8A,
         SlowCut = 0xFF3B6CFF, FastCut = 0xFFFF4B3B,
     };
@@ -17,7 +17,7 @@ public sealed record CanvasTheme
     public static CanvasTheme Light { get; } = new()
     {
         Background = 0xFFFFFFFF, Foreground = 0xFF000000, MinorGrid = 0xFFF1F3F5, MajorGrid = 0xFFDDE2E7, AxisX = 0xFFE0A0A0, AxisY = 0xFF9CCBA4,
-        Crosshair = 0xFF000000, Selected = 0xFF0B63CE, Hover = 0xFF5B9BE6, Tool = 0xFFC77700,
+        Crosshair = 0xFF000000, Selected = 0xFF0B63CE, Hover = 0xFF5B9BE6, Tool = 0xFFB86A00, Playback = 0xFF007F8C,
         ClosedContour = 0xFF0077B6, InsideContour = 0xFF4C8A14, OpenContour = 0xFFC8501E, Rapid = 0xFF7A8590, Direction = 0xFF9A7400, Start = 0xFF1E8E3E, Machine = 0xFF6A48C9, Finding = 0xFFD6215F, Engraved = 0xFF0B8A4B, Remaining = 0xFFA0A9B4,
         SlowCut = 0xFF2148C8, FastCut = 0xFFD1261A,
     };
@@ -26,7 +26,7 @@ public sealed record CanvasTheme
     public static CanvasTheme HighContrast { get; } = new()
     {
         Background = 0xFF000000, Foreground = 0xFFFFFFFF, MinorGrid = 0xFF1C1C1C, MajorGrid = 0xFF3A3A3A, AxisX = 0xFFB05050, AxisY = 0xFF4FA05F,
-        Crosshair = 0xFFFFFFFF, Selected = 0xFF7CC4FF, Hover = 0xFFC4E2FF, Tool = 0xFFFFC640,
+        Crosshair = 0xFFFFFFFF, Selected = 0xFF7CC4FF, Hover = 0xFFC4E2FF, Tool = 0xFFFFC640, Playback = 0xFF5CF2FF,
         ClosedContour = 0xFF66D4FF, InsideContour = 0xFFB4F085, OpenContour = 0xFFFFA581, Rapid = 0xFFB4BEC9, Direction = 0xFFFFE58A, Start = 0xFF98F5A6, Machine = 0xFFCDBBFF, Finding = 0xFFFF8FB0, Engraved = 0xFF5CF0A0, Remaining = 0xFFA4B0BE,
         SlowCut = 0xFF8FA9FF, FastCut = 0xFFFF8578,
     };
@@ -52,7 +52,11 @@ public sealed record CanvasTheme
 
     public required uint Hover { get; init; }
 
+    /// <summary>The machine's place and its trail.</summary>
     public required uint Tool { get; init; }
+
+    /// <summary>The place of the playback and the entity there.</summary>
+    public required uint Playback { get; init; }
 
     public required uint ClosedContour { get; init; }
 

@@ -1,0 +1,30 @@
+using Engraver.App.Canvas;
+using Engraver.App.Texts;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.App.Desk;
+
+/// <summary>Makes the mark of the machine's place: in the drawing, as the work origin says, or by the machine's own zero with a note where nobody knows where the drawing lies.</summary>
+internal static class MachineMarks
+{
+    /// <returns>Null while no controller is connected or it has not told its place.</returns>
+    public static MachineMark? Of(MachineSession machine, DocumentState state)
+    {
+        var status = machine.Status;
+        if (machine.Description is null || status.MachinePosition is not { } at) return null;
+        var inDrawing = machine.PlaceInDrawing;
+        return new MachineMark(at, machine.Trail.Places, at - (inDrawing ?? at), UnitOf(state), NoteOf(status, inDrawing is not null));
+    }
+
+    /// <summary>Millimetres of one drawing unit.</summary>
+    public static double UnitOf(DocumentState state) => (state.Settings.Unit ?? state.Drawing?.Unit)?.ToMillimetres ?? 1.0;
+
+    private static string NoteOf(MachineStatus status, bool isKnown)
+    {
+        if (status.IsLinkLost) return Text.Get("Canvas.MachineLinkLost");
+        if (isKnown) return "";
+        return status.OriginMissing is { } missing ? Text.Get("Canvas.MachineByOwnZero", SettingWording.AtCommandLine(missing).Message) : Text.Get("Canvas.MachineNoOrigin");
+    }
+}
