@@ -65,7 +65,7 @@ internal static class ToolMarks
         var way = to - seen.Center;
         var share = Math.Min(seen.Width / 2.0 / Math.Max(Math.Abs(way.X), 1e-9), seen.Height / 2.0 / Math.Max(Math.Abs(way.Y), 1e-9));
         var (tip, ahead) = (seen.Center + (way * share), new Point(way.X, way.Y) / Math.Max(Math.Sqrt((way.X * way.X) + (way.Y * way.Y)), 1e-9));
-        var (back, side) = (tip - (ahead * 18.0), new Point(-ahead.Y, ahead.X) * 8.0);
+        var (back, side) = (tip - (ahead * 24.0), new Point(-ahead.Y, ahead.X) * 6.5);
         context.DrawGeometry(CanvasBrushes.Brush(colour), CanvasBrushes.Pen(colours.Background, 1.5), new PolylineGeometry([tip, back + side, back - side], isFilled: true));
     }
 

@@ -2,7 +2,6 @@ using Engraver.App.Canvas;
 using Engraver.App.Texts;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.App.Desk;
 
@@ -25,6 +24,6 @@ internal static class MachineMarks
     {
         if (status.IsLinkLost) return Text.Get("Canvas.MachineLinkLost");
         if (isKnown) return "";
-        return status.OriginMissing is { } missing ? Text.Get("Canvas.MachineByOwnZero", SettingWording.AtCommandLine(missing).Message) : Text.Get("Canvas.MachineNoOrigin");
+        return Text.Get(status.IsHomed == false ? "Canvas.MachineNotHomed" : "Canvas.MachineNoOrigin");
     }
 }
