@@ -55,7 +55,7 @@ internal static class ToolMarks
         {
             var (first, last) = (part * (places.Length - 1) / TrailParts, (part + 1) * (places.Length - 1) / TrailParts);
             if (first == last) continue;
-            var pen = new Pen(CanvasBrushes.Brush(colour, 0.15 + (0.6 * (part + 1) / TrailParts)), 2.5).ToImmutable();
+            var pen = new Pen(CanvasBrushes.Brush(colour, 0.1 + (0.5 * (part + 1) / TrailParts)), 2.5).ToImmutable();
             context.DrawGeometry(null, pen, new PolylineGeometry(places[first..(last + 1)], isFilled: false));
         }
     }
