@@ -17,8 +17,8 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
     public async Task<PocketRequest> AskAsync()
     {
         context.Remember(Memory + "Job", "Pocket"); // with everything the outlines are cut into the wall: chosen each time, never taken over
-        var (from, entry) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)));
-        context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry, "Pocket"));
+        var (from, entry, job) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)), context.Remembered(Memory + "Job"));
+        context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry, job));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
         await NumberAsync("Stepover", 0.01, 0.99).ConfigureAwait(false);
         if (await ChoiceAsync("Strategy", "Contour", "Zigzag").ConfigureAwait(false) == "Zigzag") await NumberAsync("Angle", -360, 360).ConfigureAwait(false);
