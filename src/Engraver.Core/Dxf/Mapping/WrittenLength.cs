@@ -34,8 +34,8 @@ internal static class WrittenLength
         return read < Smallest * written ? (written, read) : null;
     }
 
-    /// <summary>Angle that a curve covers by its two angles as they are written, radians: at most a turn. An end below the start is reached through the angle 0.</summary>
-    private static double Span(double raw) => Math.Abs(raw) <= Equal ? 0.0 : raw > 0.0 ? Math.Min(raw, Math.Tau) : raw + (Math.Tau * Math.Ceiling(-raw / Math.Tau));
+    /// <summary>Angle that a curve covers by its two angles as they are written, radians: at most a turn.</summary>
+    private static double Span(double raw) => Math.Abs(raw) <= Equal ? 0.0 : Math.Min(Math.Abs(raw), Math.Tau);
 
     /// <summary>Chords of a cos, b sin over what is written.</summary>
     private static double OfEllipse(EntityRecord record)
