@@ -29,8 +29,6 @@ internal static class CrossCheckCurves
     private static double Sweep(double start, double end, double turn)
     {
         if (Math.Abs(end - start) <= 1e-9) return 0.0;
-        var turns = Math.Floor((end - start) / turn);
-        if (turns >= 1.0 && end - start - (turns * turn) <= turn / Math.Tau / 1000.0) return turn; // an end angle that was rounded up
         var sweep = (((end - start) % turn) + turn) % turn;
         return sweep <= 1e-9 || sweep >= turn - 1e-9 ? turn : sweep;
     }

@@ -42,10 +42,8 @@ internal sealed class CurveMapper
     {
         Shape.Begin(CurveType.Arc);
         var start = record.Required(50);
-        var end = record.Required(51);
-        var sweep = WholeTurns.Sweep(start, end, 360.0);
+        var sweep = WholeTurns.Sweep(start, record.Required(51), 360.0);
         Shape.Closed = sweep == 360.0;
-        if (WholeTurns.IsBeyond(start, end, 360.0)) NoteBeyond(record, end - start, sweep);
         AddArc(record, start, sweep);
         EntitySystem.Lift(record, Shape);
         Finish(record);
@@ -59,9 +57,7 @@ internal sealed class CurveMapper
         if (normal == default) Note(record, DxfRules.NoExtrusion, "");
         var up = normal == default ? new Vector3D(0.0, 0.0, 1.0) : normal.Unit();
         var start = record.Number(41, 0.0);
-        var end = record.Number(42, Math.Tau);
-        var sweep = WholeTurns.Sweep(start, end, Math.Tau);
-        if (WholeTurns.IsBeyond(start, end, Math.Tau)) NoteBeyond(record, (end - start) * 180.0 / Math.PI, sweep * 180.0 / Math.PI);
+        var sweep = WholeTurns.Sweep(start, record.Number(42, Math.Tau), Math.Tau);
         var ellipse = new EllipseArc(centre, major, up.Cross(major) * ratio, Angle.FromRadians(start), sweep == Math.Tau ? Angle.FullTurn : Angle.FromRadians(sweep));
         Shape.Closed = ellipse.IsFullTurn;
         if (sweep != 0.0 && (major.X != 0.0 || major.Y != 0.0 || major.Z != 0.0)) Shape.Add(ellipse);
@@ -120,10 +116,6 @@ internal sealed class CurveMapper
         Finish(record);
     }
 
-    /// <param name="span">As it is written, degrees.</param>
-    /// <param name="sweep">As it is drawn, degrees.</param>
-    private void NoteBeyond(EntityRecord record, double span, double sweep) => Note(record, DxfRules.SpanBeyondTurn, Wording.Get("CurveMapper.Span", span, sweep));
-
     private static bool IsTilted(Vector3D up) => Math.Abs(up.X) > LevelSlope || Math.Abs(up.Y) > LevelSlope;
 
     private void AddArc(EntityRecord record, double start, double sweep)
@@ -168,7 +160,6 @@ internal sealed class CurveMapper
     {
         if (!Shape.IsInRange) record.Refuse(DxfRules.OutOfRange, record.Line, "");
         if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, "");
-        if (record.Fault is null && WrittenLength.Lost(record, Shape) is var (written, read)) record.Refuse(DxfRules.CurveLost, record.Line, Wording.Get("CurveMapper.Lengths", written, read));
         if (record.Oddity is { } odd) Shape.Oddities.Add(odd);
         if (record.RepeatedCode != 0) Note(record, DxfRules.RepeatedValue, record.RepeatedCode.ToString(CultureInfo.InvariantCulture));
     }

@@ -56,9 +56,8 @@ internal static class HatchEdge
 
     private static (double Start, double Sweep) Course(ReadOnlySpan<CodedNumber> edge, Func<double, double> parameter)
     {
-        var (first, last) = (Value(edge, 50, 0.0), Value(edge, 51, 360.0));
-        var (start, end) = (parameter(first), parameter(last));
-        var sweep = WholeTurns.Sweep(first, last, 360.0) == 360.0 ? 360.0 : WholeTurns.Sweep(start, end, 360.0); // whether it is a whole turn is said by the angles as they are written
+        var (start, end) = (parameter(Value(edge, 50, 0.0)), parameter(Value(edge, 51, 360.0)));
+        var sweep = WholeTurns.Sweep(start, end, 360.0);
         return Value(edge, 73, 1.0) == 0.0 ? (-start, -sweep) : (start, sweep);
     }
 
