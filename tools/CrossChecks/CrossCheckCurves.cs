@@ -26,11 +26,14 @@ internal static class CrossCheckCurves
         return lines;
     }
 
+    /// <summary>Modulo a turn; but whole turns, and up to 0.001 rad beyond them, are one turn: programs round 2 pi up.</summary>
     private static double Sweep(double start, double end, double turn)
     {
-        if (Math.Abs(end - start) <= 1e-9) return 0.0;
-        var sweep = (((end - start) % turn) + turn) % turn;
-        return sweep <= 1e-9 || sweep >= turn - 1e-9 ? turn : sweep;
+        var written = end - start;
+        if (Math.Abs(written) <= 1e-9) return 0.0;
+        var beyond = written - (turn * Math.Floor(written / turn));
+        var slack = written < turn ? 1e-9 : turn * 1e-3 / Math.Tau;
+        return beyond >= turn - 1e-9 || (Math.Abs(written) >= turn - 1e-9 && beyond <= slack) ? turn : beyond;
     }
 
     private static List<CrossCheckPiece> Arc(CrossCheckRecord record, double start, double sweep)

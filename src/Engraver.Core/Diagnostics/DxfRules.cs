@@ -103,6 +103,10 @@ public static class DxfRules
 
     public static readonly DiagnosticRule NameDamaged = new("DXF0058", Severity.Error, "type", "place", "damage");
 
+    public static readonly DiagnosticRule MoreThanOneTurn = new("DXF0059", Severity.Warning, "type", "place", "span");
+
+    public static readonly DiagnosticRule CurveLost = new("DXF0060", Severity.Error, "type", "place", "lengths");
+
     /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: such curves are read now.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
@@ -110,6 +114,6 @@ public static class DxfRules
         TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
         OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints, OutsideOfSections, ModelSpaceBlock, RestUnreadable,
-        RecordMayBeLost, TwoRecords, SectionPassedOver, DamageBesideCurves, ZeroBytes, ZeroScale, WeightsTooUnequal, MisplacedRecord, NameDamaged,
+        RecordMayBeLost, TwoRecords, SectionPassedOver, DamageBesideCurves, ZeroBytes, ZeroScale, WeightsTooUnequal, MisplacedRecord, NameDamaged, MoreThanOneTurn, CurveLost,
     ];
 }

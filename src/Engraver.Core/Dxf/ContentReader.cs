@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Blocks;
+using Engraver.Core.Dxf.Lengths;
 using Engraver.Core.Dxf.Mapping;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Dxf.Text;
@@ -8,7 +9,7 @@ using Engraver.Core.Dxf.Text;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Reads the entities of a block or of model space, each with the records that belong to it, and hands them to a target.</summary>
-internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, CutChoice cut)
+internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, LengthCheck lengths, CutChoice cut)
 {
     private readonly EntityRecord _record = new();
     private readonly EntityRecord _part = new();
@@ -62,8 +63,14 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
 
     private void AddCurve(IContentTarget target)
     {
-        if (_record.Fault is { } fault) target.Refuse(_record, fault);
-        else target.AddCurve(_record, _mapper.Shape);
+        if (_record.Fault is { } fault)
+        {
+            target.Refuse(_record, fault);
+            return;
+        }
+
+        if (lengths.Find(_record, _mapper.Shape) is { } lost) _mapper.Shape.Oddities.Add(lost);
+        target.AddCurve(_record, _mapper.Shape);
     }
 
     private void AddInsert(IContentTarget target, int attributes)
@@ -80,9 +87,12 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
     private void AddOutlines(IContentTarget target)
     {
         outlines.Map(_record);
+        List<RecordIssue> lost = _record.Fault is null ? [.. lengths.FindAll(_record, outlines.Shapes)] : [];
+        outlines.Finish(_record);
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddCurves(_record, outlines.Shapes);
         if (_record.Oddity is { } odd) target.Note(odd);
+        foreach (var issue in lost) target.Note(issue);
     }
 
     private void AddOther(IContentTarget target)
@@ -119,10 +129,12 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
     private void ReadVertices()
     {
         _mapper.BeginPolyline();
+        lengths.BeginPolyline();
         while (records.Next == RecordKind.Vertex)
         {
             records.Read(_part);
             _mapper.AddVertex(_record, _part);
+            lengths.AddVertex(_part);
         }
 
         if (records.Next == RecordKind.SequenceEnd) records.Skip();

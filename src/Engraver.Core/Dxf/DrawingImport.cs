@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Blocks;
+using Engraver.Core.Dxf.Lengths;
 using Engraver.Core.Dxf.Mapping;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Dxf.Tags;
@@ -43,8 +44,8 @@ internal sealed class DrawingImport
         var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Read(tags, cancellation) : new MultiLineStyles();
         _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, _log, cancellation) { Progress = options.Progress };
         var styles = new StyleTable();
-        _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), options.Cut);
         _layers = new LayerTable(_records.Layers);
+        _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), new LengthCheck(_layers), options.Cut);
         _balance = new BalanceSheet(_log);
         var (blocks, blockCurves) = (new Dictionary<int, BlockDefinition>(), new CurveColumns());
         _definitions = new DefinitionReader(_records, _content, styles, _layers, blocks, blockCurves, _balance, _log);

@@ -1,5 +1,7 @@
 using System.Text.Json;
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.Tools.CrossChecks;
 using Engraver.TestKit;
@@ -31,6 +33,20 @@ public class CorpusTests
             var balance = Reading.Of(File.ReadAllBytes(path)).Balance;
             Assert.True(balance.Read == balance.Cut + balance.Construction + balance.Refused.Count, path);
         }
+    }
+
+    /// <summary>The comparison of lengths raises no false alarm: with all outlines cut, no curve of the corpus or of the samples is called lost.</summary>
+    [CorpusFact]
+    public void No_curve_of_the_corpus_is_called_lost()
+    {
+        var lost = new List<string>();
+        foreach (var path in (string[])[.. Directory.EnumerateFiles(RepositoryFolder.Corpus!, "*", SearchOption.AllDirectories).Where(IsDxf), .. Directory.EnumerateFiles(RepositoryFolder.Samples, "*.dxf")])
+        {
+            var drawing = Reading.Of(File.ReadAllBytes(path), new DxfReadOptions(Cut: (CutChoice)31));
+            lost.AddRange(drawing.Diagnostics.Where(finding => finding.Id is "DXF0059" or "DXF0060").Select(finding => $"{Path.GetFileName(path)}: {finding.Message}"));
+        }
+
+        Assert.Empty(lost);
     }
 
     /// <summary>What real programs write is never taken for damage, by neither reading.</summary>

@@ -64,6 +64,8 @@ public class DxfDiagnosticTests
         ["DXF0055"] = Inserting(Line, (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (41, 0)),
         ["DXF0056"] = Entities([.. Spline, (40, 0), (40, 0), (40, 0), (40, 0), (40, 1), (40, 1), (40, 1), (40, 1), (41, 1), (41, 1e9), (41, 1), (41, 1)]),
         ["DXF0058"] = Entities([(0, "LIN3"), .. Line[1..]]),
+        ["DXF0059"] = Entities((0, "ARC"), (10, 1), (20, 0), (40, 1), (50, 0), (51, 400)),
+        ["DXF0060"] = Entities((0, "ELLIPSE"), (10, 1), (20, 0), (11, 1), (21, 0), (40, 0.5), (41, 0), (42, "-6.28318530")),
         ["DXF0057"] = new DxfText().Header("AC1015", 4).Section("BLOCKS", Line).End().ToAscii(),
     };
 

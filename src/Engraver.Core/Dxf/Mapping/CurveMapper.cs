@@ -42,7 +42,7 @@ internal sealed class CurveMapper
     {
         Shape.Begin(CurveType.Arc);
         var start = record.Required(50);
-        var sweep = WholeTurns.Sweep(start, record.Required(51), 360.0);
+        var sweep = Sweep(record, start, record.Required(51), 360.0);
         Shape.Closed = sweep == 360.0;
         AddArc(record, start, sweep);
         EntitySystem.Lift(record, Shape);
@@ -57,7 +57,7 @@ internal sealed class CurveMapper
         if (normal == default) Note(record, DxfRules.NoExtrusion, "");
         var up = normal == default ? new Vector3D(0.0, 0.0, 1.0) : normal.Unit();
         var start = record.Number(41, 0.0);
-        var sweep = WholeTurns.Sweep(start, record.Number(42, Math.Tau), Math.Tau);
+        var sweep = Sweep(record, start, record.Number(42, Math.Tau), Math.Tau);
         var ellipse = new EllipseArc(centre, major, up.Cross(major) * ratio, Angle.FromRadians(start), sweep == Math.Tau ? Angle.FullTurn : Angle.FromRadians(sweep));
         Shape.Closed = ellipse.IsFullTurn;
         if (sweep != 0.0 && (major.X != 0.0 || major.Y != 0.0 || major.Z != 0.0)) Shape.Add(ellipse);
@@ -126,6 +126,13 @@ internal sealed class CurveMapper
         if (radius == 0.0 || sweep == 0.0) return;
         var arc = new ArcSegment(new Point2D(centre.X, centre.Y), Math.Abs(radius), Angle.FromDegrees(start).Positive(), Angle.FromDegrees(sweep));
         Shape.Add(DrawingPart.Arc(0, arc, centre.Z));
+    }
+
+    private double Sweep(EntityRecord record, double start, double end, double turn)
+    {
+        var span = TurnSpan.Between(start, end, turn);
+        if (span.IsWrapped) Note(record, DxfRules.MoreThanOneTurn, (end - start).ToString(CultureInfo.InvariantCulture));
+        return span.Sweep;
     }
 
     private void TakeVertices(EntityRecord record)

@@ -1,3 +1,5 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 
@@ -31,19 +33,19 @@ internal static class HatchEdge
     }
 
     /// <summary>Adds a circular edge. A clockwise one (73 = 0) has its angles measured clockwise too: it runs from -start to -end.</summary>
-    public static void AddArc(ReadOnlySpan<CodedNumber> edge, double elevation, CurveShape shape)
+    public static void AddArc(EntityRecord record, ReadOnlySpan<CodedNumber> edge, double elevation, CurveShape shape)
     {
         var radius = Math.Abs(Value(edge, 40, 0.0));
-        var (start, sweep) = Course(edge, angle => angle);
+        var (start, sweep) = Course(record, edge, shape, angle => angle);
         if (radius > 0.0 && sweep != 0.0) shape.Add(Drawings.DrawingPart.Arc(0, new ArcSegment(Point(edge, 10), radius, Angle.FromDegrees(start), Angle.FromDegrees(sweep)), elevation));
     }
 
     /// <summary>Adds an elliptical edge. Its angles are true angles from the major axis, unlike the parameters of an ELLIPSE: only with this reading do the edges of real boundaries meet.</summary>
-    public static void AddEllipse(ReadOnlySpan<CodedNumber> edge, double elevation, CurveShape shape)
+    public static void AddEllipse(EntityRecord record, ReadOnlySpan<CodedNumber> edge, double elevation, CurveShape shape)
     {
         var (centre, major, ratio) = (Point(edge, 10), Point(edge, 11), Value(edge, 40, 1.0));
         if (ratio == 0.0 || major == default) return;
-        var (start, sweep) = Course(edge, angle => ToParameter(angle, Math.Abs(ratio)));
+        var (start, sweep) = Course(record, edge, shape, angle => ToParameter(angle, Math.Abs(ratio)));
         if (sweep == 0.0) return;
         shape.Add(new EllipseArc(
             new Vector3D(centre.X, centre.Y, elevation), new Vector3D(major.X, major.Y, 0.0), new Vector3D(-major.Y * ratio, major.X * ratio, 0.0), Angle.FromDegrees(start), Angle.FromDegrees(sweep)));
@@ -54,10 +56,14 @@ internal static class HatchEdge
 
     private static Point2D Point(ReadOnlySpan<CodedNumber> edge, int code) => new(Value(edge, code, 0.0), Value(edge, code + 10, 0.0));
 
-    private static (double Start, double Sweep) Course(ReadOnlySpan<CodedNumber> edge, Func<double, double> parameter)
+    /// <summary>The turn is that of the angles as written: a flat ellipse makes many parameters of one degree beyond a whole turn.</summary>
+    private static (double Start, double Sweep) Course(EntityRecord record, ReadOnlySpan<CodedNumber> edge, CurveShape shape, Func<double, double> parameter)
     {
-        var (start, end) = (parameter(Value(edge, 50, 0.0)), parameter(Value(edge, 51, 360.0)));
-        var sweep = WholeTurns.Sweep(start, end, 360.0);
+        var (first, last) = (Value(edge, 50, 0.0), Value(edge, 51, 360.0));
+        var span = TurnSpan.Between(first, last, 360.0);
+        if (span.IsWrapped) shape.Oddities.Add(record.Finding(DxfRules.MoreThanOneTurn, (last - first).ToString(CultureInfo.InvariantCulture), refused: false));
+        var start = parameter(first);
+        var sweep = span.Sweep == 360.0 ? 360.0 : parameter(first + span.Sweep) - start;
         return Value(edge, 73, 1.0) == 0.0 ? (-start, -sweep) : (start, sweep);
     }
 

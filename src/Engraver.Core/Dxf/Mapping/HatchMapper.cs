@@ -4,7 +4,7 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The boundaries of a HATCH (DXF reference, "Boundary Path Data"): each loop a curve. Announced numbers (91, 93) are not relied on.</summary>
+/// <summary>The boundaries of a HATCH (DXF reference, "Boundary Path Data"): each loop a curve, empty where it has no length. Announced numbers (91, 93) are not relied on.</summary>
 internal sealed class HatchMapper
 {
     private const int LoopStart = 92;
@@ -29,7 +29,7 @@ internal sealed class HatchMapper
             if (((int)pairs[at].Value & PolylineFlag) != 0) AddPolyline(loop, elevation, shape);
             else AddEdges(record, loop, elevation, shape);
             EntitySystem.Lift(record, shape);
-            if (!shape.Parts.IsEmpty) loops.Add(shape);
+            loops.Add(shape);
             at = next;
         }
     }
@@ -79,10 +79,10 @@ internal sealed class HatchMapper
                 HatchEdge.AddLine(edge, elevation, shape);
                 break;
             case 2:
-                HatchEdge.AddArc(edge, elevation, shape);
+                HatchEdge.AddArc(record, edge, elevation, shape);
                 break;
             case 3:
-                HatchEdge.AddEllipse(edge, elevation, shape);
+                HatchEdge.AddEllipse(record, edge, elevation, shape);
                 break;
             case 4:
                 _splines.MapEdge(record, edge, shape);

@@ -13,7 +13,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
     private readonly HatchMapper _hatches = new();
     private readonly SplineMapper _splines = new();
 
-    /// <summary>The curves of the record mapped last.</summary>
+    /// <summary>The curves of the record mapped last; until <see cref="Finish"/> with those that have no length.</summary>
     public List<CurveShape> Shapes { get; } = [];
 
     public void Map(EntityRecord record)
@@ -39,6 +39,12 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         }
 
         if (Shapes.Exists(shape => !shape.IsInRange)) record.Refuse(DxfRules.OutOfRange, record.Line, "");
+    }
+
+    /// <summary>Leaves out what has no length, and refuses the record when nothing is left.</summary>
+    public void Finish(EntityRecord record)
+    {
+        Shapes.RemoveAll(shape => shape.Parts.IsEmpty);
         if (Shapes.Count == 0) record.Refuse(DxfRules.OutlineUnusable, record.Line, Wording.Get("OutlineMapper.NoEdgeWithLength"));
     }
 
@@ -65,7 +71,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         if (own >= 0) record.Sequence.RemoveRange(own, record.Sequence.Count - own);
         var shape = Begin(CurveType.Helix);
         _splines.Map(record, shape);
-        if (!shape.Parts.IsEmpty) Shapes.Add(shape);
+        Shapes.Add(shape);
     }
 
     private void Face(EntityRecord record)

@@ -21,6 +21,9 @@ internal sealed class LayerTable(NameTable names)
 
     public bool IsFrozen(int layer) => layer < _states.Count && _states[layer].Frozen;
 
+    /// <summary>True for a layer that is frozen or switched off.</summary>
+    public bool IsHidden(int layer) => layer < _states.Count && (_states[layer].Frozen || _states[layer].Off);
+
     public DrawingColour ColourOf(int layer) => layer < _states.Count ? _states[layer].Colour.OrForeground() : DrawingColour.Foreground;
 
     public IReadOnlyList<Layer> ToLayers()
