@@ -10,6 +10,9 @@ public sealed class FeedJudge(double feed, double? plunge)
     /// <summary>Part of a feed that the text's rounding may take.</summary>
     private const double Rounding = 0.001;
 
+    /// <summary>What falls by this part of its length goes straight down, at the plunge feed, which may be above that of the path.</summary>
+    private const double StraightDown = 1.0 - 1e-9;
+
     /// <summary>The slowest cut so far, mm/min; null when nothing is known.</summary>
     public double? Slowest { get; private set; }
 
@@ -32,7 +35,7 @@ public sealed class FeedJudge(double feed, double? plunge)
     {
         if (!(length > 0.0)) return;
         if (double.IsFinite(mmPerMinute)) (Slowest, Fastest) = (Math.Min(Slowest ?? mmPerMinute, mmPerMinute), Math.Max(Fastest ?? mmPerMinute, mmPerMinute));
-        var most = plunge is { } down && fall > 0.0 ? Math.Min(feed, down * length / fall) : feed;
+        var most = plunge is { } down && fall > 0.0 ? fall >= length * StraightDown ? down : Math.Min(feed, down * length / fall) : feed;
         var least = fall == 0.0 ? feed : 0.0;
         var within = (most * Rounding) + quantum;
         if (Finding is null && (mmPerMinute > most + within || mmPerMinute < least - within || !(mmPerMinute > 0.0))) Finding = VerificationRules.OtherFeed.At(new SourceRef(line), double.IsFinite(mmPerMinute) ? FactText.Of(mmPerMinute) : Wording.Get("FeedJudge.Rapid"), FactText.Of(line), FactText.Of(least), FactText.Of(most));

@@ -59,7 +59,8 @@ public sealed class HeightJudge : ITraceJudge
     /// <summary>A span is judged by its ends and places a step apart; a machine with a tool axis is told sample by sample.</summary>
     public void Add(in TraceSpan span)
     {
-        var steps = Math.Max(1, (int)Math.Min(span.Samples - 1, Math.Ceiling(span.Path.Length / _tolerances.LargestStep)));
+        var largest = span.Path.Kind is SegmentKind.Arc or SegmentKind.Circle ? Math.Min(_tolerances.LargestStep, Math.Sqrt(8.0 * span.Path.Arc.Radius * _tolerances.ChordSagitta)) : _tolerances.LargestStep;
+        var steps = Math.Max(1, (int)Math.Min(span.Samples - 1, Math.Ceiling(span.Path.Length / largest)));
         for (var i = 0; i <= steps; i++) Add(span.At((double)i / steps));
     }
 
@@ -105,20 +106,37 @@ public sealed class HeightJudge : ITraceJudge
         return nearest;
     }
 
-    /// <summary>From the place before to this one the tool went straight along what it follows; where that changes, to the end of the one and from the beginning of the other.</summary>
     private void Follow(int piece, double foot)
     {
-        if (_followed is { Piece: >= 0 } before)
+        if (_followed is { Piece: >= 0 } before) CoverBetween(before, (piece, _asked));
+        else Cover(piece, foot, foot);
+        _followed = (piece, _asked);
+    }
+
+    /// <summary>From one place to the other the tool went straight along what it follows; where that changes, to the end of the one and from the beginning of the other, and along what lies between them.</summary>
+    private void CoverBetween((int Piece, Vector3D Place) from, (int Piece, Vector3D Place) to)
+    {
+        var middle = (from.Place + to.Place) * 0.5;
+        if (from.Piece != to.Piece && !_isVertical && (to.Place - from.Place).Length > _tolerances.Coverage && PieceAt(middle) is { } between)
         {
-            if (before.Piece != piece) Cover(before.Piece, FootAt(before.Piece, before.Place), FootAt(before.Piece, _asked));
-            Cover(piece, FootAt(piece, before.Place), foot);
-        }
-        else
-        {
-            Cover(piece, foot, foot);
+            CoverBetween(from, (between, middle));
+            CoverBetween((between, middle), to);
+            return;
         }
 
-        _followed = (piece, _asked);
+        if (from.Piece != to.Piece) Cover(from.Piece, FootAt(from.Piece, from.Place), FootAt(from.Piece, to.Place));
+        Cover(to.Piece, FootAt(to.Piece, from.Place), FootAt(to.Piece, to.Place));
+    }
+
+    /// <summary>What is followed at a place between two samples; null for nothing.</summary>
+    private int? PieceAt(Vector3D place)
+    {
+        var asked = _asked;
+        _asked = place;
+        var piece = _index.NearestBy(_measure, new Point2D(place.X, place.Y), _tolerances.Coverage, 0.0, out _);
+        var isFollowed = piece >= 0 && Measure(piece) is { IsAtDepth: true } found && found.Distance <= _tolerances.Coverage;
+        _asked = asked;
+        return isFollowed ? piece : null;
     }
 
     private void Cover(int piece, double from, double to)
@@ -162,10 +180,11 @@ public sealed class HeightJudge : ITraceJudge
         }
     }
 
+    /// <summary>Rounding leaves the very ends of a piece beside what was cut of it.</summary>
     private double DistanceToCut(int piece, Vector3D place)
     {
-        var (foot, distance) = _pieces.Nearest(piece, place);
-        return _covered[piece].Parts().Any(part => part.From <= foot && part.To >= foot) ? distance : double.PositiveInfinity;
+        var (foot, _) = _pieces.Nearest(piece, place);
+        return _covered[piece].Parts().Select(part => (_pieces.PlaceAt(piece, Math.Clamp(foot, part.From, part.To)) - place).Length).DefaultIfEmpty(double.PositiveInfinity).Min();
     }
 }
 

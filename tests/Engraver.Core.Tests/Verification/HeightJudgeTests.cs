@@ -80,6 +80,20 @@ public class HeightJudgeTests
         Assert.InRange(Judge([Level(-1.0)], s_drive, [.. found.Take(2), new(0.002, 49, 50, true, 0.5)]).MaxDeviation, 50.0, 80.0); // dragged along before it was up
     }
 
+    /// <summary>Sides of 28.6 um on a machine that counts in 1 um: neighbours lie within what is allowed beside each of them. Told by their corners, and by samples 6 um apart.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(5)]
+    public void A_square_little_larger_than_what_is_allowed_is_cut_whole(int steps)
+    {
+        Point2D[] corners = [new(0, 0), new(0.0286, 0), new(0.0286, 0.0286), new(0, 0.0286), new(0, 0)];
+        StrokeMove[] square = [.. corners.Zip(corners.Skip(1), (from, to) => new StrokeMove(Segment.FromLine(from, to), 0, -1.0, -1.0))];
+        TraceSample[] Cut(int sides) => [new TraceSample(-1, 0, 0, false, 2.0), .. Enumerable.Range(0, (sides * steps) + 1).Select(i => corners[i / steps].X + ((corners[Math.Min(4, (i / steps) + 1)].X - corners[i / steps].X) * (i % steps) / steps) is var x && corners[i / steps].Y + ((corners[Math.Min(4, (i / steps) + 1)].Y - corners[i / steps].Y) * (i % steps) / steps) is var y ? new TraceSample(i, Math.Round(x, 3), Math.Round(y, 3), true, -1.0) : default)];
+
+        Assert.Equal(0.0, Judge(square, s_drive, Cut(4)).MissingLength);
+        Assert.InRange(Judge(square, s_drive, Cut(2)).MissingLength, 0.02, 0.0572);
+    }
+
     private static StrokeMove Level(double height) => new(Segment.FromLine(new Point2D(0, 0), new Point2D(10, 0)), 0, height, height);
 
     private static TraceSample[] Along(Func<int, (double X, double Y, double Z)> place, int steps) => [.. Enumerable.Range(0, steps + 1).Select(i => place(i) is var (x, y, z) ? new TraceSample(i, x, y, z < 1.0, z) : default)];

@@ -73,6 +73,18 @@ public class TargetVerificationTests
         Assert.Contains(report.Diagnostics, finding => finding.Id == id);
     }
 
+    [Fact]
+    public async Task A_plunge_feed_above_the_feed_is_right_straight_down_and_nowhere_else()
+    {
+        var settings = Milling(depthPerPass: null);
+        settings = settings with { Machine = settings.Machine with { FeedMmPerMinute = 150.0 } };
+        var text = PostedProgram.Create(Part(), settings, PostTable.Find("gcode").Post, PostedProgram.NoOptions).Text!;
+
+        Assert.Contains("F240", text, StringComparison.Ordinal);
+        Assert.True((await VerifyAsync(Part(), settings, text, PostTable.Find("gcode").Reader!)).Ok);
+        Assert.False((await VerifyAsync(Part(), settings, text.Replace("F150", "F240", StringComparison.Ordinal), PostTable.Find("gcode").Reader!)).Ok);
+    }
+
     [Theory]
     [InlineData("agie")]
     [InlineData("hpgl")]
