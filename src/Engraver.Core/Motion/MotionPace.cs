@@ -1,33 +1,87 @@
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
 /// <summary>The moves of a motion program one after the other, each with how long it takes and how long the machine waits before it for what was switched last; commands take no time here. For a tool that an output switches.</summary>
-public static class MotionPace
+/// <remarks>A program that is loaded in parts may lift the tool where a part ends in the middle of a stroke, and starts the spindle anew in each part.</remarks>
+public sealed class MotionPace
 {
+    /// <summary>A part ends at a segment's end where the machine came to rest this near to it, counts: behind arcs it stands beside whole counts.</summary>
+    private const double AtEnd = 2.0;
+
+    /// <summary>Times this near to each other do not tell which of two segments' ends it was: samples of the controller.</summary>
+    private const double SimilarSeconds = 0.003;
+
+    private readonly MotionProgram _program;
+    private readonly CommandTimes _commands;
+    private readonly ProgramParts _parts;
+    private readonly List<PaceMove> _moves = [];
+    private double _wait;
+
+    private MotionPace(MotionProgram program, CommandTimes commands, ProgramParts parts) => (_program, _commands, _parts) = (program, commands, parts);
+
     /// <param name="start">Where the machine stands before the first move, counts of the job frame.</param>
     /// <param name="commands">How fast the machine travels.</param>
-    public static IReadOnlyList<PaceMove> Of(MotionProgram program, CountsPoint start, CommandTimes commands)
+    /// <param name="parts">Where the program was divided.</param>
+    public static IReadOnlyList<PaceMove> Of(MotionProgram program, CountsPoint start, CommandTimes commands, ProgramParts parts)
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(commands);
-        var (moves, at, wait) = (new List<PaceMove>(), start, 0.0);
-        foreach (var stroke in program.Strokes)
+        ArgumentNullException.ThrowIfNull(parts);
+        return new MotionPace(program, commands, parts).From(start);
+    }
+
+    private List<PaceMove> From(CountsPoint at)
+    {
+        var profile = _program.Profile;
+        foreach (var stroke in _program.Strokes)
         {
-            Add(MotionTime.RapidTo(stroke.Start, at, program, commands).Rapid, stroke.Start);
-            wait = program.Profile.ToolSettleSeconds; // from the last switch on, also where no rapid lies between two strokes
-            foreach (var sequence in stroke.Sequences) Add(MotionTime.Cut(sequence, program, commands).Cutting, at = sequence.End, sequence.Segments.Count);
-            wait += program.Profile.OffSettleSeconds;
+            if (_parts.BeginAfter(_moves.Count)) _wait += profile.Spindle?.SpinUpSeconds ?? 0.0;
+            Add(MotionTime.RapidTo(stroke.Start, at, _program, _commands).Rapid, stroke.Start);
+            _wait = profile.ToolSettleSeconds; // from the last switch on, also where no rapid lies between two strokes
+            foreach (var sequence in stroke.Sequences) Cut(sequence);
+            at = stroke.Sequences[^1].End;
+            _wait += profile.OffSettleSeconds;
         }
 
-        return moves;
+        return _moves;
+    }
 
-        void Add(double seconds, CountsPoint end, int segments = 0)
+    /// <summary>One sequence, or as many as the parts of the program make of it.</summary>
+    private void Cut(VectorSequence sequence)
+    {
+        for (VectorSequence? rest = sequence; rest is not null;)
         {
-            if (!(seconds > 0.0)) return;
-            moves.Add(new PaceMove(seconds, wait, program.Profile.Scale.ToMillimetres(end.X, end.Y)) { Segments = segments });
-            wait = 0.0;
+            if (_parts.BeginAfter(_moves.Count)) _wait = _program.Profile.ToolSettleSeconds;
+            var head = _parts.LastBefore(_moves.Count + 1) is { } last ? UpTo(last, rest) : rest;
+            Add(Seconds(head), head.End, head.Segments.Count);
+            rest = head.Segments.Count == rest.Segments.Count ? null : rest with { Start = head.End, Segments = [.. rest.Segments.Skip(head.Segments.Count)] };
         }
+    }
+
+    /// <summary>The beginning of a sequence that ends where a move ended: where the path comes there several times the one that takes a similar time, of these the nearest. All of it where there is none.</summary>
+    private VectorSequence UpTo(PaceMove last, VectorSequence sequence)
+    {
+        var scale = _program.Profile.Scale;
+        double Away(CountsPoint place) => double.Hypot((last.End.X * scale.X) - place.X, (last.End.Y * scale.Y) - place.Y);
+        var heads = Enumerable.Range(1, sequence.Segments.Count)
+            .Where(count => Away(sequence.Segments[count - 1].End) <= AtEnd)
+            .Select(count => count == sequence.Segments.Count ? sequence : sequence with { Segments = [.. sequence.Segments.Take(count)] })
+            .Select(head => (Sequence: head, Other: Math.Abs(Seconds(head) - last.Seconds)))
+            .ToList();
+        if (heads.Count == 0) return sequence;
+        var similar = heads.Min(head => head.Other) + SimilarSeconds;
+        return heads.Where(head => head.Other <= similar).MinBy(head => Away(head.Sequence.End)).Sequence;
+    }
+
+    private double Seconds(VectorSequence sequence) => MotionTime.Cut(sequence, _program, _commands).Cutting;
+
+    private void Add(double seconds, CountsPoint end, int segments = 0)
+    {
+        if (!(seconds > 0.0)) return;
+        _moves.Add(new PaceMove(seconds, _wait, _program.Profile.Scale.ToMillimetres(end.X, end.Y)) { Segments = segments });
+        _wait = 0.0;
     }
 }
 
@@ -35,8 +89,22 @@ public static class MotionPace
 /// <param name="Seconds">How long the machine moves.</param>
 /// <param name="Wait">How long it stood before, seconds.</param>
 /// <param name="End">Where it comes to rest, drawing millimetres.</param>
-public readonly record struct PaceMove(double Seconds, double Wait, Geometry.Point2D End)
+public readonly record struct PaceMove(double Seconds, double Wait, Point2D End)
 {
     /// <summary>How many segments are loaded for it; 0 for a rapid.</summary>
     public int Segments { get; init; }
+}
+
+/// <summary>The parts in which a program was loaded and run one after the other.</summary>
+/// <param name="lasts">For each part but the first: how many moves were made before it began, and the last of them.</param>
+public sealed class ProgramParts(IReadOnlyDictionary<int, PaceMove> lasts)
+{
+    /// <summary>A program that was loaded whole.</summary>
+    public static ProgramParts Whole { get; } = new(new Dictionary<int, PaceMove>());
+
+    /// <summary>Whether a further part begins after so many moves.</summary>
+    public bool BeginAfter(int moves) => lasts.ContainsKey(moves);
+
+    /// <summary>The last move before a further part that begins after so many moves; null where none does.</summary>
+    public PaceMove? LastBefore(int moves) => lasts.TryGetValue(moves, out var last) ? last : null;
 }

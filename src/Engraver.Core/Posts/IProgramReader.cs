@@ -45,6 +45,9 @@ public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, Ti
     /// <summary>What the job asks for beside the way, and where what the program does otherwise is told; null: nobody asks.</summary>
     public TermsJudge? Terms { get; init; }
 
+    /// <summary>Told where a further part of the program begins, by a reader whose programs are loaded in parts; null: nobody asks.</summary>
+    public PaceJudge? Pace { get; init; }
+
     /// <summary>Everything that is cut lies at one height: a form with a third coordinate must not leave it.</summary>
     public bool IsLevel { get; init; }
 }

@@ -6,7 +6,7 @@ using Engraver.Core.Verification;
 namespace Engraver.Core.Posts;
 
 /// <summary>Takes the time of every move of a program that is run by a controller, and of every wait before one: feeds, rapid speeds, accelerations and settle times show in them, whatever commands they were said with.</summary>
-/// <remarks>The samples that are told are those of the controller: a move is what has one in every sample, a longer gap is a wait.</remarks>
+/// <remarks>The samples that are told are those of the controller: a move is what has one in every sample, a longer gap is a wait. A switch ends a move too: without a settle time the next one begins in the same sample.</remarks>
 public sealed class PaceJudge : ITraceJudge
 {
     /// <summary>Two samples of a controller that moves lie no farther apart, seconds.</summary>
@@ -24,6 +24,7 @@ public sealed class PaceJudge : ITraceJudge
     private const double LoadSeconds = 0.001;
 
     private readonly List<PaceMove> _moves = [];
+    private readonly Dictionary<int, PaceMove> _lasts = [];
     private TraceSample? _last;
     private double _began;
     private double _length;
@@ -44,36 +45,38 @@ public sealed class PaceJudge : ITraceJudge
         _last = span.At(1.0);
     }
 
+    /// <summary>The parts that were begun so far.</summary>
+    public ProgramParts Parts => new(_lasts);
+
+    /// <summary>The machine is at rest and a further part of the program is about to be run.</summary>
+    public void BeginPart()
+    {
+        Rest();
+        if (_moves.Count > 0) _lasts[_moves.Count] = _moves[^1];
+    }
+
     public TraceVerdict Verdict() => throw new NotSupportedException("A pace alone is no verdict.");
 
     /// <summary>Null where the times are those of the job as it may have been posted in one of several ways; otherwise the first move that takes another time, or begins after another wait.</summary>
-    /// <param name="ways">The moves of each way, at least one way. Those with as many moves as the program has decide; a program that was cut in parts has other moves, and then the sums of times are compared.</param>
+    /// <param name="ways">The moves of each way, at least one way, divided in <see cref="Parts"/>.</param>
     public Diagnostic? Finding(IReadOnlyList<IReadOnlyList<PaceMove>> ways)
     {
         ArgumentNullException.ThrowIfNull(ways);
         Rest();
-        var equal = ways.Where(way => way.Count == _moves.Count).ToList();
-        var findings = (equal.Count > 0 ? equal.Select(Each) : ways.Select(Whole)).ToList();
+        var findings = ways.OrderByDescending(way => way.Count == _moves.Count).Select(Difference).ToList();
         return findings.Contains(null) ? null : findings[0];
     }
 
-    private Diagnostic? Each(IReadOnlyList<PaceMove> expected)
+    /// <summary>A move that is too many or too few differs from one that takes no time.</summary>
+    private Diagnostic? Difference(IReadOnlyList<PaceMove> expected)
     {
-        for (var i = 0; i < expected.Count; i++)
+        for (var i = 0; i < Math.Max(expected.Count, _moves.Count); i++)
         {
-            var (found, asked) = (_moves[i], expected[i]);
-            if (!IsNear(found.Seconds, asked.Seconds, MoveShare, MoveSlack) || ((i > 0 || found.Segments == 0) && !IsWait(found, asked))) return Other(found, asked);
+            var (found, asked) = (_moves.ElementAtOrDefault(i), expected.ElementAtOrDefault(i));
+            if (!IsNear(found.Seconds, asked.Seconds, MoveShare, MoveSlack) || ((i > 0 || found.Segments == 0) && !IsWait(found, asked))) return Other(found, asked, i < _moves.Count ? found.End : asked.End);
         }
 
         return null;
-    }
-
-    private Diagnostic? Whole(IReadOnlyList<PaceMove> expected)
-    {
-        var (found, asked) = (_moves.Sum(move => move.Seconds), expected.Sum(move => move.Seconds));
-        var (waits, askedWaits, most) = (_moves.Skip(1).Sum(move => move.Wait), expected.Skip(1).Sum(move => move.Wait), Math.Max(_moves.Count, expected.Count));
-        var isNear = IsNear(found, asked, MoveShare, MoveSlack * most) && IsNear(waits, askedWaits, WaitShare, (WaitSlack * most) + (LoadSeconds * expected.Sum(move => move.Segments)));
-        return isNear ? null : Other(new PaceMove(found, waits, default), new PaceMove(asked, askedWaits, default));
     }
 
     /// <summary>From the switch to the move where the tool was switched, otherwise all of the time at rest.</summary>
@@ -83,8 +86,8 @@ public sealed class PaceJudge : ITraceJudge
 
     private static bool IsNear(double found, double asked, double share, double slack) => Math.Abs(found - asked) <= (share * asked) + slack;
 
-    private static Diagnostic Other(PaceMove found, PaceMove asked) =>
-        VerificationRules.OtherPace.At(default, Text(found.End.X), Text(found.End.Y), Text(found.Seconds), Text(found.Wait), Text(asked.Seconds), Text(asked.Wait)) with { Place = found.End };
+    private static Diagnostic Other(PaceMove found, PaceMove asked, Point2D end) =>
+        VerificationRules.OtherPace.At(default, Text(end.X), Text(end.Y), Text(found.Seconds), Text(found.Wait), Text(asked.Seconds), Text(asked.Wait)) with { Place = end };
 
     private static string Text(double value) => FactText.Of(Math.Round(value, 3));
 
@@ -97,16 +100,17 @@ public sealed class PaceJudge : ITraceJudge
             return;
         }
 
-        if (next.Cutting != last.Cutting) _switched = next.Seconds;
-        if (next.Seconds - last.Seconds <= Step)
+        var (isSwitched, isRested, way) = (next.Cutting != last.Cutting, next.Seconds - last.Seconds > Step, last.Place.DistanceTo(next.Place));
+        if (isSwitched) _switched = next.Seconds;
+        if (!isSwitched && !isRested)
         {
-            _length += last.Place.DistanceTo(next.Place);
+            _length += way;
             return;
         }
 
         Rest();
-        _length = 0.0;
-        (_began, _waitsFrom) = (next.Seconds, _switched is { } at && at >= _rest ? at : null);
+        (_length, _began) = isRested ? (0.0, next.Seconds) : (way, last.Seconds);
+        _waitsFrom = _switched is { } at && at >= _rest ? Math.Min(at, _began) : null;
     }
 
     /// <summary>What moved since it began has come to rest; switching an output at rest is no move, nor is going to where the machine stands.</summary>

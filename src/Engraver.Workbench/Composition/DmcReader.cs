@@ -36,6 +36,7 @@ public sealed class DmcReader : IProgramReader
         {
             var (chunk, fault) = program.Next();
             if (chunk is null) return fault is null ? [] : [fault];
+            if (number > 1) request.Pace?.BeginPart();
             void Report() => progress?.Report(new ReplayProgress(number, Math.Max(number, program.Count), TimeSpan.FromMilliseconds(controller.Status.Sample), request.Expected));
             if (await RunAsync(chunk, controller, channel, request.Longest, Report, cancellation).ConfigureAwait(false) is { } failure) return [failure];
         }

@@ -28,5 +28,5 @@ public static class JobPlan
 
     /// <summary>The moves of the program and its waits for the tool, without the time of commands.</summary>
     /// <param name="start">Where the machine stands before, counts of the job frame.</param>
-    public static IReadOnlyList<PaceMove> Pace(MotionProgram program, CountsPoint start) => MotionPace.Of(program, start, MachineFamilies.Driver.NetworkTimes);
+    public static IReadOnlyList<PaceMove> Pace(MotionProgram program, CountsPoint start, ProgramParts parts) => MotionPace.Of(program, start, MachineFamilies.Driver.NetworkTimes, parts);
 }

@@ -50,6 +50,7 @@ internal sealed class ReadBackJudges
             Feeds = Feeds,
             Blends = Blends,
             Terms = Terms,
+            Pace = _pace,
             IsLevel = IsLevel(),
         };
 
@@ -64,7 +65,7 @@ internal sealed class ReadBackJudges
     {
         if (_pace is null) return null;
         var continuous = JobPreparation.PrepareUnlessCancelled(_job.Drawing, _job.Settings, MotionStyle.Continuous, cancellation).Motion.Program;
-        IReadOnlyList<IReadOnlyList<PaceMove>> ways = [.. new[] { _posted.Fitted, continuous, _job.Motion.Program }.OfType<MotionProgram>().Select(program => JobPlan.Pace(program, start))];
+        IReadOnlyList<IReadOnlyList<PaceMove>> ways = [.. new[] { _posted.Fitted, continuous, _job.Motion.Program }.OfType<MotionProgram>().Select(program => JobPlan.Pace(program, start, _pace.Parts))];
         return ways.Count == 0 ? null : _pace.Finding(ways);
     }
 
