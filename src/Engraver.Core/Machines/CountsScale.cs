@@ -9,6 +9,9 @@ namespace Engraver.Core.Machines;
 /// <param name="Z">Counts per millimetre of height; negative where the axis counts downwards, 0 for a machine without such an axis.</param>
 public readonly record struct CountsScale(double X, double Y, double Z = 0.0)
 {
+    /// <summary>A place farther from the drawing's zero is no whole number of counts in a double.</summary>
+    public const double MostCounts = 1L << 52;
+
     /// <summary>True when a circle in millimetres is a circle in counts; otherwise it is an ellipse, which CR cannot cut.</summary>
     public bool KeepsCircles => Math.Abs(X) == Math.Abs(Y);
 
@@ -18,10 +21,10 @@ public readonly record struct CountsScale(double X, double Y, double Z = 0.0)
     /// <summary>Counts per millimetre of the finer axis of the plane.</summary>
     public double Largest => Math.Max(Math.Abs(X), Math.Abs(Y));
 
-    /// <summary>Rounds half away from zero. The caller makes sure beforehand that int32 can hold the point (<see cref="Holds"/>).</summary>
+    /// <summary>Rounds half away from zero. The caller makes sure beforehand that the point can be counted (<see cref="Holds"/>, <see cref="Counts"/>).</summary>
     public static CountsPoint Round(Point2D exact) => new(
-        checked((int)Math.Round(exact.X, MidpointRounding.AwayFromZero)),
-        checked((int)Math.Round(exact.Y, MidpointRounding.AwayFromZero)));
+        checked((long)Math.Round(exact.X, MidpointRounding.AwayFromZero)),
+        checked((long)Math.Round(exact.Y, MidpointRounding.AwayFromZero)));
 
     public Point2D Exact(Point2D millimetres) => new(X * millimetres.X, Y * millimetres.Y);
 
@@ -46,22 +49,25 @@ public readonly record struct CountsScale(double X, double Y, double Z = 0.0)
         return new ArcSegment(Exact(millimetres.Centre), millimetres.Radius * Math.Abs(X), start, sweep);
     }
 
-    /// <summary>True when every point of the box (millimetres) fits int32 in counts, and in counts relative to <paramref name="origin"/> too.</summary>
+    /// <summary>True when a place of the drawing, millimetres, is near enough to its zero to be a whole number of counts: of a double that is one only below 2^53.</summary>
+    public bool Counts(Point2D millimetres) => Math.Abs(X * millimetres.X) < MostCounts && Math.Abs(Y * millimetres.Y) < MostCounts;
+
+    /// <summary>True when every point of the box (millimetres) fits int32 in counts from <paramref name="origin"/>: a controller holds no more.</summary>
     public bool Holds(Bounds2D millimetres, CountsPoint origin) =>
         Fits(X * millimetres.MinX, origin.X) && Fits(X * millimetres.MaxX, origin.X) && Fits(Y * millimetres.MinY, origin.Y) && Fits(Y * millimetres.MaxY, origin.Y);
 
     /// <summary>True when a height fits int32 in counts.</summary>
     public bool HoldsHeight(double millimetres) => Fits(Z * millimetres, 0);
 
-    private static bool Fits(double counts, int origin) => Math.Abs(counts) < int.MaxValue && Math.Abs(counts - origin) < int.MaxValue;
+    private static bool Fits(double counts, long origin) => Math.Abs(counts) < MostCounts && Math.Abs(counts - origin) < int.MaxValue;
 }
 
-/// <summary>A position of the axes that a job moves, in counts, in the order of <see cref="MachineAxes.All"/>. In the job's frame the drawing's zero is 0,0,0; the controller's own zero may be elsewhere.</summary>
+/// <summary>A position of the axes that a job moves, in counts, in the order of <see cref="MachineAxes.All"/>. In the job's frame the drawing's zero is 0,0,0; the controller's own zero may be elsewhere. A controller holds 32 bits; a drawing may lie farther from its own zero.</summary>
 /// <param name="Z">Of the tool's axis, up positive where its counts per millimetre are; 0 on a machine without one.</param>
-public readonly record struct CountsPoint(int X, int Y, int Z = 0)
+public readonly record struct CountsPoint(long X, long Y, int Z = 0)
 {
     /// <summary>Of the axis with this place in <see cref="MachineAxes.All"/>.</summary>
-    public int this[int axis] => axis switch { 0 => X, 1 => Y, 2 => Z, _ => throw new ArgumentOutOfRangeException(nameof(axis)) };
+    public long this[int axis] => axis switch { 0 => X, 1 => Y, 2 => Z, _ => throw new ArgumentOutOfRangeException(nameof(axis)) };
 
     /// <summary>From what a controller answers for its axes in order; an axis that is not there counts 0.</summary>
     public static CountsPoint From(ReadOnlySpan<double> axes) => new((int)axes[0], axes.Length > 1 ? (int)axes[1] : 0, axes.Length > 2 ? (int)axes[2] : 0);

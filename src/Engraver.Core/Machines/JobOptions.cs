@@ -66,7 +66,7 @@ public sealed record JobOptions
 /// <summary>First line of a job in the journal.</summary>
 /// <param name="StartX">_RPA when the job began.</param>
 /// <param name="FrameX">Job frame: what is added to drawing counts to get the controller's.</param>
-public sealed record JournalHeader(string Drawing, string Controller, JobMode Mode, int SegmentCount, int StartX, int StartY, int FrameX, int FrameY, DateTimeOffset StartedAt)
+public sealed record JournalHeader(string Drawing, string Controller, JobMode Mode, int SegmentCount, long StartX, long StartY, long FrameX, long FrameY, DateTimeOffset StartedAt)
 {
     public string Kind { get; } = "job";
 

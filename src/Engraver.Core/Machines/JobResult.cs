@@ -142,9 +142,9 @@ public readonly record struct JobProgress(int Stroke, int SegmentsSent, int Segm
     /// <summary>As in <see cref="TracePoint.Error"/>.</summary>
     public CountsPoint? Error { get; init; }
 
-    public int X => Place.X;
+    public long X => Place.X;
 
-    public int Y => Place.Y;
+    public long Y => Place.Y;
 
     /// <summary>Whether the job runs, brakes for a hold or is held.</summary>
     public JobPhase Phase { get; init; }
@@ -162,9 +162,9 @@ public readonly record struct JobProgress(int Stroke, int SegmentsSent, int Segm
 /// <param name="ToolOn">Whether the tool output was on, as the controller reported.</param>
 public readonly record struct TracePoint(double Seconds, CountsPoint Place, bool ToolOn)
 {
-    public int X => Place.X;
+    public long X => Place.X;
 
-    public int Y => Place.Y;
+    public long Y => Place.Y;
 
     /// <summary>Segments known to be done before this poll: the tool is on the next of them, or further.</summary>
     public int Executed { get; init; }

@@ -7,9 +7,9 @@ namespace Engraver.Core.Machines;
 /// <param name="MotorsOff">The controller's letters of the axes whose motor is off; empty for none.</param>
 public sealed record MachineReading(CountsPoint Position, CountsPoint Error, bool Moves, string MotorsOff)
 {
-    public int X => Position.X;
+    public long X => Position.X;
 
-    public int Y => Position.Y;
+    public long Y => Position.Y;
 
     /// <summary>Inputs 1 to 8, bit 0 is input 1.</summary>
     public int? Inputs { get; init; }

@@ -2,7 +2,7 @@ using System.Collections;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 32 bytes a line, 24 more an arc, 12 a sequence, 28 a stroke. Objects are made only while somebody looks at them.</summary>
+/// <summary>The segments and sequences of a motion program as columns: 40 bytes a line, 24 more an arc, 12 a sequence, 40 a stroke. Objects are made only while somebody looks at them.</summary>
 /// <remarks>One writer appends stroke by stroke; what a stroke has got does not change any more and may be read from all threads.</remarks>
 /// <param name="segments">About how many there will be: room for so many is taken at once.</param>
 public sealed class VectorColumns(int segments)

@@ -30,7 +30,7 @@ public static class MotionTime
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
     {
         var profile = program.Profile;
-        double Seconds(MachineAxis axis, int to, int at) => Sampled(Math.Abs((double)to - at), commands.RapidSpeed(profile, axis), profile.AccelerationCounts, commands);
+        double Seconds(MachineAxis axis, long to, long at) => Sampled(Math.Abs((double)to - at), commands.RapidSpeed(profile, axis), profile.AccelerationCounts, commands);
         var moving = Math.Max(Seconds(profile.Axes.X, target.X, from.X), Seconds(profile.Axes.Y, target.Y, from.Y));
         return new MotionTimes(0.0, moving, commands.Rapid(from, target, moving, program));
     }

@@ -30,10 +30,11 @@ public static class ProgramFingerprint
         return Convert.ToHexString(hash.GetHashAndReset())[..16].ToLower(CultureInfo.InvariantCulture);
     }
 
+    /// <summary>Of a place its lowest 32 bits, so that journals keep their fingerprints.</summary>
     private static void Write(Span<byte> bytes, CountsPoint point, int number, in VectorSegment segment)
     {
-        BinaryPrimitives.WriteInt32LittleEndian(bytes, point.X);
-        BinaryPrimitives.WriteInt32LittleEndian(bytes[4..], point.Y);
+        BinaryPrimitives.WriteInt32LittleEndian(bytes, unchecked((int)point.X));
+        BinaryPrimitives.WriteInt32LittleEndian(bytes[4..], unchecked((int)point.Y));
         BinaryPrimitives.WriteInt32LittleEndian(bytes[8..], number);
         BinaryPrimitives.WriteInt32LittleEndian(bytes[12..], (int)segment.Kind);
         BinaryPrimitives.WriteInt32LittleEndian(bytes[16..], segment.Radius);

@@ -1,5 +1,6 @@
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Execution;
@@ -234,8 +235,8 @@ internal sealed class Job
     private async ValueTask<JobStep> UpAndTurningAsync() =>
         await _machine.Tool.ClearAsync().ConfigureAwait(false) is { Ends: true } down ? down : await _machine.Tool.TurnAsync(on: true).ConfigureAwait(false);
 
-    /// <summary>Whether a rapid would leave the controller's 32 bits.</summary>
-    private bool IsTooFar => !_program.Strokes.All(stroke => _machine.ControllerFrame.Holds(stroke.Start)) || !_machine.ControllerFrame.Holds(_program.Start) || !_machine.ControllerFrame.Holds(_program.Finish ?? _program.Start);
+    /// <summary>Whether the job would leave the controller's 32 bits.</summary>
+    private bool IsTooFar => !_machine.ControllerFrame.Holds(MotionExtents.Of(_program));
 
     /// <summary>Tool off, stop, our threads halted, at rest; after a complete job only the threads are left to stop. Tried over a lost link too, because the other handle may still work.</summary>
     private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)

@@ -31,8 +31,8 @@ public static class DmcFormat
     /// <summary>LI of a line in three axes.</summary>
     public static string Increment(MachineAxes axes, CountsPoint from, CountsPoint to) => "LI " + DmcAxes.Fields(axes, [Difference(from.X, to.X), Difference(from.Y, to.Y), Difference(from.Z, to.Z)]);
 
-    private static string Difference(int from, int to) => ((long)to - from).ToString(CultureInfo.InvariantCulture);
+    private static string Difference(long from, long to) => (to - from).ToString(CultureInfo.InvariantCulture);
 
     /// <summary>LI: a line by its increments, for a sequence in LM (galil-dmc.md B.1).</summary>
-    public static string Increment(CountsPoint from, CountsPoint to) => string.Create(CultureInfo.InvariantCulture, $"LI {(long)to.X - from.X},{(long)to.Y - from.Y}");
+    public static string Increment(CountsPoint from, CountsPoint to) => string.Create(CultureInfo.InvariantCulture, $"LI {to.X - from.X},{to.Y - from.Y}");
 }

@@ -19,7 +19,7 @@ public sealed record Conversation(ConversationClock Clock, IReadOnlyList<Convers
     public bool IsControllersClock => Clock != ConversationClock.Wall;
 
     /// <summary>The command by which a controller counts an axis as standing at a place, before a conversation that began there.</summary>
-    public static byte[] Placing(char axis, int place) => Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"DP{axis}={place}\r"));
+    public static byte[] Placing(char axis, long place) => Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"DP{axis}={place}\r"));
 
     /// <summary>Reads the file. A last line that was cut off, as a crash may leave it, is left out.</summary>
     /// <exception cref="FormatException">The text is something else; the message names the line.</exception>

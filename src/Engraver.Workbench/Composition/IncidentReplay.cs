@@ -130,7 +130,7 @@ public sealed class IncidentReplay : IAsyncDisposable
     private async Task PlaceAsync(JournalHeader header)
     {
         await using var link = _controller.OpenConnection();
-        int[] places = [header.StartX, header.StartY, header.StartZ];
+        long[] places = [header.StartX, header.StartY, header.StartZ];
         for (var axis = 0; axis < Letters.Length; axis++) await link.WriteAsync(Conversation.Placing(Letters[axis], places[axis])).ConfigureAwait(false);
     }
 

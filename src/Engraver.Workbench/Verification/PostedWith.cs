@@ -69,10 +69,10 @@ public sealed record ProgramOrigin(double X, double Y, double? Z)
     }
 
     /// <summary>Where the machine stands in the frame of the drawing while it stands on the controller's zero, counts.</summary>
-    internal CountsPoint Beginning(CountsScale scale) => new(Counts(-X * scale.X), Counts(-Y * scale.Y), Counts(-(Z ?? 0.0) * scale.Z));
+    internal CountsPoint Beginning(CountsScale scale) => new(Counts(-X * scale.X), Counts(-Y * scale.Y), (int)Math.Clamp(Counts(-(Z ?? 0.0) * scale.Z), int.MinValue, int.MaxValue));
 
     /// <summary>Time of the rapid from the controller's zero to the drawing's.</summary>
     internal TimeSpan Way(MachineProfile machine) => TimeSpan.FromMinutes((Math.Abs(X) + Math.Abs(Y) + Math.Abs(Z ?? 0.0)) / machine.RapidMmPerMinute);
 
-    private static int Counts(double value) => (int)Math.Clamp(Math.Round(value), int.MinValue, int.MaxValue);
+    private static long Counts(double value) => (long)Math.Clamp(Math.Round(value), -CountsScale.MostCounts, CountsScale.MostCounts);
 }

@@ -32,7 +32,7 @@ public static class ProgramVerification
         var (machine, tolerances) = (job.Settings.Machine, TolerancesOf(job, reader));
         var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
         var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);
-        if (posted.Origin is null && !machine.Scale.Holds(Bounds2D.FromCorners(job.Settings.Start, job.Settings.Start), default)) return Report(job, tolerances, [.. job.Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error)], judges.Verdicts(), bridges); // MOT0003: no program begins there
+        if (posted.Origin is null && !machine.Scale.Counts(job.Settings.Start)) return Report(job, tolerances, [.. job.Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error)], judges.Verdicts(), bridges); // MOT0003: no program begins there
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
         var request = judges.Request(posted.Origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (posted.Origin?.Way(machine) ?? TimeSpan.Zero))));
         var faults = await program.ReadAsync(text => reader.ReplayAsync(text, request, progress, cancellation)).ConfigureAwait(false);

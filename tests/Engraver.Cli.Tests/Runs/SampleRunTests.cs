@@ -1,3 +1,5 @@
+using Engraver.TestKit;
+
 namespace Engraver.Cli.Tests.Runs;
 
 /// <summary>The main job on every sample, every way, judged by every motor sample of the simulated controller.</summary>
@@ -98,6 +100,26 @@ public class SampleRunTests
         Assert.Equal((0, 0), (here.GetProperty("finalX").GetInt32(), here.GetProperty("finalY").GetInt32()));
         Assert.Equal("""{"x":-50,"y":-50,"source":"here"}""", System.Text.Json.JsonSerializer.Serialize(here.GetProperty("origin")));
         Assert.Equal(0.0, here.GetProperty("missingLength").GetDouble());
+    }
+
+    /// <summary>A part that was cut out of a map: its counts exceed 32 bits, those from the machine do not.</summary>
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    [InlineData("program")]
+    public async Task A_drawing_far_from_its_zero_runs_from_where_the_machine_stands(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        (int, object)[] Line(double x1, double y1, double x2, double y2) => [(0, "LINE"), (8, "0"), (10, 3_500_000 + x1), (20, 5_400_000 + y1), (11, 3_500_000 + x2), (21, 5_400_000 + y2)];
+        File.WriteAllBytes(folder.PathOf("map.dxf"), DxfText.WithEntities([.. Line(0, 0, 6, 0), .. Line(6, 0, 6, 4), .. Line(6, 4, 0, 4), .. Line(0, 4, 0, 0)]).ToAscii());
+        string[] run = ["run", folder.PathOf("map.dxf"), "--connect", "sim:", "--json", "--start", "3500000,5400000", "--mode", mode, "--journal", folder.PathOf("run.jsonl")];
+
+        var report = JsonText.Of(await CliRun.RunAsync([.. run, "--origin", "here"]));
+        Assert.Equal(("complete", 0.0), (report.GetProperty("outcome").GetString(), report.GetProperty("missingLength").GetDouble()));
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
+        Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
+
+        Assert.Equal(ExitCode.Refused, (await CliRun.RunAsync([.. run, "--origin", "work"])).ExitCode); // where the controller counts 0
     }
 
     [Theory]

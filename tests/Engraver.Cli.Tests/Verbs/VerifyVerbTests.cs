@@ -19,16 +19,18 @@ public class VerifyVerbTests
     }
 
     /// <summary>As a monkey found it: it was an arithmetic overflow and a crash report.</summary>
-    [Fact]
-    public async Task A_start_that_no_controller_counts_is_told_as_plan_tells_it()
+    [Theory]
+    [InlineData("1e15,0", "MOT0003")]
+    [InlineData("1e9,0", "VER0009")]
+    public async Task A_start_that_no_controller_counts_is_told_and_nothing_of_the_drawing_is_cut(string start, string id)
     {
         using var folder = new TemporaryFolder();
         await CliRun.RunAsync("post", SampleDrawing.PathOf("nameplate"), "--target", "galil", "-o", folder.PathOf("job.dmc"));
 
-        var run = await CliRun.RunAsync("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", "1e9,0", "--json");
+        var run = await CliRun.RunAsync("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", start, "--json");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
-        Assert.Contains("MOT0003", run.Error, StringComparison.Ordinal);
+        Assert.Contains(id, run.Error, StringComparison.Ordinal);
         Assert.False(JsonText.Of(run).GetProperty("ok").GetBoolean());
         Assert.True(JsonText.Of(run).GetProperty("missingLength").GetDouble() > 100.0); // nothing of it is cut
     }

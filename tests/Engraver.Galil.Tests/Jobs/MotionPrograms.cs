@@ -48,7 +48,7 @@ internal static class MotionPrograms
         return columns.Strokes();
     }
 
-    public static VectorSegment Line(int x, int y, int entity, double length) => new(VectorSegmentKind.Line, new(x, y), 0, 0, 0, entity, length);
+    public static VectorSegment Line(long x, long y, int entity, double length) => new(VectorSegmentKind.Line, new(x, y), 0, 0, 0, entity, length);
 
     private static VectorSegment Arc(int x, int y, int radius, double theta, double delta, int entity) =>
         new(VectorSegmentKind.Arc, new(x, y), radius, theta, delta, entity, radius * Math.Abs(delta) * Math.PI / 180);

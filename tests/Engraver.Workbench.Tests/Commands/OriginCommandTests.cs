@@ -249,7 +249,7 @@ public class OriginCommandTests
         Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm of the machine. It is the active one.", talk.Said, StringComparison.Ordinal);
     }
 
-    private static (int?, int?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);
+    private static (long?, long?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);
 
     /// <param name="place">Where the simulated machine is moved to first; null for its zero.</param>
     private static async Task<CommandTalk> StandingAsync(string? place)

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.TestKit;
@@ -71,6 +72,27 @@ public class TargetVerificationTests
 
         Assert.False(report.Ok);
         Assert.Contains(report.Diagnostics, finding => finding.Id == id);
+    }
+
+    /// <summary>As of a map: the limits are those of each form, and the 32 bits of counts are the Galil targets' alone.</summary>
+    [Theory]
+    [InlineData("galil", true)]
+    [InlineData("galil-calls", true)]
+    [InlineData("agie", true)]
+    [InlineData("agie", false)]
+    [InlineData("cldata", false)]
+    [InlineData("xps-linearc", false)]
+    [InlineData("xps-spline", false)]
+    [InlineData("xps-pvt", false)]
+    public async Task A_drawing_far_from_its_zero_is_cut_from_a_start_beside_it(string target, bool isStartNear)
+    {
+        const double X = 3_500_000.0, Y = 5_400_000.0;
+        var drawing = new DrawingBuilder().Line(X, Y, X + 20, Y).Arc(X + 20, Y + 5, 5, 270, 90).Line(X + 20, Y + 10, X, Y + 10).Line(X, Y + 10, X, Y).Circle(X + 10, Y + 5, 3).Build();
+        var report = await VerifyAsync(drawing, new DrawingSettings { Start = isStartNear ? new Point2D(X - 1.0, Y) : default }, target);
+
+        Assert.Empty(report.Diagnostics);
+        Assert.True(report.Ok);
+        Assert.InRange(report.MaxDeviationMm!.Value, 0.0, 0.0021);
     }
 
     [Fact]

@@ -9,7 +9,7 @@ namespace Engraver.Cli.Output.Jobs;
 /// <param name="Whole">False where the host did not come to the end of the conversation.</param>
 /// <param name="Late">Seconds by which the replay was behind the host, at most.</param>
 internal sealed record ReplayJson(
-    string Journal, string? Drawing, string? Outcome, string Clock, bool Whole, int Said, int Samples, double Seconds, int? FinalX, int? FinalY, int? JournalX, int? JournalY, bool? Agrees, double Late, ReplayJson.AgainstJson? Against)
+    string Journal, string? Drawing, string? Outcome, string Clock, bool Whole, int Said, int Samples, double Seconds, long? FinalX, long? FinalY, long? JournalX, long? JournalY, bool? Agrees, double Late, ReplayJson.AgainstJson? Against)
 {
     public static ReplayJson From(string journal, IncidentReplay replay, ReplayComparison? compared) => new(
         journal,

@@ -23,7 +23,7 @@ public static class EdgeTouch
     /// <param name="at">The middle of the tool, controller counts.</param>
     /// <param name="radiusMm">Of the tool, or of the pin that stands in for it.</param>
     /// <returns>The place in the one axis that the edge tells; null in the other.</returns>
-    public static (int? X, int? Y) ZeroAt(CountsPoint at, WorkEdge edge, double radiusMm, CountsScale scale)
+    public static (long? X, long? Y) ZeroAt(CountsPoint at, WorkEdge edge, double radiusMm, CountsScale scale)
     {
         var inward = edge is WorkEdge.Left or WorkEdge.Bottom ? radiusMm : -radiusMm;
         return edge is WorkEdge.Left or WorkEdge.Right
@@ -36,5 +36,5 @@ public static class EdgeTouch
         new(Counts(((double)first.X + second.X) / 2.0), Counts(((double)first.Y + second.Y) / 2.0));
 
     /// <summary>To the nearest count, half away from zero as everywhere.</summary>
-    private static int Counts(double value) => checked((int)Math.Round(value, MidpointRounding.AwayFromZero));
+    private static long Counts(double value) => checked((long)Math.Round(value, MidpointRounding.AwayFromZero));
 }

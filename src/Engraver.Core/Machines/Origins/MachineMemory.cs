@@ -73,7 +73,7 @@ public sealed record MachineMemory
 
     /// <summary>With one origin set; the axes that are not given keep their places.</summary>
     /// <param name="axes">Of the machine profile by which it is set. What was kept without its own axes and counts per millimetre takes these.</param>
-    public MachineMemory WithOrigin(string name, int? x, int? y, int? z, KeptAxes axes = default)
+    public MachineMemory WithOrigin(string name, long? x, long? y, int? z, KeptAxes axes = default)
     {
         var before = Origins.GetValueOrDefault(name) ?? new WorkOrigin(null, null);
         var kept = new KeptAxes(x is null ? before.Axes.X : null, y is null ? before.Axes.Y : null, z is null ? before.Axes.Z : null);

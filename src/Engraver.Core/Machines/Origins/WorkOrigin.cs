@@ -4,7 +4,7 @@ namespace Engraver.Core.Machines.Origins;
 /// <param name="X">Of the axis of the drawing's X.</param>
 /// <param name="Y">Of the axis of the drawing's Y.</param>
 /// <param name="Z">Of the tool's axis, where the machine has one.</param>
-public sealed record WorkOrigin(int? X, int? Y, int? Z = null)
+public sealed record WorkOrigin(long? X, long? Y, int? Z = null)
 {
     /// <summary>Nobody set it: the controller's position was 0 when the first job began, as behind power-on.</summary>
     public bool IsAssumed { get; init; }

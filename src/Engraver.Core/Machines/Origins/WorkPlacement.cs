@@ -16,7 +16,7 @@ public static class WorkPlacement
         if (NotHomed(memory, place, profile) is { } unhomed) return Refused(unhomed);
         return request switch
         {
-            OriginRequest.PresentPlace => Present(place, profile, start),
+            OriginRequest.PresentPlace => Present(place, start),
             OriginRequest.Given { Machine: var at } => Given(memory, place, at, profile),
             OriginRequest.Work => Work(memory, place, profile),
             _ => throw new ArgumentOutOfRangeException(nameof(request)),
@@ -95,13 +95,8 @@ public static class WorkPlacement
         return profile.IsLower(home, mark) && !profile.IsLower(place.Position.Z, home);
     }
 
-    private static PlacementResult Present(ControllerPlace place, MachineProfile profile, CountsPoint start)
-    {
-        var (x, y) = ((long)place.Position.X - start.X, (long)place.Position.Y - start.Y);
-        return x == (int)x && y == (int)y
-            ? Placed(new CountsPoint((int)x, (int)y, place.Position.Z), OriginSource.Here)
-            : Refused(PreparationRules.OriginTooFar.At(default, Number(x / profile.Scale.X), Number(y / profile.Scale.Y)));
-    }
+    private static PlacementResult Present(ControllerPlace place, CountsPoint start) =>
+        Placed((place.Position - start) with { Z = place.Position.Z }, OriginSource.Here);
 
     /// <summary>The place in plan is typed; the height is that of the active work origin.</summary>
     private static PlacementResult Given(MachineMemory memory, ControllerPlace place, Point2D at, MachineProfile profile)

@@ -42,7 +42,7 @@ public sealed record ZeroTouch
         return memory.WithOrigin(name, X ? x : null, Y ? y : null, Z && profile.Axes.Z is not null ? here.Z - profile.Scale.ToHeight(Height) : null, KeptAxes.Of(profile));
     }
 
-    private (int? X, int? Y) ZeroAt(CountsPoint here, CountsScale scale)
+    private (long? X, long? Y) ZeroAt(CountsPoint here, CountsScale scale)
     {
         if (Edge is { } edge) return EdgeTouch.ZeroAt(here, edge, Radius, scale);
         if (First is { } first) return EdgeTouch.Middle(first, here) is var middle ? (middle.X, middle.Y) : default;

@@ -64,12 +64,12 @@ internal static class RapidMove
         }
     }
 
-    private static bool IsBetween(int from, int at, int to) => at >= Math.Min(from, to) && at <= Math.Max(from, to);
+    private static bool IsBetween(long from, long at, long to) => at >= Math.Min(from, to) && at <= Math.Max(from, to);
 
     /// <summary>SP and PA of one axis.</summary>
-    public static IReadOnlyList<string> Commands(MachineAxis axis, int goal, int speed) => [Text($"SP{axis.Letter}={speed}"), Text($"PA{axis.Letter}={goal}")];
+    public static IReadOnlyList<string> Commands(MachineAxis axis, long goal, int speed) => [Text($"SP{axis.Letter}={speed}"), Text($"PA{axis.Letter}={goal}")];
 
     /// <summary>The axes with something to do, and where they go.</summary>
-    public static IReadOnlyList<(MachineAxis Axis, int Goal)> Moving(MachineAxes axes, CountsPoint from, CountsPoint goal) =>
+    public static IReadOnlyList<(MachineAxis Axis, long Goal)> Moving(MachineAxes axes, CountsPoint from, CountsPoint goal) =>
         [.. axes.All.Select((axis, i) => (Axis: axis, Goal: goal[i], IsThere: goal[i] == from[i])).Where(move => !move.IsThere).Select(move => (move.Axis, move.Goal))];
 }

@@ -46,7 +46,7 @@ internal sealed class JobJournal : IDisposable
 
 /// <summary>Last line of a job in the journal; a job without it did not end properly.</summary>
 /// <param name="LeftAsFound">Program, settings and motors of the controller are restored; otherwise the next run restores them.</param>
-public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int SegmentsExecuted, int? X, int? Y, double Time, bool LeftAsFound)
+public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int SegmentsExecuted, long? X, long? Y, double Time, bool LeftAsFound)
 {
     public string Kind { get; } = "end";
 
@@ -89,7 +89,7 @@ public sealed record JournalResumed(string By)
 /// <param name="Rapid">Factor of the rapid speed.</param>
 /// <param name="X">_RPA.</param>
 /// <param name="Time">Controller seconds since the job began.</param>
-public sealed record JournalControl(JobPhase Phase, double Feed, double Rapid, int X, int Y, double Time)
+public sealed record JournalControl(JobPhase Phase, double Feed, double Rapid, long X, long Y, double Time)
 {
     public string Kind { get; } = "control";
 }
@@ -112,7 +112,7 @@ internal sealed partial class JournalJson : JsonSerializerContext;
 /// <param name="SegmentsExecuted">Since the job began, as the controller counted.</param>
 /// <param name="X">_RPA.</param>
 /// <param name="Time">Controller seconds since the job began.</param>
-public sealed record JournalProgress(int Stroke, int Sequence, int Entity, int SegmentsExecuted, int X, int Y, double Time)
+public sealed record JournalProgress(int Stroke, int Sequence, int Entity, int SegmentsExecuted, long X, long Y, double Time)
 {
     public string Kind { get; } = "progress";
 

@@ -29,7 +29,7 @@ internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
     {
         var spinUp = program.Profile.Spindle?.SpinUpSeconds ?? 0.0;
         if (line is null && spinUp == 0.0) return 0.0;
-        var frame = new ControllerFrame(program.Start, program.Start);
+        var frame = new ControllerFrame(program.Start, default);
         var chunks = new SupervisedProgram(program, frame, dryRun: false).Pack(program.Strokes, DmcLimits.ProgramLines, null).Chunks;
         var again = (chunks.Count - 1) * spinUp; // the spindle stands while the next chunk is loaded
         return line is null ? again : again + chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length) + chunk.Text.AsSpan().Count('\n')) * line.ByteSeconds); // an upload ends each line with two characters

@@ -79,7 +79,7 @@ public static class MotionProgramGenerator
         return MotionRules.OutsideCounts.At(source(move.EntityIndex), FactText.Of(x), FactText.Of(y), FactText.Of(scale.X), FactText.Of(scale.Y));
     }
 
-    private static bool IsCountable(Point2D place, CountsScale scale) => place.IsFinite && scale.Holds(Bounds2D.FromCorners(place, place), default);
+    private static bool IsCountable(Point2D place, CountsScale scale) => place.IsFinite && scale.Counts(place);
 
     private static bool HasArcs(Toolpath toolpath) => toolpath.Strokes.Any(stroke => stroke.Moves.Any(move => move.Segment.Kind != SegmentKind.Line));
 

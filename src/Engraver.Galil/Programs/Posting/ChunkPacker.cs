@@ -125,7 +125,7 @@ internal sealed class ChunkPacker
 
     private static int SegmentsOf(MotionStroke stroke) => stroke.SegmentCount;
 
-    private static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
+    private static string Text(long value) => value.ToString(CultureInfo.InvariantCulture);
 }
 
 /// <summary>A job as chunks that fit the controller's memory.</summary>

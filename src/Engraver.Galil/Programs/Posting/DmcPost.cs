@@ -158,7 +158,7 @@ public sealed record DmcPostOptions
 
 /// <summary>A work origin that is written into a program, counts by the controller's own zero.</summary>
 /// <param name="Z">Of the drawing's height 0; null: where the tool stands when the job starts.</param>
-public sealed record PostOrigin(int X, int Y, int? Z);
+public sealed record PostOrigin(long X, long Y, int? Z);
 
 /// <summary>How one way of posting spells its parts; packing them into chunks is the same for all.</summary>
 /// <param name="Opening">From the label #JOB to before the first stroke; the argument is how many stroke lines earlier chunks have run.</param>

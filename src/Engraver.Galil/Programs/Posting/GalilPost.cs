@@ -1,6 +1,8 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Posts;
 using Engraver.Galil.Language;
 
@@ -83,14 +85,15 @@ public sealed class GalilPost : IPost
         return words.Length is 2 or 3 && !numbers.Any(double.IsNaN) ? numbers : null;
     }
 
-    /// <summary>The place in counts; null when the controller cannot count there.</summary>
+    /// <summary>The place in counts; null when the controller cannot count from its own zero to all of the job.</summary>
     private static PostOrigin? OriginOf(MotionProgram program, double[] place)
     {
         const double Room = int.MaxValue / 2;
         var scale = program.Profile.Scale;
-        var (x, y, z) = (place[0] * scale.X, place[1] * scale.Y, place.Length == 3 ? place[2] * scale.Z : 0.0);
-        if (Math.Abs(x) > Room || Math.Abs(y) > Room || Math.Abs(z) > Room || Math.Abs((long)program.Start.X) > Room || Math.Abs((long)program.Start.Y) > Room) return null;
-        return new PostOrigin((int)Math.Round(x), (int)Math.Round(y), place.Length == 3 ? (int)Math.Round(z) : null);
+        var (at, z) = (new Point2D(place[0], place[1]), place.Length == 3 ? place[2] * scale.Z : 0.0);
+        if (!scale.Counts(at) || Math.Abs(z) > Room) return null;
+        var origin = scale.ToCounts(at);
+        return new ControllerFrame(default, origin).Holds(MotionExtents.Of(program)) ? new PostOrigin(origin.X, origin.Y, place.Length == 3 ? (int)Math.Round(z) : null) : null;
     }
 
     private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);

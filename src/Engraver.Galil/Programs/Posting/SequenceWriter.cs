@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Language;
 using static Engraver.Galil.Programs.Subprograms;
 
@@ -91,11 +92,17 @@ public readonly record struct ControllerFrame(CountsPoint JobStart, CountsPoint 
 
     /// <summary>Throws <see cref="OverflowException"/> when the controller could not count that far from where it stands.</summary>
     public CountsPoint Of(CountsPoint job) => new(
-        checked((int)((long)job.X - JobStart.X + ControllerAtStart.X)),
-        checked((int)((long)job.Y - JobStart.Y + ControllerAtStart.Y)),
-        checked((int)((long)job.Z - JobStart.Z + ControllerAtStart.Z)));
+        checked((int)(job.X - JobStart.X + ControllerAtStart.X)),
+        checked((int)(job.Y - JobStart.Y + ControllerAtStart.Y)),
+        HeightOf(job.Z));
 
-    private bool Holds(CountsPoint job, int axis) => Math.Abs((long)job[axis] - JobStart[axis] + ControllerAtStart[axis]) <= int.MaxValue;
+    /// <summary>The same of a height alone.</summary>
+    public int HeightOf(int job) => checked((int)((long)job - JobStart.Z + ControllerAtStart.Z));
+
+    /// <summary>True when the controller can count to every place of these extents.</summary>
+    public bool Holds(MotionExtents job) => Holds(new CountsPoint(job.LeastX, job.LeastY)) && Holds(new CountsPoint(job.MostX, job.MostY));
+
+    private bool Holds(CountsPoint job, int axis) => Math.Abs(job[axis] - JobStart[axis] + ControllerAtStart[axis]) <= int.MaxValue;
 }
 
 /// <summary>Where two ways of writing vector sequences differ.</summary>

@@ -61,7 +61,7 @@ internal sealed class SupervisedProgram
         WatchdogProgram.StartStatement,
         .. profile.Height is null ? [ToolOff(profile)] : (IReadOnlyList<string>)[],
         .. SetUpLines(profile),
-        .. profile.Height is null ? [] : HeightOpening(profile, frame.Of(default).Z),
+        .. profile.Height is null ? [] : HeightOpening(profile, frame.HeightOf(0)),
     ];
 
     /// <summary>The heights by the controller's own zero, and the tool up before the first rapid.</summary>

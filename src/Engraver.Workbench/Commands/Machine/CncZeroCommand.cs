@@ -111,5 +111,5 @@ internal static class OriginText
         if (before is not null && context.Machine.Part is null) context.Say(Wording.Get("Origins.PartDropped"), MessageKind.Warning);
     }
 
-    private static string Axis(int? counts, double countsPerMillimetre) => counts is { } set ? Wording.Get("Origins.Millimetres", set / countsPerMillimetre) : Wording.Get("Origins.AxisNotSet");
+    private static string Axis(long? counts, double countsPerMillimetre) => counts is { } set ? Wording.Get("Origins.Millimetres", set / countsPerMillimetre) : Wording.Get("Origins.AxisNotSet");
 }

@@ -167,9 +167,9 @@ internal sealed record MachineMemoryDocument
 
     public double? Clock { get; set; }
 
-    public int? RestX { get; set; }
+    public long? RestX { get; set; }
 
-    public int? RestY { get; set; }
+    public long? RestY { get; set; }
 
     public int? RestZ { get; set; }
 
@@ -226,7 +226,7 @@ internal sealed record MachineMemoryDocument
     /// <param name="Assumed">Nobody set it: the controller counted 0 there.</param>
     /// <param name="CountsPerMillimetre">Null in files of an older version.</param>
     /// <param name="Axes">The controller's letters; null in files of an older version.</param>
-    internal sealed record OriginDocument(int? X, int? Y, int? Z, bool Assumed, ScaleDocument? CountsPerMillimetre = null, LettersDocument? Axes = null);
+    internal sealed record OriginDocument(long? X, long? Y, int? Z, bool Assumed, ScaleDocument? CountsPerMillimetre = null, LettersDocument? Axes = null);
 
     /// <summary>By the drawing's axes.</summary>
     internal sealed record ScaleDocument(double? X, double? Y, double? Z)

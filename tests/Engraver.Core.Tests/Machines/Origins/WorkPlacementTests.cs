@@ -102,12 +102,10 @@ public class WorkPlacementTests
         Assert.True(Work(kept, At(0, 0) with { Mark = 5 }).IsAssumed);
     }
 
+    /// <summary>Whether the job itself can be counted from here, the controller's job looks up.</summary>
     [Fact]
-    public void A_place_from_which_the_drawing_cannot_be_counted_is_refused()
-    {
-        var here = WorkPlacement.Find(MachineMemory.Empty, At(int.MinValue + 5, 0), new OriginRequest.PresentPlace(), MachineProfile.Default, new CountsPoint(1000, 0));
-        Assert.Equal("JOB0012", here.Refusal!.Id);
-    }
+    public void The_drawings_zero_may_lie_farther_from_here_than_a_controller_counts() =>
+        Assert.Equal(new CountsPoint(int.MinValue + 5L - 1000, 0), WorkPlacement.Find(MachineMemory.Empty, At(int.MinValue + 5, 0), new OriginRequest.PresentPlace(), MachineProfile.Default, new CountsPoint(1000, 0)).Frame);
 
     [Fact]
     public void A_position_that_is_in_doubt_is_refused_until_an_origin_is_set_again()

@@ -230,6 +230,18 @@ public class MotionProgramGeneratorTests
         Assert.Equal((id, new SourceRef(101, "2F")), (generation.Diagnostics[0].Id, generation.Diagnostics[0].Source));
     }
 
+    /// <summary>A controller counts from where the machine stands, which the start is.</summary>
+    [Fact]
+    public void What_lies_near_the_start_is_counted_however_far_both_lie_from_the_drawings_zero()
+    {
+        var toolpath = Toolpaths.OfStroke(Toolpaths.Line(3_500_000, 5_400_000, 3_500_060, 5_400_000), Toolpaths.Arc(3_500_060, 5_400_020, 20, -90, 180)) with { ToolStart = new Point2D(3_500_000, 5_400_000) };
+        var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, null).Program!;
+
+        Assert.Equal(new CountsPoint(3_500_000_000, 5_400_000_000), program.Start);
+        Assert.Equal(new CountsPoint(3_500_060_000, 5_400_040_000), program.Strokes[^1].Sequences[^1].End);
+        Assert.Equal(["VP 60000,0", "CR 20000,270,180"], program.Strokes[0].Sequences.SelectMany(sequence => DmcFormat.Commands(sequence, program.Profile.Axes)));
+    }
+
     [Fact]
     public void An_arc_that_bulges_out_of_the_counts_is_refused_though_its_ends_are_inside() =>
         Assert.Equal("MOT0001", MotionProgramGenerator.Generate(Toolpaths.OfStroke(Toolpaths.Arc(2_147_400, 0, 200, -90, 180)), MachineProfile.Default, MaxError, null).Diagnostics[0].Id);

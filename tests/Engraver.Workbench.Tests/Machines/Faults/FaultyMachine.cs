@@ -214,7 +214,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
                 Journal = options.JournalPath,
                 OpenLoop = string.Concat(report.OpenLoop),
                 LongestBurn = CutRecord.LongestBurn(cut, IsAtWork(frame)),
-                Zero = report.Result.FrameOrigin is { } taken ? new CountsPoint(_controller.PlaceOf(0, taken.X), _controller.PlaceOf(1, taken.Y)) : null,
+                Zero = report.Result.FrameOrigin is { } taken ? new CountsPoint(_controller.PlaceOf(0, (int)taken.X), _controller.PlaceOf(1, (int)taken.Y)) : null,
             };
         }
         catch (ControllerException unconnected)
