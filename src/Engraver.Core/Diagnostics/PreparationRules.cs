@@ -55,6 +55,8 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule SetByOtherAxis = new("JOB0046", Severity.Error, "name", "then", "axis", "now");
 
+    public static readonly DiagnosticRule NotSetWhileMoving = new("JOB0047", Severity.Error);
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile, SetByOtherCounts, HomedByOtherCounts, NotSetWhileDoubted, StepBeyondTravel, SetByOtherAxis];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile, SetByOtherCounts, HomedByOtherCounts, NotSetWhileDoubted, StepBeyondTravel, SetByOtherAxis, NotSetWhileMoving];
 }

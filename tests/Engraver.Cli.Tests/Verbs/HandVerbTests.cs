@@ -42,6 +42,33 @@ public class HandVerbTests
         Assert.Equal(("complete", 12000, -7500), (run.GetProperty("outcome").GetString(), run.GetProperty("finalX").GetInt32(), run.GetProperty("finalY").GetInt32()));
     }
 
+    /// <summary>Somebody else's job moves the machine, over a connection of its own: where it happens to be is no origin.</summary>
+    [Fact]
+    public async Task An_origin_is_not_set_while_the_machine_moves()
+    {
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20 });
+        var clock = (await controller.ListenClockAsync(patience.Token)).Port;
+        var port = (await controller.ListenTcpAsync(0, patience.Token)).Port;
+        var address = string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}");
+        await CliRun.RunAsync("zero", "--connect", address);
+        using var other = new System.Net.Sockets.TcpClient("127.0.0.1", port);
+        await other.GetStream().WriteAsync("SPA=100;PRA=2000000;BGA\r"u8.ToArray(), patience.Token);
+        await controller.WaitUntilAsync(status => status.IsMoving, patience.Token);
+
+        foreach (var words in (string[][])[["zero", "--connect", address], ["origin", "G54", "--at", "1,2", "--connect", address]])
+        {
+            var run = await CliRun.RunAsync(words);
+
+            Assert.Equal((words[0], ExitCode.DrawingError), (words[0], run.ExitCode));
+            Assert.Contains("the machine moves", run.Error, StringComparison.Ordinal);
+        }
+
+        await other.GetStream().WriteAsync("STA\r"u8.ToArray(), patience.Token);
+        await controller.WaitUntilAsync(status => !status.IsMoving, patience.Token);
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync("zero", "--connect", address)).ExitCode);
+    }
+
     [Fact]
     public async Task A_tool_that_an_axis_holds_is_stepped_up_and_down_and_one_without_is_told()
     {

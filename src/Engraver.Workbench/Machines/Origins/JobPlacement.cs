@@ -62,6 +62,8 @@ public sealed class JobPlacement
     /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
     internal static async Task<Diagnostic?> SetOriginAsync(IMachineConnection machine, MachineProfile profile, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, TimeProvider time, CancellationToken cancellation)
     {
+        var look = await machine.LookAsync(profile.Axes, cancellation).ConfigureAwait(false);
+        if (look.Moves || look.ProgramRuns) return PreparationRules.NotSetWhileMoving.At(default); // the job of somebody else: where the machine stands in it is nobody's place
         var place = await machine.LocateAsync(profile.Axes, cancellation).ConfigureAwait(false);
         if (place.Doubt.Length > 0) return PreparationRules.NotSetWhileDoubted.At(default, place.Doubt); // it may be moved by hand before its motor holds it again
         hold.Recognise(place);
