@@ -23,6 +23,8 @@ public static class PostRules
 
     public static readonly DiagnosticRule ToolAndSpindle = new("PST0013", Severity.Error);
 
+    public static readonly DiagnosticRule NotFinite = new("PST0014", Severity.Error, "entity");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [BlockUnreadable, ProgramParted, TooManyBlocks, ContourError, RadiusNotWritable, NothingToMove, NotInDialect, PlaceNotWritable, Rounded, ToolAndSpindle];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [BlockUnreadable, ProgramParted, TooManyBlocks, ContourError, RadiusNotWritable, NothingToMove, NotInDialect, PlaceNotWritable, Rounded, ToolAndSpindle, NotFinite];
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
@@ -21,16 +22,18 @@ public static class ClData
 
     /// <summary>Writes the path as DXF: each rapid before the stroke it leads to, each stroke's moves in order and direction. An empty path is an empty drawing.</summary>
     /// <remarks>Given the strokes as they were drawn, an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where a planned path has arcs within a tolerance.</remarks>
-    public static void Write(Toolpath path, TextWriter output) => DxfWriter.Write(new DxfSheet(s_layers, [.. Entities(path)]), output);
+    /// <param name="sourceOf">The entity of a move in the drawing, for the message of the exception; null for none.</param>
+    /// <exception cref="UnwritableEntityException">A number of the path is not finite.</exception>
+    public static void Write(Toolpath path, Func<int, SourceRef>? sourceOf, TextWriter output) => DxfWriter.Write(new DxfSheet(s_layers, [.. Entities(path, sourceOf)]), output);
 
-    private static IEnumerable<DxfSheetEntity> Entities(Toolpath path)
+    private static IEnumerable<DxfSheetEntity> Entities(Toolpath path, Func<int, SourceRef>? sourceOf)
     {
         var (tool, sequence) = (path.ToolStart, 0);
         foreach (var stroke in path.Strokes)
         {
             var number = stroke.Index + 1;
             if (tool != stroke.Start) yield return new DxfSheetEntity(Segment.FromLine(tool, stroke.Start), RapidLayer, "rapid", 0, number);
-            foreach (var move in stroke.Moves) yield return new DxfSheetEntity(move.Segment, stroke.Closed ? ClosedLayer : OpenLayer, "cut", ++sequence, number);
+            foreach (var move in stroke.Moves) yield return new DxfSheetEntity(move.Segment, stroke.Closed ? ClosedLayer : OpenLayer, "cut", ++sequence, number) { Source = sourceOf?.Invoke(move.EntityIndex) ?? default };
             tool = stroke.End;
         }
     }

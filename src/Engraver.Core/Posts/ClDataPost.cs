@@ -1,3 +1,5 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Machines;
 
 namespace Engraver.Core.Posts;
@@ -21,7 +23,15 @@ public sealed class ClDataPost : IPost
     {
         ArgumentNullException.ThrowIfNull(request);
         using var text = new StringWriter { NewLine = "\n" };
-        ClData.Write(request.Path, text);
+        try
+        {
+            ClData.Write(request.Path, request.SourceOf, text);
+        }
+        catch (UnwritableEntityException unwritable)
+        {
+            return new PostText([], [PostRules.NotFinite.At(unwritable.Source, UnwritableEntityException.NameOf(unwritable.Source))]);
+        }
+
         return new PostText([text.ToString()], []);
     }
 }

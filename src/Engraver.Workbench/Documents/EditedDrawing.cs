@@ -60,7 +60,7 @@ public static class EditedDrawing
         double[] vertices = [.. heights.Select(height => height.Start), .. entity.Closed ? [] : new[] { heights[^1].End }];
         return inSpace ? [run with { Heights = vertices }] : Enumerable.Range(0, segments.Length).Select(Made);
 
-        DxfSheetEntity Made(int part) => new(segments[part], drawing.Layers[entity.Layer].Name, null, 0, 0) { Colour = entity.Colour, Hidden = hidden, Z = heights[part] };
+        DxfSheetEntity Made(int part) => new(segments[part], drawing.Layers[entity.Layer].Name, null, 0, 0) { Colour = entity.Colour, Hidden = hidden, Z = heights[part], Source = drawing.SourceOf(index) };
     }
 
     private static (double Start, double End) HeightsOf(in DrawingPart part) => part.Kind == SegmentKind.Line ? (part.C, part.F) : part.IsFreeCurve ? default : (part.C, part.C);

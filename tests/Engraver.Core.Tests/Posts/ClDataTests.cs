@@ -1,9 +1,11 @@
 using System.Globalization;
 using System.Text;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 using Engraver.Core.Posts;
+using Engraver.Core.Posts.ClDataReading;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using FsCheck;
@@ -33,14 +35,44 @@ public class ClDataTests
             for (var i = 0; i < found.Count; i++) AssertSame(segments[i], found[i]);
         }).QuickCheckThrowOnFailure();
 
-    [Fact]
-    public void A_circle_keeps_where_it_starts_and_which_way_round_it_goes()
+    /// <summary>Other programs draw an ARC from 30 to 390 degrees as a point. Where the tool starts is in the extended data, which the reader of CL data follows.</summary>
+    [Theory]
+    [InlineData(0.0, 360.0)]
+    [InlineData(180.0, 360.0)]
+    [InlineData(30.0, 360.0)]
+    [InlineData(0.0, -360.0)]
+    [InlineData(180.0, -360.0)]
+    [InlineData(90.0, -360.0)]
+    public void A_whole_turn_is_a_circle_and_keeps_where_it_starts_and_which_way_round_it_goes(double start, double sweep)
     {
-        foreach (var (start, sweep) in new[] { (0.0, 360.0), (180.0, 360.0), (0.0, -360.0), (180.0, -360.0), (90.0, -360.0) })
-        {
-            var circle = Arc(3.0, 4.0, start, sweep);
-            AssertSame(circle, CutParts(Read(ClDataText([circle]))).Single());
-        }
+        var circle = Arc(3.0, 4.0, start, sweep);
+        var text = ClDataText([circle]);
+        var path = EntityOf(text, "CIRCLE").Path(out _)!.ToList();
+
+        AssertSame(circle, CutParts(Read(text)).Single());
+        Assert.DoesNotContain("\nARC\n", text, StringComparison.Ordinal);
+        Assert.Equal(0.0, path[0].Start.DistanceTo(circle.Start) + path[^1].End.DistanceTo(circle.End), Ulps);
+        Assert.Equal(0.0, path[0].End.DistanceTo(circle.Arc.PointAt(0.25)), Ulps);
+    }
+
+    [Fact]
+    public void A_number_that_is_not_finite_names_its_entity_and_nothing_is_written()
+    {
+        var path = new Toolpath(default, [new ToolpathStroke(0, false, [new StrokeMove(Segment.FromLine(default, new Point2D(double.NaN, 1.0)), 7)])]);
+        var written = new ClDataPost().Write(new PostRequest(path, null, entity => new SourceRef(14, entity == 7 ? "2A" : null), new Dictionary<string, string>()));
+
+        Assert.Empty(written.Chunks);
+        Assert.Equal("PST0014", Assert.Single(written.Diagnostics).Id);
+        Assert.Contains("2A", written.Diagnostics[0].Message, StringComparison.Ordinal);
+    }
+
+    private static ClEntity EntityOf(string text, string type)
+    {
+        var lines = text.Split('\n');
+        var at = Array.IndexOf(lines, type) + 1;
+        var entity = new ClEntity(type, at);
+        for (; lines[at] != "0"; at += 2) entity.Add(int.Parse(lines[at], CultureInfo.InvariantCulture), lines[at + 1]);
+        return entity;
     }
 
     [Fact]
@@ -102,7 +134,7 @@ public class ClDataTests
     private static string ClDataText(IReadOnlyList<Segment> segments)
     {
         using var text = new StringWriter();
-        ClData.Write(new Toolpath(new Point2D(-1.0, -1.0), [.. segments.Select((segment, i) => new ToolpathStroke(i, false, [new StrokeMove(segment, i)]))]), text);
+        ClData.Write(new Toolpath(new Point2D(-1.0, -1.0), [.. segments.Select((segment, i) => new ToolpathStroke(i, false, [new StrokeMove(segment, i)]))]), null, text);
         return text.ToString();
     }
 
@@ -115,8 +147,7 @@ public class ClDataTests
     private static void AssertSame(Segment expected, Segment found)
     {
         Assert.Equal(expected.Kind, found.Kind);
-        Assert.Equal(0.0, expected.Start.DistanceTo(found.Start), Ulps);
-        Assert.Equal(0.0, expected.End.DistanceTo(found.End), Ulps);
+        if (expected.Kind != SegmentKind.Circle) Assert.Equal(0.0, expected.Start.DistanceTo(found.Start) + expected.End.DistanceTo(found.End), Ulps);
         Assert.Equal(expected.Length, found.Length, Ulps);
         if (expected.Kind != SegmentKind.Line) Assert.Equal(Math.Sign(expected.Arc.Sweep.Degrees), Math.Sign(found.Arc.Sweep.Degrees));
         var (box, other) = (expected.Bounds, found.Bounds);

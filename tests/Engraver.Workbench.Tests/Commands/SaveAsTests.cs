@@ -42,6 +42,33 @@ public class SaveAsTests
         for (var part = 0; part < before.Parts.Count; part++) Assert.Equal(HeightsOf(before, part), HeightsOf(after, part));
     }
 
+    /// <summary>An ARC from 30 to 390 degrees is a point to other programs.</summary>
+    [Theory]
+    [InlineData("ROTATE", "ALL", "", "0,0", "30")]
+    [InlineData("MIRROR", "ALL", "", "0,0", "1,3", "Y")]
+    public async Task A_turned_or_mirrored_circle_is_a_circle(params string[] edit)
+    {
+        await using var talk = new CommandTalk();
+        await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), DxfText.WithEntities((0, "CIRCLE"), (10, 5.0), (20, 0.0), (40, 2.0)).ToAscii());
+        await talk.TypeAsync(["OPEN", "in.dxf", .. edit, "SAVEAS", "out.dxf"]);
+        var written = await File.ReadAllTextAsync(talk.PathOf("out.dxf"));
+
+        Assert.Contains("\nCIRCLE\n", written, StringComparison.Ordinal);
+        Assert.DoesNotContain("\nARC\n", written, StringComparison.Ordinal);
+    }
+
+    /// <summary>An ellipse of a millionth of a degree was written as NaN.</summary>
+    [Fact]
+    public async Task A_sliver_of_an_ellipse_is_written_with_numbers()
+    {
+        await using var talk = new CommandTalk();
+        var (before, after) = await SavedAsync(talk, DxfText.WithEntities((0, "LINE"), (10, 0.0), (20, 0.0), (11, 40.0), (21, 0.0), (0, "ELLIPSE"), (10, 423.71213738), (20, -73.35906756), (11, 41.4999959), (21, 0.01877599), (40, 0.9819277), (41, 0.0), (42, 1e-8)));
+
+        Assert.DoesNotContain("NaN", await File.ReadAllTextAsync(talk.PathOf("out.dxf")), StringComparison.Ordinal);
+        Assert.Equal(2, after.Entities.Count);
+        Assert.Equal(DrawingSummary.From(before).Length.Total, DrawingSummary.From(after).Length.Total, 1e-9);
+    }
+
     [Fact]
     public async Task Texts_come_back_as_they_were_placed()
     {

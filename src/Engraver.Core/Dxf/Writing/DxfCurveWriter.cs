@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes an ellipse or spline exactly: ELLIPSE with its axes and parameters, SPLINE with its Bezier points and knots of full multiplicity. Heights are kept and the direction reads back; an ellipse that does not lie level is written as the SPLINE that it is.</summary>
+/// <summary>Writes an ellipse or spline exactly: ELLIPSE with its axes and parameters, SPLINE with its Bezier points and knots of full multiplicity. Heights are kept and the direction reads back; an ellipse that does not lie level, or whose axes rounding has lost, is written as the SPLINE that it is.</summary>
 internal static class DxfCurveWriter
 {
     private const int Planar = 8;
@@ -15,12 +15,14 @@ internal static class DxfCurveWriter
     /// <summary>Writes what follows the common pairs of the entity.</summary>
     public static void Write(DxfTagWriter tags, RationalCurve curve)
     {
-        if (IsEllipse(curve)) Ellipse(tags, EllipsePlan.From(curve), curve.Spans[0].Z(0));
+        if (PlanOf(curve) is { } ellipse) Ellipse(tags, ellipse, curve.Spans[0].Z(0));
         else Spline(tags, curve);
     }
 
     /// <summary>True when the curve is written as an ELLIPSE.</summary>
-    public static bool IsEllipse(RationalCurve curve) => curve.Kind == SegmentKind.Ellipse && IsLevel(curve);
+    public static bool IsEllipse(RationalCurve curve) => PlanOf(curve) is not null;
+
+    private static EllipsePlan? PlanOf(RationalCurve curve) => curve.Kind == SegmentKind.Ellipse && IsLevel(curve) ? EllipsePlan.From(curve) : null;
 
     private static bool IsLevel(RationalCurve curve)
     {

@@ -4,8 +4,8 @@ namespace Engraver.Core.Dxf.Writing;
 
 /// <summary>Writes a directed segment as LINE, ARC, CIRCLE, ELLIPSE or SPLINE, a run of them as LWPOLYLINE, so that its direction can be read back from the geometry alone.</summary>
 /// <remarks>A DXF ARC always runs counter-clockwise in its own system. A clockwise one is therefore written under the extrusion 0,0,-1, whose system is the drawing seen
-/// from behind: x and angles are mirrored (x' = -x, angle' = 180 - angle; DXF reference, "Arbitrary Axis Algorithm"). A CIRCLE starts at angle 0 of its system; a
-/// circle that starts elsewhere is written as an ARC of a whole turn.</remarks>
+/// from behind: x and angles are mirrored (x' = -x, angle' = 180 - angle; DXF reference, "Arbitrary Axis Algorithm"). A whole turn is
+/// always a CIRCLE, because other programs draw an ARC from 30 to 390 degrees as a point; where it starts is in its extended data, when it has some.</remarks>
 internal static class DxfSegmentWriter
 {
     /// <summary>Degrees. Readers take a smaller sweep for none, so such an arc is written as the line between its ends.</summary>
@@ -28,18 +28,20 @@ internal static class DxfSegmentWriter
     {
         var mirrored = arc.Sweep.Degrees < 0.0;
         var centre = mirrored ? new Point2D(-arc.Centre.X, arc.Centre.Y) : arc.Centre;
-        var start = (mirrored ? Angle.FromDegrees(180.0) - arc.Start : arc.Start).Positive();
-        var isCircle = arc.IsFullTurn && start.Degrees == 0.0;
-        Begin(tags, isCircle ? "CIRCLE" : "ARC", entity).Class("AcDbCircle").Point(10, centre, mirrored ? -entity.Z.Start : entity.Z.Start).Real(40, arc.Radius);
+        var start = StartOf(arc);
+        Begin(tags, arc.IsFullTurn ? "CIRCLE" : "ARC", entity).Class("AcDbCircle").Point(10, centre, mirrored ? -entity.Z.Start : entity.Z.Start).Real(40, arc.Radius);
         if (mirrored) tags.Real(210, 0.0).Real(220, 0.0).Real(230, -1.0);
-        if (!isCircle) tags.Class("AcDbArc").Real(50, start.Degrees).Real(51, End(start, arc));
+        if (!arc.IsFullTurn) tags.Class("AcDbArc").Real(50, start.Degrees).Real(51, End(start, arc));
     }
 
-    /// <summary>The end angle within one turn of the start; of a whole turn, start + 360 degrees.</summary>
+    /// <summary>The start angle in the arc's own system.</summary>
+    public static Angle StartOf(ArcSegment arc) => (arc.Sweep.Degrees < 0.0 ? Angle.FromDegrees(180.0) - arc.Start : arc.Start).Positive();
+
+    /// <summary>The end angle within one turn of the start.</summary>
     private static double End(Angle start, ArcSegment arc)
     {
         var end = start.Degrees + Math.Abs(arc.Sweep.Degrees);
-        return arc.IsFullTurn || end <= 360.0 ? end : end - 360.0;
+        return end <= 360.0 ? end : end - 360.0;
     }
 
     private static DxfTagWriter Begin(DxfTagWriter tags, string type, in DxfSheetEntity entity) => tags.BeginEntity(type, entity.Layer, entity.Colour, entity.Hidden);

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
@@ -25,6 +26,9 @@ public readonly record struct DxfSheetEntity(Segment Segment, string Layer, stri
 
     /// <summary>Number of handles it needs: the vertices and the end of a polyline in space have handles of their own.</summary>
     internal int Handles => Heights is null ? 1 : Heights.Count + 2;
+
+    /// <summary>The entity of the drawing that it was, for a finding about it; default for none.</summary>
+    public SourceRef Source { get; init; }
 
     public DrawingColour Colour { get; init; }
 

@@ -13,6 +13,9 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
 {
     private int _nextHandle = firstHandle;
 
+    /// <summary>False once a number was written that is not finite: the text is then no DXF.</summary>
+    public bool IsFinite { get; private set; } = true;
+
     public DxfTagWriter Text(int code, string value)
     {
         output.Write(code.ToString(CultureInfo.InvariantCulture));
@@ -33,6 +36,7 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
     /// <summary>The shortest text that reads back as the same number, always with a point or an exponent; minus zero is written as zero.</summary>
     public DxfTagWriter Real(int code, double value)
     {
+        IsFinite &= double.IsFinite(value);
         var text = (value + 0.0).ToString("R", CultureInfo.InvariantCulture);
         return Text(code, text.AsSpan().ContainsAny('.', 'E') ? text : text + ".0");
     }

@@ -4,7 +4,7 @@ namespace Engraver.Core.Dxf.Writing;
 
 /// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines, texts and points as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader requires.</summary>
 /// <remarks>Order and direction are kept: a clockwise arc is written with the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
-/// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
+/// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each), and of a CIRCLE the angle at which it starts (1040, degrees, where it is not 0).</remarks>
 public static class DxfWriter
 {
     /// <summary>Name under which the extended data is registered.</summary>
@@ -14,6 +14,7 @@ public static class DxfWriter
     private static readonly int[] s_english = [1, 2, 3, 8, 9, 10, 21, 22, 23, 24];
 
     /// <summary>The same sheet gives the same text. LF line ends, ASCII.</summary>
+    /// <exception cref="UnwritableEntityException">A number of an entity is not finite; the text is not complete.</exception>
     public static void Write(DxfSheet sheet, TextWriter output)
     {
         var tags = new DxfTagWriter(output, DxfHandles.FirstFree);
@@ -53,10 +54,18 @@ public static class DxfWriter
         foreach (var entity in sheet.Entities)
         {
             DxfSegmentWriter.Write(tags, entity);
-            if (entity.Role is { } role) tags.Text(1001, Application).Text(1000, role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
+            if (entity.Role is { } role) ExtendedData(tags, role, entity);
+            if (!tags.IsFinite) throw new UnwritableEntityException(entity.Source);
         }
 
         foreach (var text in sheet.Texts) DxfTextWriter.Write(tags, text);
         foreach (var (point, layer) in sheet.Points) tags.BeginEntity("POINT", layer, point.Colour, point.Hidden).Class("AcDbPoint").Point(10, point.Position);
+        if (!tags.IsFinite) throw new UnwritableEntityException(default);
+    }
+
+    private static void ExtendedData(DxfTagWriter tags, string role, in DxfSheetEntity entity)
+    {
+        tags.Text(1001, Application).Text(1000, role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
+        if (entity.Segment.Kind == SegmentKind.Circle && DxfSegmentWriter.StartOf(entity.Segment.Arc).Degrees is not 0.0 and var start) tags.Real(1040, start);
     }
 }

@@ -15,7 +15,29 @@ internal readonly record struct EllipsePlan(Point2D Centre, Vector2D Major, doub
     /// <summary>What rounding makes of a start at 0, radians: just before it would be written as a whole turn.</summary>
     private const double Rounding = 1e-13;
 
-    public static EllipsePlan From(RationalCurve curve)
+    /// <summary>Largest distance of a point of the written ellipse from the curve, as a part of its size and place.</summary>
+    private const double Faithful = 1e-10;
+
+    /// <summary>The ellipse of a curve; null where rounding leaves none that runs through the same points, as of an arc of a millionth of a turn.</summary>
+    public static EllipsePlan? From(RationalCurve curve)
+    {
+        var plan = Fit(curve);
+        var size = plan.Major.Length + Math.Abs(plan.Centre.X) + Math.Abs(plan.Centre.Y);
+        var (first, last) = (curve.Spans[0], curve.Spans[^1]);
+        var middle = curve.Spans.Length == 1 ? first.PointAt(0.5) : first.End;
+        var share = curve.Spans.Length == 1 ? 0.5 : HalfAngle(first) / curve.Spans.ToArray().Sum(HalfAngle);
+        var isFaithful = plan.IsNear(0.0, first.Start, Faithful * size) && plan.IsNear(share, middle, Faithful * size) && plan.IsNear(1.0, last.End, Faithful * size);
+        return isFaithful ? plan : null; // NaN is near nothing
+    }
+
+    private bool IsNear(double share, Point2D place, double distance)
+    {
+        var (sin, cos) = Math.SinCos(Start + (share * (End - Start)));
+        var minor = new Vector2D(-Major.Y, Major.X) * (CounterClockwise ? Ratio : -Ratio);
+        return (Centre + (Major * cos) + (minor * sin)).DistanceTo(place) <= distance;
+    }
+
+    private static EllipsePlan Fit(RationalCurve curve)
     {
         var (centre, first, second, half) = Halves(curve.Spans[0]);
         var turn = 0.5 * Math.Atan2(2.0 * first.Dot(second), first.LengthSquared - second.LengthSquared);

@@ -30,7 +30,7 @@ internal sealed record ClEntity(string Type, int Line)
             {
                 "LINE" => [Segment.FromLine(new Point2D(One(10), One(20)), new Point2D(One(11), One(21)))],
                 "ARC" => Round(One(50), One(51)),
-                "CIRCLE" => Round(0.0, 360.0),
+                "CIRCLE" => Round(Maybe(1040, 0.0), Maybe(1040, 0.0) + 360.0), // where it starts is in the extended data
                 "ELLIPSE" => ClCurves.Ellipse(new Point2D(One(10), One(20)), new Vector2D(One(11), One(21)), One(40) * Maybe(230, 1.0), One(41), One(42)),
                 "SPLINE" => ClCurves.Spline((int)One(71), All(40), All(10).Zip(All(20), (x, y) => new Point2D(x, y)).ToArray(), All(41), All(10).Length == All(20).Length),
                 _ => throw new FormatException(Type),

@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
@@ -26,6 +27,36 @@ public class DxfCurveWriterTests
     [InlineData(-360.0)]
     public void A_whole_ellipse_keeps_where_it_starts_and_which_way_round_it_goes(double sweep) =>
         AssertSame(new EllipseArc(new Vector3D(5, -3, 0), new Vector3D(7, 2, 0), new Vector3D(-0.4, 1.4, 0), Angle.FromDegrees(70), Angle.FromDegrees(sweep)).ToCurve(), CurveType.Ellipse);
+
+    /// <summary>Of a sliver rounding leaves no axes: it was written as NaN, which no program reads.</summary>
+    [Theory]
+    [InlineData(1e-8)]
+    [InlineData(1e-9)]
+    [InlineData(1e-7)]
+    [InlineData(1e-6)]
+    [InlineData(1e-4)]
+    [InlineData(1e-2)]
+    public void A_sliver_of_an_ellipse_is_written_with_its_ends_and_without_a_number_that_is_none(double radians)
+    {
+        var curve = new EllipseArc(new Vector3D(423.71213738, -73.35906756, 0.0), new Vector3D(41.4999959, 0.01877599, 0.0), new Vector3D(-0.0184, 40.75, 0.0), Angle.Zero, Angle.FromRadians(radians)).ToCurve();
+        var text = Written(new DxfSheet([], [new DxfSheetEntity(Segment.FromCurve(curve), "0", null, 0, 0)]));
+        var drawing = Reading.Of(text);
+        var found = drawing.SegmentOf(drawing.Parts[0]);
+
+        Assert.DoesNotContain("NaN", text, StringComparison.Ordinal);
+        Assert.Equal(0.0, found.Start.DistanceTo(curve.Start) + found.End.DistanceTo(curve.End), 1e-7);
+        Assert.Equal(curve.PlanLength, found.Length, 1e-7 * curve.PlanLength + 1e-12);
+    }
+
+    [Fact]
+    public void A_number_that_is_not_finite_stops_the_writing_and_names_the_entity()
+    {
+        var bad = new DxfSheetEntity(Segment.FromLine(default, new Point2D(double.PositiveInfinity, 1.0)), "0", null, 0, 0) { Source = new SourceRef(9, "3C") };
+
+        var thrown = Assert.Throws<UnwritableEntityException>(() => Written(new DxfSheet([], [new DxfSheetEntity(Segment.FromLine(default, new Point2D(1, 0)), "0", null, 0, 0), bad])));
+
+        Assert.Contains("3C", thrown.Message, StringComparison.Ordinal);
+    }
 
     [Fact]
     public void Splines_read_back_exactly_rational_or_not_forwards_or_backwards()

@@ -1,0 +1,18 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Dxf.Writing;
+
+/// <summary>An entity has a number that is not finite, so that no DXF can hold it: nothing of the drawing may be written. Its message is the reason, without a full stop.</summary>
+public sealed class UnwritableEntityException : IOException
+{
+    public UnwritableEntityException(SourceRef source)
+        : base(Wording.Get("DxfWriter.NotFinite", NameOf(source))) => Source = source;
+
+    /// <summary>The entity as it was read; default where it is a text or a point.</summary>
+    public new SourceRef Source { get; }
+
+    /// <summary>Its handle, or its line where it has none.</summary>
+    public static string NameOf(SourceRef source) =>
+        source.Handle ?? (source.Line > 0 ? Wording.Get("DxfWriter.AtLine", source.Line.ToString(CultureInfo.InvariantCulture)) : Wording.Get("DxfWriter.Unnamed"));
+}
