@@ -9,7 +9,7 @@ namespace Engraver.Cli.Options;
 /// <summary>Reads the values of options: invariant numbers only, and one sentence when a value cannot be read.</summary>
 internal static class OptionValue
 {
-    /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres. What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
+    /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres; places may lie farther (drawings of maps). What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
     private const double Largest = 1e9;
 
     public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAbove"));
@@ -46,7 +46,7 @@ internal static class OptionValue
     public static Point2D? TryPoint(string word)
     {
         var parts = word.Split(',');
-        return parts.Length == 2 && TryNumber(parts[0], out var x) && TryNumber(parts[1], out var y) ? new Point2D(x, y) : null;
+        return parts.Length == 2 && NumberPrompt.TryNumber(parts[0], out var x) && NumberPrompt.TryNumber(parts[1], out var y) ? new Point2D(x, y) : null;
     }
 
     /// <summary>The words of <see cref="CutChoice"/>, parted by commas.</summary>
@@ -81,12 +81,11 @@ internal static class OptionValue
     private static double Number(ArgumentResult result, Func<double, bool> allowed, string wanted)
     {
         var word = result.Tokens[0].Value;
-        if (TryNumber(word, out var value) && allowed(value)) return value;
+        if (NumberPrompt.TryNumber(word, out var value) && Math.Abs(value) <= Largest && allowed(value)) return value;
         result.AddError(Wording.Get("OptionValue.Not", Name(result), word, wanted));
         return double.NaN;
     }
 
-    private static bool TryNumber(string word, out double value) => NumberPrompt.TryNumber(word, out value) && Math.Abs(value) <= Largest;
 
     private static string Name(ArgumentResult result) => result.Argument.Name;
 }
