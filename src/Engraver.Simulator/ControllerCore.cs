@@ -216,8 +216,8 @@ internal sealed class ControllerCore : IDisposable
     public void Dispose()
     {
         CutAll();
-        _timer.Dispose();
-        _recordFile.Flush();
+        _timer.Dispose(); // a tick that is under way goes on beside this
+        _recordFile.Complete();
     }
 
     private TimeSpan TickPeriod => !_options.IsVirtual ? ShortestTick : _clock.Hosts.AreThere ? HostTick : SilenceRule.Short;

@@ -107,7 +107,7 @@ public sealed class SimulatedController : IAsyncDisposable
         return new MemoryConnection(_core, _core.OpenSerial(baud, null) ?? throw new IOException("The serial port has a client."));
     }
 
-    /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed or its links are dropped.</summary>
+    /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed. When its links are dropped, the host sees a hang-up and a new terminal is served at the path.</summary>
     /// <param name="path">A symbolic link to the terminal is made here and removed at the end. A link that an earlier run left behind is replaced.</param>
     /// <param name="baud">Bits per second in each direction; a byte takes ten bits.</param>
     /// <exception cref="IOException">The path is taken or cannot be written, the port already has a client, or the system has no free terminal.</exception>

@@ -67,4 +67,63 @@ public class RecordTests
         Assert.Equal(samples.Count, samples.Select(s => s.Sample).Distinct().Count());
         Assert.Equal(2, samples[^1].Outputs);
     }
+
+    /// <summary>As it was found: whoever closed the file before the controller ended lost the last rows, and a tick of the controller then wrote to a closed file.</summary>
+    [Fact]
+    public async Task The_end_of_the_controller_completes_and_closes_the_file_while_something_moves_and_nothing_is_written_later()
+    {
+        var file = new OwnedFile();
+        await using var rig = new Rig();
+        rig.Controller.Record.AttachCsv(file);
+        rig.Do("JG 1000", "BGA").Pass(500);
+
+        await rig.Controller.DisposeAsync();
+        var last = rig.Controller.Record[rig.Controller.Record.Count - 1];
+        rig.Pass(500);
+        rig.Controller.Record.FlushCsv();
+
+        Assert.True(file.IsClosed);
+        Assert.EndsWith(string.Create(CultureInfo.InvariantCulture, $"{last.Seconds:0.000},{last.A},0,0,0,0\n"), file.ToString());
+        Assert.True(last.A > 400);
+    }
+
+    [Fact]
+    public async Task A_full_disk_ends_the_file_and_not_the_controller()
+    {
+        var file = new OwnedFile();
+        await using var rig = new Rig();
+        rig.Controller.Record.AttachCsv(file);
+        file.IsFull = true;
+        rig.Do("SB1", "PRA=10", "BGA").RunToIdle();
+        rig.Time.Advance(TimeSpan.FromMilliseconds(5));
+
+        await rig.Controller.DisposeAsync();
+
+        Assert.Equal((true, "No space left on device"), (file.IsClosed, rig.Controller.RecordFailure?.Message));
+    }
+
+    /// <summary>A file that refuses what is written after its end, as a real one does.</summary>
+    private sealed class OwnedFile : StringWriter
+    {
+        public OwnedFile()
+            : base(CultureInfo.InvariantCulture)
+        {
+        }
+
+        public bool IsClosed { get; private set; }
+
+        public bool IsFull { get; set; }
+
+        public override void Flush()
+        {
+            ObjectDisposedException.ThrowIf(IsClosed, this);
+            if (IsFull) throw new IOException("No space left on device");
+        }
+
+        protected override void Dispose(bool disposing)
+        {
+            IsClosed = true;
+            base.Dispose(disposing);
+        }
+    }
 }

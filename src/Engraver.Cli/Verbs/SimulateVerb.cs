@@ -51,20 +51,21 @@ internal static class SimulateVerb
 
     private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, string? record, ServedSimulator served, CancellationToken stop)
     {
-        await using var controller = served;
-        using var csv = record is null ? null : Create(record);
-        if (csv is not null) controller.RecordTo(csv);
-        try
+        await using (served)
         {
-            if (controller.Speed != 1.0) await OfferClockAsync(host, controller, stop).ConfigureAwait(false);
-            await ServeAsync(host, controller, port, datagrams, serial, baud, stop).ConfigureAwait(false);
-        }
-        catch (OperationCanceledException) when (stop.IsCancellationRequested)
-        {
-            // A signal may come before everything has been said; it ends the serving like any other.
+            if (record is not null) served.RecordTo(Create(record));
+            try
+            {
+                if (served.Speed != 1.0) await OfferClockAsync(host, served, stop).ConfigureAwait(false);
+                await ServeAsync(host, served, port, datagrams, serial, baud, stop).ConfigureAwait(false);
+            }
+            catch (OperationCanceledException) when (stop.IsCancellationRequested)
+            {
+                // A signal may come before everything has been said; it ends the serving like any other.
+            }
         }
 
-        return controller.RecordFailure is { } failure ? throw new UsageException(Wording.Get("Simulate.Incomplete", record, failure.Message), failure) : ExitCode.Done;
+        return served.RecordFailure is { } failure ? throw new UsageException(Wording.Get("Simulate.Incomplete", record, failure.Message), failure) : ExitCode.Done;
     }
 
     /// <summary>At a speed of its own the controller offers its clock to hosts that keep step with it (docs/simulator-fidelity.md, "The clock").</summary>

@@ -62,6 +62,7 @@ public sealed class MotionRecord
     }
 
     /// <summary>Writes the header now, and all rows, also those already kept, whenever <see cref="FlushCsv"/> runs (the controller does so every few milliseconds and when it is disposed).</summary>
+    /// <param name="writer">The record owns it from now on, and closes it when the controller is disposed.</param>
     public void AttachCsv(TextWriter writer)
     {
         ArgumentNullException.ThrowIfNull(writer);
@@ -77,16 +78,23 @@ public sealed class MotionRecord
         FlushCsv();
     }
 
-    /// <summary>Ends the writing of the file; rows that wait for it are dropped.</summary>
-    internal void DetachCsv()
+    /// <summary>Writes the rows that wait and closes the file; later rows are not written. Safe beside a <see cref="FlushCsv"/> on another thread, which writes before the file is closed or not at all.</summary>
+    /// <exception cref="IOException">Writing fails; the file is closed all the same.</exception>
+    internal void CompleteCsv()
     {
-        lock (_gate)
+        lock (_csvGate)
         {
-            _csv = null;
+            RecordCsv? csv;
+            lock (_gate)
+            {
+                (csv, _csv) = (_csv, null);
+            }
+
+            csv?.Complete();
         }
     }
 
-    /// <summary>Writes the rows that wait to the attached file and flushes it to the operating system.</summary>
+    /// <summary>Writes the rows that wait to the attached file and flushes it to the operating system. Does nothing without a file, and after the controller was disposed.</summary>
     public void FlushCsv()
     {
         lock (_csvGate)

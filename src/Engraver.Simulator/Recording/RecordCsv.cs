@@ -39,6 +39,12 @@ internal sealed class RecordCsv(TextWriter writer, List<RowStore.RecordPart> wai
         writer.Flush();
     }
 
+    /// <summary>Writes what waits and closes the file, also when writing fails.</summary>
+    public void Complete()
+    {
+        using (writer) Write(TakeWaiting());
+    }
+
     private static void WriteRow(TextWriter writer, in MotionSample row)
     {
         Span<char> line = stackalloc char[96];

@@ -15,7 +15,20 @@ internal sealed class RecordFile(MotionRecord record)
         catch (IOException failure)
         {
             Failure = failure;
-            record.DetachCsv();
+            Complete();
+        }
+    }
+
+    /// <summary>Writes the rows that wait and closes the file.</summary>
+    public void Complete()
+    {
+        try
+        {
+            record.CompleteCsv();
+        }
+        catch (IOException failure)
+        {
+            Failure ??= failure;
         }
     }
 }

@@ -19,7 +19,7 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <summary>Ends with the bug of the simulator that ended its work; its clients are cut off then.</summary>
     public Task Broken => _controller.Broken;
 
-    /// <summary>Why the record is incomplete; null while all is well.</summary>
+    /// <summary>Why the record is incomplete; null while all is well. Final once the simulator is disposed.</summary>
     public IOException? RecordFailure => _controller.RecordFailure;
 
     /// <param name="profile">Its speeds, accelerations and angle quantum are taken as its owner burned them, its switches lie where its travel and homing say, the rest describes the host's work with it; null for a factory state.</param>
@@ -39,7 +39,7 @@ public sealed class ServedSimulator : IAsyncDisposable
         return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = Burned(profile), Switches = SimulatedMachine.Switches(profile) });
     }
 
-    /// <summary>Writes every motor sample and output change to a file as CSV.</summary>
+    /// <summary>Writes every motor sample and output change to a file as CSV, and closes it when the simulator is disposed.</summary>
     public void RecordTo(TextWriter csv) => _controller.Record.AttachCsv(csv);
 
     /// <param name="port">On loopback; 0 lets the system pick.</param>

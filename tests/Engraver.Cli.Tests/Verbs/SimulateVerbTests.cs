@@ -21,6 +21,24 @@ public class SimulateVerbTests
         Assert.Equal(ExitCode.Done, simulate.ExitCode);
     }
 
+    /// <summary>As it was found: the file was closed before the controller that writes it had ended, which aborted half of the runs.</summary>
+    [Fact]
+    public async Task A_signal_while_something_moves_completes_the_record_and_is_exit_0()
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--record", folder.PathOf("record.csv"));
+        using var client = new TcpClient("127.0.0.1", PortOf(await simulate.LineAsync("listening ", patience.Token)));
+        Assert.Equal("::", await AskAsync(client, "JG 1000;BGA\r", patience.Token, prompts: 2));
+        while ((await AskAsync(client, "MG _RPA\r", patience.Token)).StartsWith(" 0.", StringComparison.Ordinal)) patience.Token.ThrowIfCancellationRequested();
+
+        simulate.Signal(PosixSignal.SIGINT);
+        await simulate.WaitAsync(patience.Token);
+
+        Assert.Equal((ExitCode.Done, ""), (simulate.ExitCode, await simulate.Error.ReadToEndAsync(patience.Token)));
+        Assert.Matches("\n[0-9.]+,[1-9][0-9]*,0,0,0,0\n$", await File.ReadAllTextAsync(folder.PathOf("record.csv"), patience.Token));
+    }
+
     [Fact]
     public async Task An_interrupt_reaches_a_simulator_that_a_script_started_in_the_background()
     {
@@ -178,7 +196,7 @@ public class SimulateVerbTests
 
     private static int PortOf(string line) => int.Parse(line.Split(':')[^1], CultureInfo.InvariantCulture);
 
-    private static async Task<string> AskAsync(TcpClient client, string command, CancellationToken cancellation)
+    private static async Task<string> AskAsync(TcpClient client, string command, CancellationToken cancellation, int prompts = 1)
     {
         await client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(command), cancellation);
         var (reply, length) = (new byte[256], 0);
@@ -188,7 +206,7 @@ public class SimulateVerbTests
             Assert.NotEqual(0, read);
             length += read;
         }
-        while (reply[length - 1] is not ((byte)':' or (byte)'?')); // an answer may come in parts, its prompt is last
+        while (reply[length - 1] is not ((byte)':' or (byte)'?') || length < prompts); // an answer may come in parts, its prompt is last
         return Encoding.ASCII.GetString(reply, 0, length);
     }
 }

@@ -43,6 +43,39 @@ public sealed class SimulatedLineTests : IDisposable
         Assert.True(atOnce ? _wall.GetElapsedTime(begun) == TimeSpan.Zero : _wall.GetElapsedTime(begun) >= least, $"{_wall.GetElapsedTime(begun)} for {heard.Length} bytes");
     }
 
+    /// <summary>As it was found: the link was removed with the first cut, and no host could connect again.</summary>
+    [Theory]
+    [InlineData(FaultKind.Reset, "7.0000")]
+    [InlineData(FaultKind.PowerCycle, "?")]
+    public async Task A_port_whose_cable_was_pulled_comes_back_at_its_path(FaultKind fault, string answer)
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = _wall });
+        var device = new FileInfo(Path.Combine(_folder.FullName, "line"));
+        await controller.ServeSerialAsync(device.FullName, Baud, _limit.Token);
+        for (var times = 0; times < 2; times++)
+        {
+            await using var line = SerialLink.Open(new SerialAddress(device.FullName, Baud), TimeSpan.FromSeconds(60), TimeProvider.System);
+            await line.WriteAsync("x=7\r"u8.ToArray(), _limit.Token);
+            Assert.Equal("x=7\r:", await AnswerAsync(line));
+
+            controller.Schedule(new ScheduledFault { Kind = fault, AtByte = 0 });
+
+            await Assert.ThrowsAsync<IOException>(() => AnswerAsync(line));
+            for (device.Refresh(); device.LinkTarget is null; device.Refresh()) // the old one was removed before the hang-up
+            {
+                _limit.Token.ThrowIfCancellationRequested();
+                await Task.Yield();
+            }
+        }
+
+        await using var again = SerialLink.Open(new SerialAddress(device.FullName, Baud), TimeSpan.FromSeconds(60), TimeProvider.System);
+        await again.WriteAsync("MG x\r"u8.ToArray(), _limit.Token);
+        Assert.Contains(answer, await AnswerAsync(again), StringComparison.Ordinal);
+        await controller.DisposeAsync();
+        device.Refresh();
+        Assert.Null(device.LinkTarget);
+    }
+
     public void Dispose()
     {
         _folder.Delete(recursive: true);
@@ -54,7 +87,7 @@ public sealed class SimulatedLineTests : IDisposable
     {
         var heard = new StringBuilder();
         var some = new byte[64];
-        while (!heard.ToString().EndsWith(':')) heard.Append(Encoding.ASCII.GetString(some, 0, await line.ReadAsync(some, _limit.Token)));
+        while (!heard.ToString().EndsWith(':') && !heard.ToString().EndsWith('?')) heard.Append(Encoding.ASCII.GetString(some, 0, await line.ReadAsync(some, _limit.Token)));
         return heard.ToString();
     }
 }
