@@ -29,6 +29,7 @@ internal sealed class JobMachine
     private readonly StopHandleWatch _stopHandle;
     private readonly ProgressWatch _progress;
     private readonly ToolWatch _toolWatch = new();
+    private readonly FeedWatch _feed;
     private readonly JobFault _fault;
     private readonly StateQuestions _questions;
     private static readonly TimeSpan s_betweenErrors = TimeSpan.FromMilliseconds(100);
@@ -57,6 +58,7 @@ internal sealed class JobMachine
         _heartbeat = new Heartbeat(session.Time);
         _stopHandle = new StopHandleWatch(session, ledger);
         _progress = new ProgressWatch(program.Profile);
+        _feed = new FeedWatch(program.Profile);
         _fault = new JobFault(this, program, ledger);
         Hold = new JobHold(this, options.Control ?? new JobControl(), options.SoftLimits);
     }
@@ -193,6 +195,9 @@ internal sealed class JobMachine
     /// <summary>A test of every polled state; null while nothing is expected of the position.</summary>
     public Func<MachineState, JobStep>? Expectation { get; set; }
 
+    /// <summary>The speeds of the sequence that a polled state may be in; null while none is planned.</summary>
+    public Func<MachineState, PlannedSpeed?>? PlannedSpeed { private get; set; }
+
     /// <summary>A watch over the path of a sequence from here.</summary>
     public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6, Profile.Height is not null);
 
@@ -261,8 +266,20 @@ internal sealed class JobMachine
         if (hasProgramEnded) return await _fault.ProgramEndedAsync().ConfigureAwait(false);
         if (_isGuarded && !State.WatchdogRuns) return _fault.Unwatched();
         if (isToolWrong) return _fault.ToolSwitched();
+        if (IsFeedForeign()) return await _fault.FeedChangedAsync(PlannedSpeed!(State)!.Value).ConfigureAwait(false);
         return _progress.IsStalled(State) ? await _fault.StalledAsync().ConfigureAwait(false) : JobStep.Done;
     }
+
+    private bool IsFeedForeign()
+    {
+        if (State.SequenceRunning && Hold is { Phase: JobPhase.Running, Ratio: > 0.0 } && PlannedSpeed?.Invoke(State) is { } planned) return _feed.IsForeign(State, Seconds, planned, Hold.Ratio, IsToolOn);
+        _feed.Reset();
+        return false;
+    }
+
+    /// <summary>Another host or program has set these since the job set them: what is put back behind the job is what they hold now.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public Task LeaveToOthersAsync(IReadOnlyList<string> operands) => _session.LeaveToOthersAsync(operands);
 
     /// <summary>The program in the controller has started: waits until its watchdog runs, which is checked at every poll from then on.</summary>
     public async ValueTask<JobStep> AwaitWatchdogAsync()

@@ -186,6 +186,10 @@ public sealed class ControllerSession : IAsyncDisposable
         return await TryEachAsync(commands, cancellation).ConfigureAwait(false);
     }
 
+    /// <summary>Another host or program has set these: <see cref="RestoreAsync"/> leaves what they hold now.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    internal async Task LeaveToOthersAsync(IReadOnlyList<string> operands) => Found = await Found.WithPresentAsync(Commands, operands, CancellationToken.None).ConfigureAwait(false);
+
     /// <summary>Burns the controller's parameters (BN), with CW and the number format as they were found: both are burned with the rest (galil-dmc.md A.6).</summary>
     /// <exception cref="ControllerException">The link failed meanwhile.</exception>
     internal async Task<Rejected?> BurnAsync(CancellationToken cancellation)

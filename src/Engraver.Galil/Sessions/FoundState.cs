@@ -31,6 +31,26 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
         return new FoundState(wire, motion, off);
     }
 
+    /// <summary>The same with what some settings hold now.</summary>
+    /// <param name="operands">Of settings of the S plane or of an axis; those that are not among <see cref="Motion"/> stay missing.</param>
+    internal async Task<FoundState> WithPresentAsync(CommandChannel channel, IReadOnlyList<string> operands, CancellationToken cancellation)
+    {
+        var motion = new List<FoundSetting>();
+        foreach (var setting in Motion)
+        {
+            var present = operands.Contains(setting.Operand) ? await PresentAsync(channel, setting, cancellation).ConfigureAwait(false) : null;
+            motion.Add(present is null ? setting : setting with { RestoreCommand = present });
+        }
+
+        return this with { Motion = motion };
+    }
+
+    private static async Task<string?> PresentAsync(CommandChannel channel, FoundSetting setting, CancellationToken cancellation)
+    {
+        if (setting.Operand == "_VRS") return await SpeedRatioAsync(channel, cancellation).ConfigureAwait(false);
+        return (await channel.ReadWholeAsync(setting.Operand, cancellation).ConfigureAwait(false)).OrNothing is { } value ? $"{setting.Operand[1..]}={DmcFormat.Number(value)}" : null;
+    }
+
     /// <summary>VR as hexadecimal, which is exact: it has a resolution of 1/65536, and decimals are truncated to four (0.3 would be read as 0.2999; galil-dmc.md A.3 Numbers, E Messages).</summary>
     /// <remarks>VR has no form with a plane letter; the first field is the S plane (galil-dmc.md B.1).</remarks>
     private static async Task<string?> SpeedRatioAsync(CommandChannel channel, CancellationToken cancellation)

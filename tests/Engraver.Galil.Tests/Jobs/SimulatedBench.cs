@@ -83,11 +83,11 @@ internal sealed class SimulatedBench : IAsyncDisposable
     /// <summary>VF as it stands, with one digit behind the point.</summary>
     public Task<string> NumberFormatAsync() => AskAsync("_VF{F3.1}");
 
-    /// <summary>A number with a decimal where it has one, whatever VF is.</summary>
+    /// <summary>A number with up to four decimals, whatever VF is.</summary>
     public async Task<string> NumberAsync(string operand)
     {
         await using var channel = OpenChannel();
-        return DmcFormat.Number((await channel.ReadAsync(operand + "{F10.1}", CancellationToken.None)).Values[0]);
+        return DmcFormat.Number((await channel.ReadAsync(operand + "{F10.4}", CancellationToken.None)).Values[0]);
     }
 
     /// <summary>A whole number, whatever VF is.</summary>

@@ -54,6 +54,60 @@ public class SomebodyElseTests
         Assert.InRange(result.SegmentsExecuted, 400, 1500);
     }
 
+    /// <summary>Command, operand that then tells it, and how long the tool may be on afterwards, s: what is too fast is seen in two polls, what is too slow after half a second.</summary>
+    public static TheoryData<string, string, double, JobMode, int> Feeds()
+    {
+        var feeds = new TheoryData<string, string, double, JobMode, int>();
+        foreach (var (mode, baud) in Everywhere.Select(row => ((JobMode)row[0]!, (int)row[1]!)))
+        {
+            var link = baud == Network ? 0.0 : 0.7;
+            feeds.Add("VSS=200000", "_VSS 200000", 0.2 + link, mode, baud);
+            feeds.Add("VR 1.875", "_VRS 1.875", 0.2 + link, mode, baud);
+            feeds.Add("VR 0.0625", "_VRS 0.0625", 0.8 + link, mode, baud);
+            feeds.Add("VR 0", "_VRS 0", 0.8 + link, mode, baud);
+        }
+
+        return feeds;
+    }
+
+    [Theory]
+    [MemberData(nameof(Feeds))]
+    public async Task A_feed_that_somebody_changed_stops_the_job_and_stays_as_it_was_changed(string command, string held, double toolSeconds, JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var sample = 0L;
+
+        var result = await RunAsync(bench, MotionPrograms.LongLine(400000), mode, baud, progress => progress.X > 50000, () =>
+        {
+            sample = bench.Controller.Status.Sample;
+            bench.Interfere(command);
+        });
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.Contains("changed the feed", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains(held, result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("drawing entity 0", result.Sentence, StringComparison.Ordinal);
+        CutRecord.AssertSafeAfter(bench, sample, toolSeconds, restSeconds: toolSeconds + 2.0);
+        var (operand, value) = (held.Split(' ')[0], held.Split(' ')[1]);
+        Assert.Equal(value, await bench.NumberAsync(operand));
+    }
+
+    [Theory]
+    [MemberData(nameof(Everywhere))]
+    public async Task Slow_ramps_and_short_motions_of_the_job_are_its_own(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var profile = MachineProfile.Default with { AccelerationCounts = 10240 };
+        var lines = MotionPrograms.ShortLines(40);
+
+        foreach (var program in new[] { MotionPrograms.LongLine(60000) with { Profile = profile }, lines with { Profile = profile } })
+        {
+            var result = await RunAsync(bench, program, mode, baud, _ => false, () => { });
+
+            Assert.Equal((JobOutcome.Complete, program.SegmentCount), (result.Outcome, result.SegmentsExecuted));
+        }
+    }
+
     [Theory]
     [MemberData(nameof(Everywhere))]
     public async Task A_watchdog_that_somebody_halted_stops_the_job(JobMode mode, int baud)

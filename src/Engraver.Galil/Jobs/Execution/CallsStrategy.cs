@@ -65,6 +65,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         ledger.Sent++;
         var watch = machine.Watch(here, [segment], speed);
         machine.Expectation = state => state.SequenceRunning ? watch.Look(0, machine.Here) : JobStep.Done;
+        machine.PlannedSpeed = state => state.Calls == calls ? PlannedSpeed.Of(speed) : null;
         try
         {
             if (await machine.PollUntilAsync(state => state.Calls != calls, SpeedTrapezoid.Time(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false) is { Ends: true } broken) return broken;
@@ -72,6 +73,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         finally
         {
             machine.Expectation = null;
+            machine.PlannedSpeed = null;
             machine.SegmentsDone = null;
         }
 

@@ -49,6 +49,9 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     /// <summary>Waits until the program in the controller can be called again; null where none is called.</summary>
     public Func<ValueTask<JobStep>>? AwaitIdle { get; set; }
 
+    /// <summary>VR as it was sent last.</summary>
+    public double Ratio => _ratio;
+
     /// <summary>The rapid override.</summary>
     public double RapidRatio => control.RapidRatio;
 

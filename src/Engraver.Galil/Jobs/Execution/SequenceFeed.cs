@@ -75,6 +75,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         finally
         {
             machine.Expectation = null;
+            machine.PlannedSpeed = null;
             machine.SegmentsDone = null;
             machine.Hold.WillMove = _ => true;
             machine.Hold.Speed.Throttle = 1.0;
@@ -191,6 +192,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         machine.Hold.WillMove = state => state.Counter < _sent;
         _watch = machine.Watch(_origin, Ahead, sequence.Speed);
         machine.Expectation = OnPath;
+        machine.PlannedSpeed = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : PlannedSpeed.Of(sequence.Speed); // running dry it stands
         _begun = true;
         _begunAt = machine.Time.GetTimestamp();
         return await machine.SendAsync("BGS").ConfigureAwait(false);
@@ -254,7 +256,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (!cut.Ends) ConfirmUpTo(_sent);
         if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } broken) return broken;
-        machine.Expectation = null;
+        (machine.Expectation, machine.PlannedSpeed) = (null, null);
         return isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } down ? down : cut;
     }
 

@@ -2,22 +2,50 @@ using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
+using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;
 
 /// <summary>Composes the sentence for a fault that a poll showed: where it was, what was wrong, what to check. The stop follows.</summary>
 internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLedger ledger)
 {
+    /// <summary>On a serial line the session has set VF to whole numbers.</summary>
+    private const string Decimals = "{F10.4}";
+
     private static string NobodyElse => Wording.Get("JobFault.NobodyElse");
 
     /// <summary>No progress. A damaged command has the same effect as somebody who holds the motion: the job waits for something that does not come.</summary>
     public async ValueTask<JobStep> StalledAsync()
     {
-        var ratio = await machine.AskAtRestAsync("_VRS").ConfigureAwait(false);
+        var ratio = await machine.AskAtRestAsync("_VRS" + Decimals).ConfigureAwait(false);
         var why = ratio is 0.0
             ? Wording.Get("JobFault.FeedOverrideVrSet", NobodyElse)
             : Wording.Get("JobFault.CommandMayHaveArrived");
         return JobStep.Broken(Wording.Get("JobFault.NothingHasMovedOr", machine.StandstillSeconds, Place, why));
+    }
+
+    /// <summary>The path does not have the speed that the job set: another host or program changed VS, VR or VA. What it set is left as it is.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async ValueTask<JobStep> FeedChangedAsync(PlannedSpeed planned)
+    {
+        var (seen, ratio) = (machine.State.PathSpeed, machine.Hold.Ratio);
+        (string Operand, double Lowest, double Highest, double Step)[] set =
+        [
+            ("_VSS", planned.Lowest, planned.Highest, SettingCheck.Speed),
+            ("_VRS", ratio, ratio, SettingCheck.Exact),
+            ("_VAS", machine.Profile.AccelerationCounts, machine.Profile.AccelerationCounts, SettingCheck.Acceleration),
+            ("_VDS", machine.Profile.AccelerationCounts, machine.Profile.AccelerationCounts, SettingCheck.Acceleration),
+        ];
+        var (changed, held) = (new List<string>(), new List<string>());
+        foreach (var (operand, lowest, highest, step) in set)
+        {
+            if (await machine.AskAtRestAsync(operand + Decimals).ConfigureAwait(false) is not { } value) continue;
+            held.Add(Text($"{operand} {value}"));
+            if (value < lowest - step || value > highest + step) changed.Add(operand);
+        }
+
+        await machine.LeaveToOthersAsync(changed).ConfigureAwait(false);
+        return JobStep.Broken(Wording.Get("JobFault.FeedChanged", seen, Place, planned.Highest * ratio, string.Join(", ", held)));
     }
 
     /// <summary>The watchdog in the controller saw the tool on at standstill before this program did.</summary>
