@@ -48,6 +48,9 @@ public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, Ti
     /// <summary>Told where a further part of the program begins, by a reader whose programs are loaded in parts; null: nobody asks.</summary>
     public PaceJudge? Pace { get; init; }
 
+    /// <summary>A cut may begin as far from the end of the move before it, millimetres: the widest gap that a stroke of the job runs across, with rounding. A reader whose form tells each move by both of its ends finds what is farther.</summary>
+    public double LongestJump { get; init; } = double.PositiveInfinity;
+
     /// <summary>Everything that is cut lies at one height: a form with a third coordinate must not leave it.</summary>
     public bool IsLevel { get; init; }
 }

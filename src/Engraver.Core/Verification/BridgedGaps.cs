@@ -10,22 +10,10 @@ namespace Engraver.Core.Verification;
 public static class BridgedGaps
 {
     /// <summary>The gaps as lines, millimetres, in the order of cutting: those in which the tool may be farther from the drawing than <paramref name="deviation"/>.</summary>
-    public static IReadOnlyList<StrokeMove> Beyond(Toolpath toolpath, double deviation)
-    {
-        var gaps = new List<StrokeMove>();
-        foreach (var stroke in toolpath.Strokes)
-        {
-            var (isFirst, from, height) = (true, default(Point2D), 0.0);
-            foreach (var move in stroke.Moves)
-            {
-                var to = move.Segment.Start;
-                if (!isFirst && from != to && from.DistanceTo(to) > 2.0 * deviation) gaps.Add(new StrokeMove(Segment.FromLine(from, to), move.EntityIndex, height, move.StartZ));
-                (isFirst, from, height) = (false, move.Segment.End, move.EndZ);
-            }
-        }
+    public static IReadOnlyList<StrokeMove> Beyond(Toolpath toolpath, double deviation) => [.. All(toolpath).Where(gap => gap.Segment.Length > 2.0 * deviation)];
 
-        return gaps;
-    }
+    /// <summary>The length of the widest gap in a stroke, millimetres; 0 where no stroke has one.</summary>
+    public static double Widest(Toolpath toolpath) => All(toolpath).Select(gap => gap.Segment.Length).DefaultIfEmpty().Max();
 
     /// <summary>Null when no gap takes the tool farther from the drawing than rounding and curve error do.</summary>
     /// <param name="deviation">What rounding and curve error may take the tool from the drawing, millimetres.</param>
@@ -36,6 +24,20 @@ public static class BridgedGaps
         var widest = gaps.MaxBy(gap => gap.Segment.Length);
         var (length, place) = (widest.Segment.Length, widest.Segment.Start);
         return MotionRules.GapsBridged.At(sourceOf(widest.EntityIndex), gaps.Count.ToString(CultureInfo.InvariantCulture), Text(length / 2.0), Text(length), Text(place.X), Text(place.Y));
+    }
+
+    private static IEnumerable<StrokeMove> All(Toolpath toolpath)
+    {
+        foreach (var stroke in toolpath.Strokes)
+        {
+            var (isFirst, from, height) = (true, default(Point2D), 0.0);
+            foreach (var move in stroke.Moves)
+            {
+                var to = move.Segment.Start;
+                if (!isFirst && from != to) yield return new StrokeMove(Segment.FromLine(from, to), move.EntityIndex, height, move.StartZ);
+                (isFirst, from, height) = (false, move.Segment.End, move.EndZ);
+            }
+        }
     }
 
     private static string Text(double value) => value.ToString("0.#####", CultureInfo.InvariantCulture);

@@ -17,13 +17,14 @@ internal sealed class ReadBackJudges
     private readonly ITraceJudge[] _cuts;
     private readonly LengthJudge? _length;
     private readonly PaceJudge? _pace;
+    private readonly double _deviation;
 
     /// <param name="tolerances">Of the reader's form.</param>
     /// <param name="bridges">Lines over gaps within the join tolerance, which may be cut besides.</param>
     public ReadBackJudges(PreparedJob job, PostedWith posted, IProgramReader reader, TraceTolerances tolerances, IReadOnlyList<StrokeMove> bridges)
     {
         var (machine, isInSpace) = (job.Settings.Machine, reader.TellsHeights && job.Settings.Machine.Height is not null);
-        (_job, _posted) = (job, posted);
+        (_job, _posted, _deviation) = (job, posted, tolerances.Deviation);
         _cuts = [.. bridges.Count == 0 ? [JudgeOf([])] : (ITraceJudge[])[JudgeOf([]), JudgeOf(bridges)]];
         _length = reader.TellsTimes || isInSpace ? null : new LengthJudge(job.Toolpath, tolerances.Deviation, reader.Rounding > 0.0);
         _pace = reader.TellsTimes && machine.Height is null ? new PaceJudge() : null;
@@ -51,6 +52,7 @@ internal sealed class ReadBackJudges
             Blends = Blends,
             Terms = Terms,
             Pace = _pace,
+            LongestJump = BridgedGaps.Widest(_job.Toolpath) + _deviation,
             IsLevel = IsLevel(),
         };
 

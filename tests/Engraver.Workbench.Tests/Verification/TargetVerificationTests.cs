@@ -157,6 +157,38 @@ public class TargetVerificationTests
 
     public static TheoryData<string> Targets => [.. PostTable.All.Select(entry => entry.Post.Name)];
 
+    /// <summary>CL data names both ends of each move, so that a move may be too short, or a rapid missing, and the next begins as it should.</summary>
+    [Theory]
+    [InlineData(0.6, 0.01, false)]
+    [InlineData(0.6, 1.0, false)] // the tolerance joins ends of the drawing, which has no gap here
+    [InlineData(0.001, 0.01, true)]
+    public async Task Cl_data_with_a_gap_between_two_cuts_is_ok_only_within_the_tolerance(double gap, double joinTolerance, bool isOk)
+    {
+        var settings = new DrawingSettings { JoinToleranceMm = joinTolerance };
+        var text = PostedProgram.Create(Plate(), settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions).Text!;
+        var ends = "\n11\n20.0\n21\n0.0\n";
+        Assert.Contains(ends, text, StringComparison.Ordinal);
+        var report = await VerifyAsync(Plate(), settings, text.Replace(ends, FormattableString.Invariant($"\n11\n{20.0 - gap}\n21\n0.0\n"), StringComparison.Ordinal), PostTable.Find("cldata").Reader!);
+
+        Assert.Equal(isOk, report.Ok);
+        Assert.Equal(isOk ? [] : ["VER0013"], report.Diagnostics.Select(finding => finding.Id));
+        if (!isOk) Assert.InRange(report.MissingLengthMm, 0.59, 0.61);
+    }
+
+    [Theory]
+    [InlineData(0.01, false)]
+    [InlineData(1.0, true)] // one stroke, which runs across
+    public async Task Cl_data_cuts_across_a_gap_of_the_drawing_only_where_the_join_tolerance_does(double joinTolerance, bool isOk)
+    {
+        var drawing = new DrawingBuilder().Line(0, 0, 20, 0).Line(20.6, 0, 20.6, 10).Build();
+        var settings = new DrawingSettings { JoinToleranceMm = joinTolerance };
+        var text = PostedProgram.Create(drawing, settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions).Text!;
+        var withoutRapids = string.Join("\n0\n", text.Split("\n0\n").Where(entity => !entity.StartsWith("LINE", StringComparison.Ordinal) || !entity.Contains("RAPID", StringComparison.Ordinal)));
+
+        Assert.True((await VerifyAsync(drawing, settings, text, PostTable.Find("cldata").Reader!)).Ok);
+        Assert.Equal(isOk, (await VerifyAsync(drawing, settings, withoutRapids, PostTable.Find("cldata").Reader!)).Ok);
+    }
+
     [Theory]
     [MemberData(nameof(Targets))]
     public async Task Line_ends_of_Windows_and_of_old_Macintoshes_mean_the_same(string target)

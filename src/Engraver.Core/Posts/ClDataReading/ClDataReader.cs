@@ -27,6 +27,7 @@ public sealed class ClDataReader : IProgramReader
         private bool _hasCut;
         private bool _hasEntities;
         private double _seconds;
+        private Point2D? _place;
 
         public Diagnostic? Run(ProgramRows lines)
         {
@@ -85,14 +86,27 @@ public sealed class ClDataReader : IProgramReader
             if (entity.Path(out var reason) is not { } path) return Fault(entity.Line, reason);
             if (entity.Height is { } height) request.Terms?.Differ(entity.Line, $"z {Shown(height)}", "z 0");
             var isCut = entity.Layer != "RAPID";
-            foreach (var segment in path) Tell(segment, isCut);
+            foreach (var segment in path)
+            {
+                if (isCut) Join(segment.Start, entity.Line);
+                Tell(segment, isCut);
+            }
+
             _hasCut |= isCut;
             return null;
         }
 
+        /// <summary>A cut that begins elsewhere than the move before it ended: nothing says what the tool does on the way there.</summary>
+        private void Join(Point2D start, int line)
+        {
+            if (_place is not { } place || place.DistanceTo(start) <= request.LongestJump) return;
+            request.Terms?.Differ(line, Wording.Get("ClDataReader.Begins", FactText.Of(start.X), FactText.Of(start.Y)), Wording.Get("ClDataReader.BeginsWhere", FactText.Of(place.X), FactText.Of(place.Y)));
+            foreach (var judge in request.Judges) judge.Add(new TraceSample(_seconds += 1.0, start.X, start.Y, Cutting: false));
+        }
+
         private void Tell(in Segment path, bool isCut)
         {
-            _seconds += 1.0;
+            (_seconds, _place) = (_seconds + 1.0, path.End);
             foreach (var judge in request.Judges)
             {
                 if (!isCut) judge.Add(new TraceSample(_seconds, path.End.X, path.End.Y, Cutting: false));
