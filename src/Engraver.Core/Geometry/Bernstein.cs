@@ -37,7 +37,7 @@ internal static class Bernstein
         (first, var last, var changes) = (0, 0, 0);
         foreach (var coefficient in polynomial)
         {
-            var sign = Math.Sign(coefficient);
+            var sign = coefficient > 0.0 ? 1 : coefficient < 0.0 ? -1 : 0; // of a place beyond what a double can square it is not a number
             if (sign == 0) continue;
             if (first == 0) first = sign;
             else if (sign != last) changes++;

@@ -49,6 +49,16 @@ public class CurveDistanceTests
         Assert.Equal(9.0, circle.DistanceTo(new Point2D(1, 0)), 1e-12);
     }
 
+    [Theory]
+    [InlineData(1e80)]
+    [InlineData(1e160)]
+    [InlineData(1e300)]
+    public void A_place_farther_than_its_square_can_be_told_has_a_distance(double far)
+    {
+        foreach (var place in (Point2D[])[new(far, 0.0), new(-far, far), new(0.5, -far)])
+            Assert.All(DrawnCurves.Known, drawn => Assert.Equal(1.0, drawn.Curve.DistanceTo(place) / double.Hypot(place.X, place.Y), 1e-6));
+    }
+
     [Fact]
     public void A_window_around_a_place_of_the_curve_touches_it_and_one_beside_it_does_not()
     {

@@ -11,12 +11,16 @@ internal static class ClCurves
     private const int MostHalvings = 14;
     private const int FirstParts = 8;
 
+    /// <summary>A parameter of an ellipse beyond it is none of a drawing, radians.</summary>
+    private const double MostParameter = 1000.0;
+
     /// <param name="ratio">Shorter over longer axis; below 0 for one seen from below, which runs clockwise.</param>
     /// <param name="start">Parameter, radians.</param>
     /// <param name="end">Parameter, radians.</param>
     public static IEnumerable<Segment> Ellipse(Point2D centre, Vector2D major, double ratio, double start, double end)
     {
         if (!(Math.Abs(ratio) is > 0.0 and <= 1.0)) throw new FormatException("40");
+        if (Math.Max(Math.Abs(start), Math.Abs(end)) > MostParameter) throw new FormatException("41");
         while (end <= start) end += 2.0 * Math.PI;
         var minor = new Vector2D(-major.Y * ratio, major.X * ratio);
         return Chords(turn => centre + (major * Math.Cos(turn)) + (minor * Math.Sin(turn)), start, end);

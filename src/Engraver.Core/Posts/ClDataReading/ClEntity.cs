@@ -8,6 +8,9 @@ namespace Engraver.Core.Posts.ClDataReading;
 /// <param name="Line">Of the file, from 1.</param>
 internal sealed record ClEntity(string Type, int Line)
 {
+    /// <summary>From the start angle of an arc to its end angle, degrees: a hundred turns.</summary>
+    private const double MostDegrees = 36_000.0;
+
     private readonly List<(int Code, string Value)> _pairs = [];
 
     public string Layer => _pairs.Where(pair => pair.Code == 8).Select(pair => pair.Value.Trim()).FirstOrDefault() ?? "";
@@ -48,6 +51,7 @@ internal sealed record ClEntity(string Type, int Line)
     {
         var (isBelow, radius, sweep) = (Maybe(230, 1.0) < 0.0, One(40), end - start);
         if (!(radius > 0.0)) throw new FormatException("40");
+        if (Math.Abs(sweep) > MostDegrees) throw new FormatException("50");
         while (sweep <= 0.0) sweep += 360.0;
         while (sweep > 360.0) sweep -= 360.0;
         var centre = new Point2D(isBelow ? -One(10) : One(10), One(20));

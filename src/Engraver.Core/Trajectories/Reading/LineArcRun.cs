@@ -14,6 +14,9 @@ internal sealed class LineArcRun : TrajectoryRun
     private const double UsualAngle = 0.01;
     private const double CornerAngle = 0.5;
 
+    /// <summary>Of one arc, degrees: ten turns.</summary>
+    private const double MostSweep = 3600.0;
+
     private readonly Point2D _start;
     private Point2D _place;
     private double? _heading;
@@ -48,7 +51,7 @@ internal sealed class LineArcRun : TrajectoryRun
             case ("Line", [var x, var y]):
                 LineTo(new Point2D(_start.X + x, _start.Y + y));
                 return null;
-            case ("Arc", [var radius, var sweep]) when radius > 0.0 && sweep != 0.0:
+            case ("Arc", [var radius, var sweep]) when radius > 0.0 && sweep != 0.0 && Math.Abs(sweep) <= MostSweep:
                 Arc(radius, sweep * Math.PI / 180.0);
                 return null;
             default: return Unreadable(words);

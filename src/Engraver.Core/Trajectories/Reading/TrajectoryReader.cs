@@ -94,6 +94,9 @@ public enum ControllerLanguage
 /// <summary>One trajectory while its controller runs it, row by row.</summary>
 internal abstract class TrajectoryRun(TrajectoryTeller teller)
 {
+    /// <summary>A number from here on means nothing to a machine, and what is done with it leaves what a double can hold.</summary>
+    private const double TooLarge = 1e12;
+
     private int _line;
 
     protected TrajectoryTeller Teller { get; } = teller;
@@ -131,14 +134,14 @@ internal abstract class TrajectoryRun(TrajectoryTeller teller)
 
     public static Diagnostic Unreadable(int line, string words) => Wrong(line, Wording.Get("Xps.LineSays", words.Trim() is { Length: > 40 } all ? all[..40] : words.Trim()));
 
-    /// <summary>Apart by commas; null for anything else.</summary>
+    /// <summary>Apart by commas; null for anything else, and for numbers that no machine can mean.</summary>
     public static double[]? Numbers(string words)
     {
         var parts = words.Split(',');
         var numbers = new double[parts.Length];
         for (var i = 0; i < parts.Length; i++)
         {
-            if (!double.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]) || !double.IsFinite(numbers[i])) return null;
+            if (!double.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]) || !(Math.Abs(numbers[i]) < TooLarge)) return null;
         }
 
         return numbers;
