@@ -26,6 +26,9 @@ public sealed record MachineReading(CountsPoint Position, CountsPoint Error, boo
     /// <summary>The controller's letters of the axes that were switched off because of their position error.</summary>
     public string LostPosition { get; init; } = "";
 
+    /// <summary>The controller's letters of the axes whose last motion was stopped without a ramp.</summary>
+    public string StoppedHard { get; init; } = "";
+
     /// <summary>The abort input is active.</summary>
     public bool AbortInput { get; init; }
 

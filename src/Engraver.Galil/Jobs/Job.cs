@@ -250,11 +250,12 @@ internal sealed class Job
             if (await HasForgottenAsync().ConfigureAwait(false)) return (Forgotten(step), null);
             step = WithTool(step, standstill);
             step = Followed(step, await new FollowingCheck(_session, _program.Profile).AtRestAsync().ConfigureAwait(false));
+            var lost = await WhyStepsMayBeLostAsync(step).ConfigureAwait(false); // a tool that goes up leaves another stop code
             if (step.Ends) await _strategy.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
-            if (_isHandMove || _program.Profile is { Height: null, Spindle: null }) return (step, standstill);
+            if (_isHandMove || _program.Profile is { Height: null, Spindle: null }) return (Doubted(step, lost), standstill);
             int? clearance = _machine.FrameTaken is { } frame ? frame.Z + _program.Profile.ClearanceCounts : null;
             var (rest, warning) = await new ToolRetreat(_session, _program.Profile).RunAsync(standstill, clearance, step.Doubt.Length > 0, _options.PollInterval).ConfigureAwait(false);
-            return (warning.Length == 0 ? step : step with { Sentence = $"{step.Sentence} {warning}" }, rest);
+            return (Doubted(warning.Length == 0 ? step : step with { Sentence = $"{step.Sentence} {warning}" }, lost), rest);
         }
         catch (ProtocolViolationException unknown) when (!_session.StopHandle.IsBroken)
         {
@@ -289,6 +290,17 @@ internal sealed class Job
         var ended = step.Ends ? step with { Sentence = $"{step.Sentence} {told}" } : _isHandMove ? JobStep.Broken(told) : JobStep.Deviated(told);
         return ended with { Doubt = Wording.Get("Job.DidNotFollow") };
     }
+
+    /// <summary>An abort stops steppers without a ramp (galil-dmc.md D); nothing counts the steps that they lose.</summary>
+    /// <returns>Empty where none may have lost steps.</returns>
+    private async ValueTask<string> WhyStepsMayBeLostAsync(JobStep step)
+    {
+        if (!step.Ends || step.Doubt.Length > 0 || _machine.StoodAt is not { } stood) return "";
+        var place = await PlaceQuestions.AskAsync(_session, _program.Profile.Axes).ConfigureAwait(false);
+        return (MachineMemory.Empty with { Rest = stood }).WhyStepsMayBeLost(place, place.StoppedHard);
+    }
+
+    private static JobStep Doubted(JobStep step, string why) => why.Length == 0 ? step : step with { Sentence = $"{step.Sentence} {Wording.Get("Job.StepsInDoubt", why)}", Doubt = why };
 
     /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the watchdog trips.</summary>
     private string LastWord => _machine.Known is { } known

@@ -17,7 +17,6 @@ internal sealed class JobMachine
     /// <summary>Readings of the path between two whole polls, on a serial line.</summary>
     internal const int GlancesBetweenPolls = 8;
 
-    private readonly ControllerSession _session;
     private readonly PollTimes _times;
     private readonly TimeSpan _pollInterval;
     private readonly JobLedger _ledger;
@@ -29,7 +28,6 @@ internal sealed class JobMachine
     private readonly StopHandleWatch _stopHandle;
     private readonly ProgressWatch _progress;
     private readonly ToolWatch _toolWatch = new();
-    private readonly FeedWatch _feed;
     private readonly JobFault _fault;
     private readonly StateQuestions _questions;
     private static readonly TimeSpan s_betweenErrors = TimeSpan.FromMilliseconds(100);
@@ -43,7 +41,7 @@ internal sealed class JobMachine
 
     public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, StopOrder stop)
     {
-        _session = session;
+        Session = session;
         Profile = program.Profile;
         _questions = new StateQuestions(program.Profile.Axes, isSlow: session.Line is not null, options.FollowedAxes);
         Start = program.Start;
@@ -58,10 +56,12 @@ internal sealed class JobMachine
         _heartbeat = new Heartbeat(session.Time);
         _stopHandle = new StopHandleWatch(session, ledger);
         _progress = new ProgressWatch(program.Profile);
-        _feed = new FeedWatch(program.Profile);
+        Feed = new FeedWatch(this);
         _fault = new JobFault(this, program, ledger);
         Hold = new JobHold(this, options.Control ?? new JobControl(), options.SoftLimits);
     }
+
+    public ControllerSession Session { get; }
 
     public MachineProfile Profile { get; }
 
@@ -101,10 +101,10 @@ internal sealed class JobMachine
     public CountsPoint Here => State.Position - Frame;
 
     /// <summary>The job's clock.</summary>
-    public TimeProvider Time => _session.Time;
+    public TimeProvider Time => Session.Time;
 
     /// <summary>The serial line that the job goes over; null for none.</summary>
-    public SerialLine? Line => _session.Line;
+    public SerialLine? Line => Session.Line;
 
     public JobTool Tool { get; }
 
@@ -161,11 +161,11 @@ internal sealed class JobMachine
     /// <summary>Sends one command, and the heartbeat when it is due.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
-        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(_beat, _order.ToSend()).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
-        var reply = await _session.Commands.SendAsync(command, _order.ToSend()).ConfigureAwait(false);
+        if (IsBeatDueBefore(command.Length) && await Session.Commands.SendAsync(_beat, _order.ToSend()).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
+        var reply = await Session.Commands.SendAsync(command, _order.ToSend()).ConfigureAwait(false);
         if (reply is Accepted && command != _beat) _progress.Acted();
         if (!_heartbeat.IsDue()) return reply;
-        var beat = await _session.Commands.SendAsync(_beat, _order.ToSend()).ConfigureAwait(false);
+        var beat = await Session.Commands.SendAsync(_beat, _order.ToSend()).ConfigureAwait(false);
         return beat is Rejected && reply is Accepted ? beat : reply;
     }
 
@@ -181,25 +181,25 @@ internal sealed class JobMachine
     /// <summary>Queries one number.</summary>
     public async ValueTask<(double Value, JobStep Step)> AskAsync(string operand)
     {
-        var reading = await _session.Commands.ReadAsync(operand, _order.ToSend()).ConfigureAwait(false);
+        var reading = await Session.Commands.ReadAsync(operand, _order.ToSend()).ConfigureAwait(false);
         return reading.Refusal is { } refused ? (0.0, Refuse(refused, "")) : (reading.Values[0], JobStep.Done);
     }
 
     /// <summary>Queries several numbers at once.</summary>
     public async ValueTask<(IReadOnlyList<double> Values, JobStep Step)> AskAllAsync(string operands)
     {
-        var reading = await _session.Commands.ReadAsync(operands, _order.ToSend()).ConfigureAwait(false);
+        var reading = await Session.Commands.ReadAsync(operands, _order.ToSend()).ConfigureAwait(false);
         return reading.Refusal is { } refused ? ([], Refuse(refused, "")) : (reading.Values, JobStep.Done);
     }
 
     /// <summary>A test of every polled state; null while nothing is expected of the position.</summary>
     public Func<MachineState, JobStep>? Expectation { get; set; }
 
-    /// <summary>The speeds of the sequence that a polled state may be in; null while none is planned.</summary>
-    public Func<MachineState, PlannedSpeed?>? PlannedSpeed { private get; set; }
+    /// <summary>Knows how fast the path should be.</summary>
+    public FeedWatch Feed { get; }
 
     /// <summary>A watch over the path of a sequence from here.</summary>
-    public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6, Profile.Height is not null);
+    public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (Session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6, Profile.Height is not null);
 
     /// <summary>Reads the machine's state. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
@@ -227,7 +227,7 @@ internal sealed class JobMachine
     private async ValueTask<JobStep> ReadAsync(StateQuestion question)
     {
         if (IsBeatDueBefore(2 * question.Text.Length) && await SendAsync(_beat).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
-        var reading = await _session.Commands.ReadAsync(question.Text, _order.ToSend()).ConfigureAwait(false);
+        var reading = await Session.Commands.ReadAsync(question.Text, _order.ToSend()).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
         Known = question.Update(Known ?? default, reading.Values);
         return JobStep.Done;
@@ -266,20 +266,9 @@ internal sealed class JobMachine
         if (hasProgramEnded) return await _fault.ProgramEndedAsync().ConfigureAwait(false);
         if (_isGuarded && !State.WatchdogRuns) return _fault.Unwatched();
         if (isToolWrong) return _fault.ToolSwitched();
-        if (IsFeedForeign()) return await _fault.FeedChangedAsync(PlannedSpeed!(State)!.Value).ConfigureAwait(false);
+        if (Feed.IsForeign()) return await _fault.FeedChangedAsync().ConfigureAwait(false);
         return _progress.IsStalled(State) ? await _fault.StalledAsync().ConfigureAwait(false) : JobStep.Done;
     }
-
-    private bool IsFeedForeign()
-    {
-        if (State.SequenceRunning && Hold is { Phase: JobPhase.Running, Ratio: > 0.0 } && PlannedSpeed?.Invoke(State) is { } planned) return _feed.IsForeign(State, Seconds, planned, Hold.Ratio, IsToolOn);
-        _feed.Reset();
-        return false;
-    }
-
-    /// <summary>Another host or program has set these since the job set them: what is put back behind the job is what they hold now.</summary>
-    /// <exception cref="ControllerException">The link failed.</exception>
-    public Task LeaveToOthersAsync(IReadOnlyList<string> operands) => _session.LeaveToOthersAsync(operands);
 
     /// <summary>The program in the controller has started: waits until its watchdog runs, which is checked at every poll from then on.</summary>
     public async ValueTask<JobStep> AwaitWatchdogAsync()
@@ -302,7 +291,7 @@ internal sealed class JobMachine
     {
         try
         {
-            await _session.StopHandle.SendAsync(BrakeCommand, CancellationToken.None).ConfigureAwait(false);
+            await Session.StopHandle.SendAsync(BrakeCommand, CancellationToken.None).ConfigureAwait(false);
         }
         catch (ControllerException)
         {
@@ -314,7 +303,7 @@ internal sealed class JobMachine
 
     /// <summary>Looks at the machine as its watch does.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public ValueTask<MachineReading> ReadAsync() => StatusPoll.ReadAsync(_session.StopHandle, Profile.Axes, _order.ToSend());
+    public ValueTask<MachineReading> ReadAsync() => StatusPoll.ReadAsync(Session.StopHandle, Profile.Axes, _order.ToSend());
 
     /// <summary>Ends the program in the controller and its watchdog; call at rest with the tool off.</summary>
     public ValueTask<JobStep> HaltProgramAsync()
@@ -348,7 +337,7 @@ internal sealed class JobMachine
 
     /// <summary>Queries one number over the stop handle, also after the operator's stop; null when the controller does not know it.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async ValueTask<double?> AskAtRestAsync(string operand) => (await _session.StopHandle.ReadAsync(operand, CancellationToken.None).ConfigureAwait(false)).OrNothing;
+    public async ValueTask<double?> AskAtRestAsync(string operand) => (await Session.StopHandle.ReadAsync(operand, CancellationToken.None).ConfigureAwait(false)).OrNothing;
 
     /// <summary>Queries one number until it is as wanted, and polls in between.</summary>
     public async ValueTask<JobStep> AwaitAsync(string operand, Func<double, bool> wanted)
@@ -374,7 +363,7 @@ internal sealed class JobMachine
     public async ValueTask RestAsync(double seconds)
     {
         var rest = TimeSpan.FromSeconds(Math.Min(seconds, _pollInterval.TotalSeconds));
-        if (rest > TimeSpan.Zero) await Task.Delay(rest, _session.Time, _order.Work).ConfigureAwait(false);
+        if (rest > TimeSpan.Zero) await Task.Delay(rest, Session.Time, _order.Work).ConfigureAwait(false);
     }
 
     private async ValueTask<JobStep> UntilAsync(Func<ValueTask<JobStep>> look, Func<MachineState, bool> reached, double atLeastSeconds)
@@ -392,6 +381,7 @@ internal sealed class JobMachine
     public async ValueTask<JobStep> TakeFrameAsync()
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        StoodAt = State.Position;
         FrameTaken = _frameGiven ?? State.Position - Start + new CountsPoint(0, 0, Lift);
         return JobStep.Done;
     }
@@ -402,6 +392,9 @@ internal sealed class JobMachine
     /// <summary>Why a motion ended early, in words (<see cref="JobFault.WhyStoppedAsync"/>).</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public ValueTask<string> WhyStoppedAsync() => _fault.WhyStoppedAsync();
+
+    /// <summary>Where the machine stood as the job frame was taken, the controller's own counts; null before.</summary>
+    public CountsPoint? StoodAt { get; private set; }
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

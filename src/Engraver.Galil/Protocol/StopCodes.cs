@@ -11,13 +11,21 @@ public static class StopCodes
 
     public const int AbortInput = 6;
 
+    /// <summary>AB or AB 1.</summary>
+    public const int AbortCommand = 7;
+
+    public const int SelectiveAbort = 11;
+
     public const int SequenceRunning = 100;
 
     /// <summary>A vector sequence that was ended by VE.</summary>
     public const int SequenceEnded = 101;
 
     /// <summary>A switch, an input or the axis' own position error has stopped it, and no command.</summary>
-    public static bool IsFromOutside(int code) => code is 2 or 3 or AbortInput or 8 or 11;
+    public static bool IsFromOutside(int code) => code is 2 or 3 or AbortInput or 8 or SelectiveAbort;
+
+    /// <summary>The axis stopped from its speed without deceleration: a stepper can lose steps then, and nothing counts them. The code stays until the axis is moved again.</summary>
+    public static bool IsWithoutRamp(int code) => code is AbortInput or AbortCommand or SelectiveAbort;
 
     public static string Text(int code) => code switch
     {
@@ -27,9 +35,9 @@ public static class StopCodes
         3 => Wording.Get("StopCodes.StoppedReverseLimitSwitch"),
         4 => Wording.Get("StopCodes.StoppedStCommand"),
         AbortInput => Wording.Get("StopCodes.StoppedAbortInput"),
-        7 => Wording.Get("StopCodes.StoppedAbCommand"),
+        AbortCommand => Wording.Get("StopCodes.StoppedAbCommand"),
         8 => Wording.Get("StopCodes.SwitchedOffBecausePosition"),
-        11 => Wording.Get("StopCodes.StoppedSelectiveAbortInput"),
+        SelectiveAbort => Wording.Get("StopCodes.StoppedSelectiveAbortInput"),
         SequenceRunning => Wording.Get("StopCodes.VectorSequenceRunning"),
         SequenceEnded => Wording.Get("StopCodes.VectorSequenceEnded"),
         _ => Wording.Get("StopCodes.StopCode", code),

@@ -25,14 +25,19 @@ internal static class PlaceQuestions
         var mark = await Ask(MarkVariable).ConfigureAwait(false);
         var clock = await Ask("TIME").ConfigureAwait(false);
         var (steppers, untold) = await SteppersAsync(axes, Ask).ConfigureAwait(false);
-        var steppersOff = await OffAsync(steppers, Ask).ConfigureAwait(false);
+        var steppersOff = await ThoseAsync(steppers, "_MO", value => value == 1.0, Ask).ConfigureAwait(false);
+        var stoppedHard = await ThoseAsync(steppers, "_SC", value => StopCodes.IsWithoutRamp((int)value), Ask).ConfigureAwait(false);
         return new ControllerPlace(
             CountsPoint.From([.. position.Values]),
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), axes.NamesOf(steppersOff).AsEnumerable()))) { Uncounted = steppers, Untold = untold };
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), axes.NamesOf(steppersOff).AsEnumerable()))) { Letters = axes.Letters, Uncounted = steppers, Untold = untold, StoppedHard = stoppedHard };
     }
+
+    /// <summary>The same over the stop handle, whatever the operator does meanwhile.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public static ValueTask<ControllerPlace> AskAsync(ControllerSession session, MachineAxes axes) => AskAsync(session.StopHandle, session.Identity.Letters, axes, CancellationToken.None);
 
     /// <summary>The variable is made by the assignment.</summary>
     /// <returns>False when the controller has no room for another variable.</returns>
@@ -54,14 +59,15 @@ internal static class PlaceQuestions
         return (steppers, untold);
     }
 
-    private static async ValueTask<string> OffAsync(string axes, Func<string, ValueTask<double?>> ask)
+    /// <returns>The letters of the axes whose answer is so; one that the controller does not give is not.</returns>
+    private static async ValueTask<string> ThoseAsync(string axes, string operand, Func<double, bool> isSo, Func<string, ValueTask<double?>> ask)
     {
-        var off = "";
+        var those = "";
         foreach (var axis in axes)
         {
-            if (await ask($"_MO{axis}").ConfigureAwait(false) is 1.0) off += axis;
+            if (await ask(operand + axis).ConfigureAwait(false) is { } value && isSo(value)) those += axis;
         }
 
-        return off;
+        return those;
     }
 }

@@ -39,6 +39,7 @@ internal static class StatusPoll
             Speed = v[2],
             Limit = string.Join(Wording.Get("Common.And"), LimitsHit(axes, v)),
             LostPosition = string.Concat(Those(letters, codes, code => code == PositionError).Intersect(found.MotorsOff)),
+            StoppedHard = Those(letters, codes, code => StopCodes.IsWithoutRamp((int)code)),
             AbortInput = codes[letters.Length] == 0,
             ProgramRuns = codes[letters.Length + 1] >= 0,
         };

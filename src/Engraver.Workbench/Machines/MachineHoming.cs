@@ -51,7 +51,7 @@ internal static class MachineHoming
         if (!await machine.MarkAsync(mark, CancellationToken.None).ConfigureAwait(false)) throw new MachineMemoryException(Wording.Get("Origins.NoMark"));
         var place = await machine.LocateAsync(profile.Axes, CancellationToken.None).ConfigureAwait(false);
         if (hold.Set(_ => after with { Mark = mark, Clock = place.Clock, Rest = place.Position, IsMoving = false }) is { } failure) throw MachineMemoryException.NotWritten(failure);
-        hold.Recognise(place with { Mark = mark });
+        hold.Recognise(place with { Mark = mark, StoppedHard = "" }); // that was before the homing
     }
 }
 

@@ -205,6 +205,7 @@ public sealed partial class MachineSession : IAsyncDisposable
     private void Seen(MachineReading poll)
     {
         while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
+        if (_place is { } known && !poll.Moves) Hold?.KeepStoppedHard(known with { Position = poll.Position }, poll.StoppedHard);
         if (!IsRunning) Hold?.KeepSeen(poll.Position, poll.Moves);
         if (_place is { } place && string.Concat(poll.MotorsOff.Intersect(place.Uncounted)) is { Length: > 0 } off) Hold?.KeepLost(Wording.Get("Origins.StepperWasOff", Profile.Axes.NamesOf(off)));
         _status.OriginIs(OriginMissing(poll.Position)); // a job under way is not watched: this is the look before or behind it

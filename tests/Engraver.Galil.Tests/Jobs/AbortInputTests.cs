@@ -1,4 +1,6 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -43,5 +45,50 @@ public class AbortInputTests
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
         Assert.Contains("abort input", result.Sentence, StringComparison.Ordinal);
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
+    }
+
+    /// <summary>An abort stops without a ramp: an encoder counts what a servo does then, and nothing counts the steps that a stepper loses. The stop code stays, and does not tell of a job behind it.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream, "2", true)]
+    [InlineData(JobMode.Calls, "-2", true)]
+    [InlineData(JobMode.Program, "2", true)]
+    [InlineData(JobMode.Stream, "1", false)]
+    public async Task The_place_of_steppers_that_an_abort_stopped_is_in_doubt(JobMode mode, string motor, bool isDoubted)
+    {
+        await using var bench = new SimulatedBench();
+        await bench.SendAsync("MO", $"MTA={motor}", $"MTB={motor}", "SH");
+        var hit = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.SetAbortInput(true));
+
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, hit);
+
+        Assert.Equal((isDoubted, isDoubted), (result.PositionDoubt.Contains("may have lost steps", StringComparison.Ordinal), result.Sentence.Contains("set the origin again", StringComparison.Ordinal)));
+
+        bench.Controller.SetAbortInput(false);
+        using var stop = new CancellationTokenSource();
+        var next = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 60000, stop.Cancel), stop.Token);
+        Assert.Equal((JobOutcome.Stopped, ""), (next.Outcome, next.PositionDoubt));
+    }
+
+    /// <summary>The controller stops at once where it has no more segments.</summary>
+    [Theory]
+    [InlineData("2", JobOutcome.Refused)]
+    [InlineData("1", JobOutcome.Complete)]
+    public async Task A_path_of_steppers_that_ran_dry_is_not_taken_up_again(string motor, JobOutcome outcome)
+    {
+        await using var bench = new SimulatedBench();
+        await bench.SendAsync("MO", $"MTA={motor}", $"MTB={motor}", "SH");
+        var links = new List<WithheldLink>();
+        await using var session = await bench.OpenAsync(opened: links.Add);
+        var polls = 0;
+        links[0].Sending = line =>
+        {
+            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7)); // less than the watchdog bears
+        };
+
+        var result = await JobRunner.RunAsync(MotionPrograms.ShortLines(1600), session, SimulatedBench.Job, null, CancellationToken.None);
+
+        Assert.Equal((outcome, outcome == JobOutcome.Refused), (result.Outcome, result.PositionDoubt.Length > 0));
+        Assert.InRange(result.Underruns, 1, outcome == JobOutcome.Refused ? 1 : 20);
+        Assert.Equal(0, (int)bench.Controller.Status.Outputs);
     }
 }

@@ -8,8 +8,14 @@ namespace Engraver.Core.Machines.Origins;
 /// <param name="Doubt">Why the position may be wrong although the controller was not switched off ("the stepper motor of axis A is off"); empty for no doubt.</param>
 public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, int? Mark = null, double? Clock = null, string Doubt = "")
 {
+    /// <summary>The controller's letters of the axes of <see cref="Position"/>, in its order.</summary>
+    public string Letters { get; init; } = "";
+
     /// <summary>The letters of those axes whose position is lost when their motor is off, because nothing counts how they are moved then.</summary>
     public string Uncounted { get; init; } = "";
+
+    /// <summary>The letters of those of <see cref="Uncounted"/> whose last motion was stopped without a ramp: they may have lost steps then. Whether that was before an origin was set the controller does not tell.</summary>
+    public string StoppedHard { get; init; } = "";
 
     /// <summary>The letters of those of them that are taken for steppers because neither the controller nor the profile tells their motor type.</summary>
     public string Untold { get; init; } = "";

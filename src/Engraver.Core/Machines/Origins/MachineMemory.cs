@@ -27,6 +27,21 @@ public sealed record MachineMemory
     /// <summary>A motion was begun, and nobody has heard yet where it ended.</summary>
     public bool IsMoving { get; init; }
 
+    /// <summary>Why steppers may have lost steps since the machine came to rest last: they were stopped without a ramp and do not stand where they stood. The controller keeps the reason of a stop; where they stand there still it is an old one.</summary>
+    /// <param name="place">Where they stand.</param>
+    /// <param name="stoppedHard">Letters of the axes that the controller says were stopped so; of them only those that nothing counts matter.</param>
+    /// <returns>Empty where none may.</returns>
+    public string WhyStepsMayBeLost(ControllerPlace place, string stoppedHard)
+    {
+        ArgumentNullException.ThrowIfNull(place);
+        if (!IsMoving && Rest is null) return "";
+        var (then, now) = (Counts(Rest ?? default), Counts(place.Position));
+        var axes = string.Concat("XYZ".Zip(place.Letters).Where((axis, i) => stoppedHard.Contains(axis.Second, StringComparison.Ordinal) && place.Uncounted.Contains(axis.Second, StringComparison.Ordinal) && (IsMoving || then[i] != now[i])).Select(axis => axis.First));
+        return axes.Length == 0 ? "" : Wording.Get("Origins.StepperStoppedHard", axes);
+    }
+
+    private static long[] Counts(CountsPoint point) => [point.X, point.Y, point.Z];
+
     /// <summary>Why the position has not been known since ("a position error of axis A"), until an origin is set again; empty while it is known.</summary>
     public string Lost { get; init; } = "";
 

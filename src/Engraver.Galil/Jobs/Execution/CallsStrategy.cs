@@ -65,7 +65,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         ledger.Sent++;
         var watch = machine.Watch(here, [segment], speed);
         machine.Expectation = state => state.SequenceRunning ? watch.Look(0, machine.Here) : JobStep.Done;
-        machine.PlannedSpeed = state => state.Calls == calls ? PlannedSpeed.Of(speed) : null;
+        machine.Feed.Planned = state => state.Calls == calls ? PlannedSpeed.Of(speed) : null;
         try
         {
             if (await machine.PollUntilAsync(state => state.Calls != calls, SpeedTrapezoid.Time(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false) is { Ends: true } broken) return broken;
@@ -73,7 +73,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         finally
         {
             machine.Expectation = null;
-            machine.PlannedSpeed = null;
+            machine.Feed.Planned = null;
             machine.SegmentsDone = null;
         }
 

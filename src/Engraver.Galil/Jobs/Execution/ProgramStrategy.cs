@@ -111,7 +111,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         finally
         {
             machine.Expectation = null;
-            machine.PlannedSpeed = null;
+            machine.Feed.Planned = null;
             machine.Hold.HasProgramEnded = null;
             machine.SegmentsDone = null;
         }
@@ -148,7 +148,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     {
         var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
         if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
-        if (_sequences.Count > 0) machine.PlannedSpeed = Planned;
+        if (_sequences.Count > 0) machine.Feed.Planned = Planned;
         var end = await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
         return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here with { Z = chunk.Parts[^1].Sequences[^1].End.Z }); // a tool that an axis holds is up again by now
     }

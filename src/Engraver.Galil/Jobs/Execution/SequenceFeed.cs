@@ -4,6 +4,7 @@ using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
 using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
@@ -75,7 +76,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         finally
         {
             machine.Expectation = null;
-            machine.PlannedSpeed = null;
+            machine.Feed.Planned = null;
             machine.SegmentsDone = null;
             machine.Hold.WillMove = _ => true;
             machine.Hold.Speed.Throttle = 1.0;
@@ -192,7 +193,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         machine.Hold.WillMove = state => state.Counter < _sent;
         _watch = machine.Watch(_origin, Ahead, sequence.Speed);
         machine.Expectation = OnPath;
-        machine.PlannedSpeed = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : PlannedSpeed.Of(sequence.Speed); // running dry it stands
+        machine.Feed.Planned = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : PlannedSpeed.Of(sequence.Speed); // running dry it stands
         _begun = true;
         _begunAt = machine.Time.GetTimestamp();
         return await machine.SendAsync("BGS").ConfigureAwait(false);
@@ -256,8 +257,11 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (!cut.Ends) ConfirmUpTo(_sent);
         if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } broken) return broken;
-        (machine.Expectation, machine.PlannedSpeed) = (null, null);
-        return isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } down ? down : cut;
+        (machine.Expectation, machine.Feed.Planned) = (null, null);
+        if (isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } down) return down;
+        if (cut.Ends || (await PlaceQuestions.AskAsync(machine.Session, machine.Profile.Axes).ConfigureAwait(false)).Uncounted.Length == 0) return cut;
+        var at = machine.State.Position;
+        return JobStep.Broken(Wording.Get("SequenceFeed.RanDryWithSteppers", at.X, at.Y)) with { Doubt = Wording.Get("SequenceFeed.StepsLost") };
     }
 
     private async ValueTask<JobStep> EndedEarlyAsync()

@@ -15,7 +15,7 @@ internal readonly record struct PlannedSpeed(int Lowest, int Highest)
 /// Too fast: 5 % above, in two polls in a row. After the job itself lowers the ratio the path brakes at VD; the limit follows at half of that rate.
 /// Too slow: below half of the plan for half a second with the tool on. A speed that changes by at least half of the planned acceleration is a ramp. Measured in controller time, so that a slow host changes nothing.
 /// </remarks>
-internal sealed class FeedWatch(MachineProfile profile)
+internal sealed class FeedWatch(JobMachine machine)
 {
     private const double MaxShare = 1.05;
     private const double MinShare = 0.5;
@@ -38,19 +38,24 @@ internal sealed class FeedWatch(MachineProfile profile)
     private (double Seconds, double Speed) _window;
     private double? _slowSince;
 
-    /// <summary>What is under way does not tell anything: the next poll begins anew.</summary>
-    public void Reset() => _isFollowing = false;
+    /// <summary>The speeds of the sequence that a polled state may be in; null while none is planned.</summary>
+    public Func<MachineState, PlannedSpeed?>? Planned { get; set; }
 
-    /// <summary>Call with each poll that sees a planned motion run.</summary>
-    /// <param name="seconds">Controller time of the poll.</param>
-    /// <param name="ratio">VR as the job sent it.</param>
-    /// <returns>Whether the speed cannot be the job's own.</returns>
-    public bool IsForeign(in MachineState state, double seconds, PlannedSpeed planned, double ratio, bool isToolOn)
+    /// <summary>Call with each poll.</summary>
+    /// <returns>Whether the speed of the path cannot be the job's own.</returns>
+    public bool IsForeign()
+    {
+        if (machine is { State.SequenceRunning: true, Hold: { Phase: JobPhase.Running, Ratio: > 0.0 and var ratio } } && Planned?.Invoke(machine.State) is { } planned) return IsForeign(machine.State, machine.Seconds, planned, ratio);
+        _isFollowing = false; // the next poll begins anew
+        return false;
+    }
+
+    private bool IsForeign(in MachineState state, double seconds, PlannedSpeed planned, double ratio)
     {
         if (!_isFollowing || state.Calls != _calls) Begin(state, seconds, planned.Highest * ratio, ratio);
         Follow(seconds, planned.Highest * ratio, ratio);
         var isFast = IsFast(state.PathSpeed, seconds);
-        var isSlow = IsSlow(state.PathSpeed, seconds, planned.Lowest * ratio, isToolOn);
+        var isSlow = IsSlow(state.PathSpeed, seconds, planned.Lowest * ratio);
         _last = (seconds, state.PathSpeed);
         return isFast || isSlow;
     }
@@ -65,7 +70,7 @@ internal sealed class FeedWatch(MachineProfile profile)
     private void Follow(double seconds, double target, double ratio)
     {
         if (target >= _ceiling) _ceiling = target;
-        else if (ratio == _ratio) _ceiling = Math.Max(target, _ceiling - (profile.AccelerationCounts * (seconds - _last.Seconds) / 2.0));
+        else if (ratio == _ratio) _ceiling = Math.Max(target, _ceiling - (machine.Profile.AccelerationCounts * (seconds - _last.Seconds) / 2.0));
         if (ratio != _ratio) _slowSince = null;
         _ratio = ratio;
     }
@@ -77,9 +82,9 @@ internal sealed class FeedWatch(MachineProfile profile)
         return _fastInARow >= FastPolls;
     }
 
-    private bool IsSlow(double speed, double seconds, double target, bool isToolOn)
+    private bool IsSlow(double speed, double seconds, double target)
     {
-        if (speed >= (target * MinShare) - Resolution || !isToolOn || IsRamp(speed, seconds)) _slowSince = null;
+        if (speed >= (target * MinShare) - Resolution || !machine.IsToolOn || IsRamp(speed, seconds)) _slowSince = null;
         else _slowSince ??= seconds;
         return seconds - _slowSince >= SlowSeconds;
     }
@@ -90,6 +95,6 @@ internal sealed class FeedWatch(MachineProfile profile)
         if (passed < RampWindowSeconds) return false;
         var change = Math.Abs(speed - _window.Speed);
         _window = (seconds, speed);
-        return change >= profile.AccelerationCounts * passed / 2.0;
+        return change >= machine.Profile.AccelerationCounts * passed / 2.0;
     }
 }

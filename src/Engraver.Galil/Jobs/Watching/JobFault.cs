@@ -26,8 +26,9 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
 
     /// <summary>The path does not have the speed that the job set: another host or program changed VS, VR or VA. What it set is left as it is.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async ValueTask<JobStep> FeedChangedAsync(PlannedSpeed planned)
+    public async ValueTask<JobStep> FeedChangedAsync()
     {
+        var planned = machine.Feed.Planned!(machine.State)!.Value;
         var (seen, ratio) = (machine.State.PathSpeed, machine.Hold.Ratio);
         (string Operand, double Lowest, double Highest, double Step)[] set =
         [
@@ -44,7 +45,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
             if (value < lowest - step || value > highest + step) changed.Add(operand);
         }
 
-        await machine.LeaveToOthersAsync(changed).ConfigureAwait(false);
+        await machine.Session.LeaveToOthersAsync(changed).ConfigureAwait(false);
         return JobStep.Broken(Wording.Get("JobFault.FeedChanged", seen, Place, planned.Highest * ratio, string.Join(", ", held)));
     }
 

@@ -111,16 +111,26 @@ public sealed class MachineHold : IDisposable
     /// <summary>The controller was asked where it is.</summary>
     public void Recognise(ControllerPlace place)
     {
+        ArgumentNullException.ThrowIfNull(place);
         lock (_guard) _knowsZero = _path is null || _memory.IsSameZero(place);
         if (place.Doubt.Length > 0) KeepLost(place.Doubt);
+        KeepStoppedHard(place, place.StoppedHard);
     }
 
-    /// <summary>The machine has origins, and its position is not known any more: they are nowhere until one is set again.</summary>
+    /// <summary>Steppers that were stopped without a ramp since the machine came to rest last may have lost steps.</summary>
+    /// <param name="place">Where the machine stands.</param>
+    /// <param name="stoppedHard">Letters of the axes that the controller says were stopped so.</param>
+    public void KeepStoppedHard(ControllerPlace place, string stoppedHard)
+    {
+        if (KnowsZero && Memory.WhyStepsMayBeLost(place, stoppedHard) is { Length: > 0 } why) KeepLost(why);
+    }
+
+    /// <summary>The machine has origins or was homed, and its position is not known any more: it is not until an origin is set again, or the machine is homed.</summary>
     /// <param name="why">For example "the stepper motor of axis A is off".</param>
     public void KeepLost(string why)
     {
         var memory = Memory;
-        if (memory.Lost.Length == 0 && memory.Origins.Count > 0) Keep(before => before with { Lost = why });
+        if (memory.Lost.Length == 0 && (memory.Origins.Count > 0 || memory.HomedAs.Length > 0)) Keep(before => before with { Lost = why });
     }
 
     /// <summary>Notes that the machine is about to move: its place is unknown until it is heard again.</summary>

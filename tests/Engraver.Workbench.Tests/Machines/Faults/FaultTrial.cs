@@ -182,6 +182,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         }
 
         Claim(next.Refusal is not null || MayLoseSteps || IsRight(next) || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
+        Claim(run.Result is not { PositionDoubt.Length: > 0 } || one.Activity == HostActivity.Home || !next.IsComplete, "the next run goes by a position that is in doubt", next);
         if (isResumed) Claim(next.CutCounts <= MostCounts, "the next run has cut something twice", next);
         if (!IsRight(next)) await RemedyAsync(next, isResumed);
         Claim((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);

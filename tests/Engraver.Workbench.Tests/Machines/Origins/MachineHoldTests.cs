@@ -68,6 +68,51 @@ public sealed class MachineHoldTests : IDisposable
         Assert.Equal((false, true, null), (hold.KnowsZero, hold.Memory.IsMoving, hold.Memory.Rest));
     }
 
+    /// <summary>The controller keeps why an axis stopped last: only where the machine is not where it came to rest was that since.</summary>
+    [Theory]
+    [InlineData(3, 4, false, "")]
+    [InlineData(900, 4, false, "axis X ")]
+    [InlineData(900, 800, false, "axis XY ")]
+    [InlineData(3, 4, true, "axis XY ")]
+    public void Steppers_that_were_stopped_without_a_ramp_since_the_last_rest_are_lost(int x, int y, bool wasMoving, string lost)
+    {
+        using var hold = Take(serial: 4711);
+        hold.Keep(memory => memory.WithOrigin("G54", 0, 0, null) with { Mark = 815, Clock = 1.0, Rest = wasMoving ? null : new CountsPoint(3, 4), IsMoving = wasMoving });
+
+        hold.Recognise(new ControllerPlace(new CountsPoint(x, y), 4711, 815, 2.0) { Letters = "AB", Uncounted = "AB", StoppedHard = "AB" });
+
+        Assert.Equal(lost.Length > 0, hold.Memory.Lost.Length > 0);
+        Assert.Contains(lost, hold.Memory.Lost, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_servo_that_was_stopped_without_a_ramp_keeps_its_place()
+    {
+        using var hold = Take(serial: 4711);
+        hold.Keep(memory => memory.WithOrigin("G54", 0, 0, null) with { Mark = 815, Clock = 1.0, Rest = new CountsPoint(3, 4) });
+
+        hold.Recognise(new ControllerPlace(new CountsPoint(900, 4), 4711, 815, 2.0) { Letters = "AB", Uncounted = "B", StoppedHard = "AB" });
+
+        Assert.Equal("", hold.Memory.Lost);
+    }
+
+    [Fact]
+    public void A_machine_that_was_homed_and_has_no_origin_is_lost_too()
+    {
+        var homing = new Engraver.Core.Machines.Moves.AxisHoming();
+        var profile = MachineProfile.Default with { Axes = MachineProfile.Default.Axes with { X = MachineProfile.Default.Axes.X with { Homing = homing }, Y = MachineProfile.Default.Axes.Y with { Homing = homing } } };
+        using var hold = Take(serial: 4711);
+        hold.Keep(memory => memory.Homed(profile, null) with { Mark = 815, Clock = 1.0, Rest = new CountsPoint(3, 4) });
+        var place = new ControllerPlace(new CountsPoint(3, 4), 4711, 815, 2.0) { Letters = "AB", Uncounted = "AB" };
+        hold.Recognise(place);
+        Assert.True(hold.IsHomed(profile));
+
+        hold.Recognise(place with { Doubt = "the stepper motor of axis X is off" });
+        hold.Recognise(place);
+
+        Assert.False(hold.IsHomed(profile));
+    }
+
     [Theory]
     [InlineData("null", "it holds null")]
     [InlineData("[]", "line 1 is not valid JSON")]
