@@ -119,6 +119,35 @@ public class TrajectoryBoundTests
         Assert.InRange(many, 3 * few, 4.5 * few);
     }
 
+    /// <summary>Steps that are long beside the bends of a curve of tens of metres: no cusp.</summary>
+    [Theory]
+    [InlineData(50_000, 30_000, 120_000, -20_000, 180_000, 10_000)]
+    [InlineData(60_000, 100, 120_000, -100, 190_000, 50)]
+    [InlineData(6_000, 10, 12_000, -10, 19_000, 5)]
+    public void A_spline_of_many_metres_keeps_the_error_of_a_small_one(double x1, double y1, double x2, double y2, double x3, double y3)
+    {
+        var trajectory = Assert.Single(Plan([Bezier(x1, y1, x2, y2, x3, y3)], closed: false, 0.001).Trajectories);
+
+        Assert.InRange(trajectory.Points, 4, 1000);
+        HoldsItsBound(trajectory, 0.001);
+    }
+
+    /// <summary>Knots placed and steps measured; a thousand million of them took ten seconds and more.</summary>
+    [Theory]
+    [InlineData(0.1)]
+    [InlineData(0.001)]
+    [InlineData(0.0)] // a cusp
+    public void The_work_beside_a_cusp_is_that_of_any_curve(double x)
+    {
+        var search = new SpacingSearch(SmoothChain.From([Bezier(10.0, 10.0, x, 10.0, 10.0, 0.0)], closed: false), 0.001);
+
+        Assert.NotNull(search.Find());
+        Assert.InRange(search.Work, 1, 300_000);
+    }
+
+    private static Segment Bezier(double x1, double y1, double x2, double y2, double x3, double y3) =>
+        Segment.FromCurve(new RationalCurve(SegmentKind.Spline, [new BezierSpan([0.0, 0.0, 0.0, 1.0, x1, y1, 0.0, 1.0, x2, y2, 0.0, 1.0, x3, y3, 0.0, 1.0])]));
+
     internal static TrajectoryResult Plan(IReadOnlyList<Segment> segments, bool closed, double error) => TrajectoryPlanner.Plan(segments, closed, new TrajectoryOptions(error));
 
     internal static void HoldsItsBound(Trajectory trajectory, double error)
