@@ -1,5 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -9,6 +11,18 @@ namespace Engraver.Galil.Driver;
 /// <summary>Runs one program of a posted file in a controller: loads and starts it, and asks afterwards which line was refused.</summary>
 public static class ReadBackRun
 {
+    /// <summary>Gives the controller the motor types of the profile, which a program tests and does not set. Once, before the first chunk.</summary>
+    public static async Task SetMotorsAsync(MachineProfile profile, CommandChannel channel, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        ArgumentNullException.ThrowIfNull(channel);
+        foreach (var axis in profile.Axes.All)
+        {
+            if (axis.MotorType is not { } type) continue;
+            foreach (var command in (string[])[$"MO{axis.Letter}", $"MT{axis.Letter}={DmcFormat.Number(type)}"]) await channel.SendAsync(command, cancellation).ConfigureAwait(false);
+        }
+    }
+
     /// <summary>Downloads the chunk and starts it at #JOB.</summary>
     /// <returns>Why it was not started; null when it was.</returns>
     public static async Task<Diagnostic?> StartAsync(ReadBackChunk chunk, CommandChannel channel, CancellationToken cancellation)

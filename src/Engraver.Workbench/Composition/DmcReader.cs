@@ -32,6 +32,7 @@ public sealed class DmcReader : IProgramReader
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
         using var listening = controller.Record.Subscribe(listener);
         await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
+        await ReadBackRun.SetMotorsAsync(request.Machine, channel, cancellation).ConfigureAwait(false);
         for (var number = 1; ; number++)
         {
             var (chunk, fault) = program.Next();

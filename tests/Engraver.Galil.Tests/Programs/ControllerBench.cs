@@ -11,6 +11,11 @@ internal sealed class ControllerBench : IAsyncDisposable
     private readonly SimulatedController _controller = new(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider(), ProgramLines = 1000 });
     private readonly Stream _stream;
 
+    private readonly StringBuilder _heard = new();
+
+    /// <summary>Everything that was there to read so far, messages without their eighth bit.</summary>
+    public string Heard => _heard.Append(string.Concat(Read().Select(letter => (char)(letter & 0x7F)))).ToString();
+
     public ControllerBench() => _stream = _controller.OpenConnection();
 
     public SimulatedController Controller => _controller;
@@ -23,6 +28,13 @@ internal sealed class ControllerBench : IAsyncDisposable
     public string Send(string bytes)
     {
         _stream.Write(Encoding.Latin1.GetBytes(bytes));
+        var reply = Read();
+        _heard.Append(string.Concat(reply.Select(letter => (char)(letter & 0x7F))));
+        return reply;
+    }
+
+    private string Read()
+    {
         var reply = new StringBuilder();
         var buffer = new byte[4096];
         while (true)

@@ -45,6 +45,31 @@ public class PostInControllerTests
         AssertCutAsDrawn(toolpath, profile.Scale, bench.Record);
     }
 
+    /// <summary>MT needs the motor off, so that a program must not set it: it ends before anything moves and says what to send.</summary>
+    [Theory]
+    [InlineData(MotionStyle.Calls, 2.0)]
+    [InlineData(MotionStyle.Continuous, -2.5)]
+    public async Task A_post_for_a_profile_with_motor_types_runs_on_a_controller_with_these_and_on_no_other(MotionStyle style, double type)
+    {
+        var profile = MachineProfile.Default with { Axes = MachineAxes.Default with { Y = MachineAxes.Default.Y with { MotorType = type } } };
+        var (toolpath, _) = Drawing("paper");
+        var text = Assert.Single(Post(MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program!, 1000).Chunks);
+        await using var other = new ControllerBench();
+        other.Do("CFI;SB1");
+        other.Download(text);
+        other.Send("XQ#JOB\r");
+        other.PassUntil(status => status.IsIdle, 1.0);
+        await using var same = new ControllerBench();
+        same.Do(string.Create(System.Globalization.CultureInfo.InvariantCulture, $"CFI;MOB;MTB={type};SHB"));
+        same.RunJob(text);
+
+        Assert.Equal((0, 0.0, 0.0, 0.0), (other.Status.Outputs, other.Value("_RPA"), other.Value("_RPB"), other.Value("_ED")));
+        Assert.Contains("MTB IS", other.Heard, StringComparison.Ordinal);
+        Assert.Contains("SEND MOB THEN MTB=", other.Heard, StringComparison.Ordinal);
+        Assert.DoesNotContain("MTB IS", same.Heard, StringComparison.Ordinal);
+        AssertCutAsDrawn(toolpath, profile.Scale, same.Record);
+    }
+
     [Theory]
     [InlineData(MotionStyle.Calls)]
     [InlineData(MotionStyle.Continuous)]

@@ -64,7 +64,7 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
         var isMill = random.Next(8) == 0;
         return new MachineProfile
         {
-            Axes = MachineAxes.FromScale(scale.Item1, scale.Item2) with { Z = isMill ? new MachineAxis('C', 1000.0) : null },
+            Axes = Typed(MachineAxes.FromScale(scale.Item1, scale.Item2), scale.Item1 == 40.0 ? 2.0 : null) with { Z = isMill ? new MachineAxis('C', 1000.0) : null },
             Height = isMill ? new HeightDrive { CutDepth = 0.5 } : null,
             FeedMmPerMinute = random.Next(3) == 0 ? random.Next(60, 3000) : 1200.0,
             RapidMmPerMinute = random.Next(3) == 0 ? random.Next(600, 6000) : 3000.0,
@@ -76,6 +76,8 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
             Spindle = random.Next(5) == 0 ? new Spindle { Output = 5, SpinUpSeconds = random.Next(0, 3) } : null,
         };
     }
+
+    private static MachineAxes Typed(MachineAxes axes, double? motor) => axes with { X = axes.X with { MotorType = motor }, Y = axes.Y with { MotorType = motor } };
 
     /// <summary>One to three shapes of very different kinds and sizes, apart from each other or one over the other.</summary>
     private static (Drawing Drawing, string Shapes) Draw(Random random)

@@ -65,7 +65,10 @@ public static class DmcPost
     /// <param name="variables">Their first values; #UP counts as well, so that they are set before it and behind it.</param>
     private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables, DmcPostOptions options)
     {
-        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program, options) : string.Empty);
+        var types = MotorTypeTest.Lines(program.Profile);
+        var lines = new ProgramLines().Line("#JOB").Line(types.Count > 0 ? ToolOff(program.Profile) : string.Empty);
+        foreach (var line in types) lines.Line(line);
+        lines.Line(types.Count > 0 ? string.Empty : ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program, options) : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
         if (program.Profile.Height is not null) lines.Line(variables).Line(Text($"{ClearanceHeight}=oz{program.Profile.ClearanceCounts:+0;-0};zr=oz{program.Profile.RetractCounts:+0;-0}"), "JS" + Up);
         if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle), spindle.SpinUpSeconds > 0.0 ? Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
@@ -114,6 +117,7 @@ public static class DmcPost
             .. CircLines(profile, CountCall),
             .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
             .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, string.Empty, CountCall), .. UpLines(profile, CountCall)],
+            .. MotorTypeTest.Ends(profile),
             .. CommandErrorEndsTheJob(program, options),
             .. options.Unattended ? UnattendedProgram.Lines(profile) : [],
         ];
@@ -130,6 +134,7 @@ public static class DmcPost
         .. End(program, options),
         .. program.Profile.Height is null ? [] : (IReadOnlyList<string>)[.. DownLines(program.Profile, string.Empty, string.Empty), .. UpLines(program.Profile, string.Empty)],
         .. SequenceWriter.RoomLines(string.Empty),
+        .. MotorTypeTest.Ends(program.Profile),
         .. CommandErrorEndsTheJob(program, options),
         .. options.Unattended ? UnattendedProgram.Lines(program.Profile) : [],
     ];
