@@ -51,7 +51,7 @@ internal sealed class TrajectoryVerb
         var read = DrawingFile.Open(_drawing.File(parsed), settings, stop);
         var request = Request(parsed);
         var made = TrajectoryDrawing.Create(read, settings, request);
-        var isRefused = made.Trajectories.Any(one => one.File.BrokenLimits.Count > 0) && !parsed.GetValue(_acceptErrors);
+        var isRefused = made.Trajectories.Any(one => one.File.BrokenLimits.Count > 0 || one.File.VerifiedBound > settings.MaxErrorMm) && !parsed.GetValue(_acceptErrors);
         if (made.Trajectories.Count > 0 && !isRefused) Write(parsed.GetRequiredValue(_folder), made, request);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, TrajectoryJson.From(made), ContractJson.Default.TrajectoryJson);
         else TrajectoryJson.Text(_host.Out, made);

@@ -17,6 +17,8 @@ public static class TrajectoryRules
 
     public static readonly DiagnosticRule HeightsNotRun = new("TRJ0007", Severity.Warning, "low", "high");
 
+    public static readonly DiagnosticRule StepsRefused = new("TRJ0008", Severity.Error, "name", "bound", "error");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [ErrorNotKept, LimitBroken, LineUnreadable, StepsTooLong, TooFast, SourceEdited, HeightsNotRun];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [ErrorNotKept, LimitBroken, LineUnreadable, StepsTooLong, TooFast, SourceEdited, HeightsNotRun, StepsRefused];
 }

@@ -71,7 +71,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
                 var named = new NamedTrajectory(name(Made.Count) + ".txt", file, HandleOf(file.Source[0], moves), seconds);
                 Made.Add(named);
                 Findings.AddRange(TrajectoryFindings.LimitsOf(file, named.FileName, _motion));
-                if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsTooLong.At(default, named.FileName, FactText.Of(file.VerifiedBound), FactText.Of(settings.MaxErrorMm)));
+                if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsRefused.At(default, named.FileName, FactText.Of(file.VerifiedBound), FactText.Of(settings.MaxErrorMm)));
             }
 
             Findings.AddRange(TrajectoryFindings.NotKept(result.Unproven, settings.MaxErrorMm));

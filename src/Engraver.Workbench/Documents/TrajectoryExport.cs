@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
@@ -20,4 +21,9 @@ public static class TrajectoryExport
         var made = TrajectoryFiles.Write(one.Curve.Source, one.Curve.Closed, new TrajectoryOptions(one.MaxErrorMm) { Z = one.Curve.Z }, format, motion);
         return made.Unproven.Count > 0 ? [] : made.Files;
     }
+
+    /// <summary>Those whose equal steps do not keep the error that was asked for: nothing is written or run of them unless that is asked for all the same.</summary>
+    public static IEnumerable<Diagnostic> NotKept(IEnumerable<DocumentTrajectory> trajectories) => trajectories
+        .Where(one => one.SegmentLengthMm is not null && one.Curve.VerifiedBound > one.MaxErrorMm)
+        .Select(one => TrajectoryRules.StepsRefused.At(default, one.Name, FactText.Of(one.Curve.VerifiedBound), FactText.Of(one.MaxErrorMm)));
 }

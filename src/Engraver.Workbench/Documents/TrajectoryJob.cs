@@ -69,7 +69,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
             {
                 Analysed = JobPreparation.Analyse(source, own),
                 Settings = own with { MaxErrorMm = bound },
-                Findings = [.. job.Findings, .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories)],
+                Findings = [.. job.Findings, .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories), .. TrajectoryExport.NotKept(trajectories)],
                 Followed = new FollowedTrajectories(drawing, settings, trajectories),
             },
             trajectories,

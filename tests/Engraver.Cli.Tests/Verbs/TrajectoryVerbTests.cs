@@ -105,13 +105,31 @@ public class TrajectoryVerbTests
     }
 
     [Fact]
-    public async Task Equal_steps_that_leave_the_drawing_too_far_are_told()
+    public async Task Equal_steps_that_leave_the_drawing_too_far_are_written_only_when_that_is_asked_for()
     {
         using var folder = new TemporaryFolder();
         var run = await CliRun.RunAsync("trajectory", folder.WithFile("circle.dxf", Circle), "-o", folder.PathOf("out"), "--density", "uniform", "--segment-length", "6");
+        var written = Directory.Exists(folder.PathOf("out"));
+        var asked = await CliRun.RunAsync("trajectory", folder.PathOf("circle.dxf"), "-o", folder.PathOf("out"), "--density", "uniform", "--segment-length", "6", "--accept-errors");
+        var kept = await CliRun.RunAsync("trajectory", folder.PathOf("circle.dxf"), "-o", folder.PathOf("kept"), "--density", "uniform", "--segment-length", "1");
 
-        Assert.Equal(0, run.ExitCode);
-        Assert.Contains("TRJ0004", run.Error, StringComparison.Ordinal);
+        Assert.Equal((1, false, 1, 0), (run.ExitCode, written, asked.ExitCode, kept.ExitCode));
+        Assert.Contains("error TRJ0008", run.Error, StringComparison.Ordinal);
+        Assert.True(File.Exists(folder.PathOf("out/traj0_path.txt")));
+    }
+
+    [Fact]
+    public async Task Equal_steps_that_leave_the_drawing_too_far_are_run_only_when_that_is_asked_for()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("circle.dxf", Circle);
+        var made = await CliRun.RunAsync("script", folder.WithFile("a.scr", $"OPEN \"{drawing}\"\nSACETOGGLEDYNAMICDENSITY\nSACESETSTATICSEGMENTLENGTH 6\nSACEPATH ALL\n\nQSAVE\n"));
+        var run = await CliRun.RunAsync("run", drawing, "--trajectory", "--connect", "sim:", "--json");
+        var asked = await CliRun.RunAsync("run", drawing, "--trajectory", "--connect", "sim:", "--json", "--accept-errors");
+
+        Assert.Equal((0, 1, 1), (made.ExitCode, run.ExitCode, asked.ExitCode));
+        Assert.Contains("error TRJ0008", run.Error, StringComparison.Ordinal);
+        Assert.Equal(("refused", "complete"), (JsonText.Of(run).GetProperty("outcome").GetString(), JsonText.Of(asked).GetProperty("outcome").GetString()));
     }
 
     [Theory]

@@ -26,9 +26,19 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
         context.Remember("SACE.folder", name);
         var folder = context.FileToWrite(name);
         var files = Files(context, all, format);
+        await KeepErrorAsync(context, all, format).ConfigureAwait(false);
         if (files.Any(one => File.Exists(Path.Combine(folder, one.FileName))) && !await context.ConfirmAsync(Wording.Get("Trajectories.ReplaceIn", name)).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
         TrajectoryFolder.Write(folder, files, format);
         context.Say(Wording.Get("Trajectories.Written", CountText.Format(files.Count, "File"), name));
+    }
+
+    /// <summary>Lines, arcs and velocities are made from what the trajectories follow, and keep the error.</summary>
+    /// <exception cref="CommandException">Equal steps do not keep the error, and the operator does not want them all the same.</exception>
+    private static async Task KeepErrorAsync(CommandContext context, IReadOnlyList<DocumentTrajectory> all, TrajectoryFormat format)
+    {
+        if (format is not (TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline) || TrajectoryExport.NotKept(all).ToList() is not { Count: > 0 } refused) return;
+        FindingMessages.Say(context, context.Drawing.FileName, refused, Severity.Warning);
+        if (!await context.ConfirmAsync(Wording.Get("Trajectories.ExportAllTheSame")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NotExported"));
     }
 
     /// <exception cref="CommandException">A controller would not take one of them; nothing was written.</exception>

@@ -222,6 +222,21 @@ public class SaceCommandTests
     }
 
     [Fact]
+    public async Task Equal_steps_that_do_not_keep_the_error_are_exported_only_when_that_is_asked_for()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "6", "SACEPATH", "H", "A3", "");
+
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Sace", "out", "")).Why);
+        Assert.Contains("TRJ0008", talk.Said, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(talk.PathOf("out")));
+        await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Sace", "out", "Y");
+        Assert.True(File.Exists(talk.PathOf("out/traj0_path.txt")));
+        await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Linearc", "arcs"); // made from what it follows
+        Assert.True(File.Exists(talk.PathOf("arcs/traj0_path.txt")));
+    }
+
+    [Fact]
     public async Task A_helix_goes_to_controllers_of_splines_with_its_heights_and_to_no_other()
     {
         await using var talk = CommandTalk.WithDrawing();
