@@ -47,6 +47,7 @@ internal static class PostVerb
     private static void Write(VerbHost host, ParseResult parsed, PostedProgram posted, string target, string? file, bool asJson)
     {
         if (posted.Text is { } text && (file is not null || !asJson)) host.Write(file, writer => writer.Write(text));
+        if (posted.Text is not null && file is not null) VerbHost.Keep(file, posted.Forecast);
         if (asJson) ContractJson.Write(host.Out, PostJson.From(target, file, posted), ContractJson.Default.PostJson);
         else if (file is not null && posted.Forecast is { } forecast && !host.Quiet(parsed)) ForecastText.Write(host.Out, forecast);
     }

@@ -2,10 +2,13 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 using Engraver.Core.Languages;
+using Engraver.Core.Posts;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Cli.Verbs;
 
@@ -58,6 +61,15 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         if (new JobHistory(JobHistory.FolderIn(null)).NoteReadBack(program, found) is { } failure) SayNotKept(failure);
     }
 
+    /// <summary>The start that is kept beside a program; that a file of it is not used is said.</summary>
+    /// <returns>Drawing millimetres; null for none.</returns>
+    public Point2D? KeptStart(ParseResult parsed, string program)
+    {
+        var kept = ProgramStart.Find(program);
+        if (kept.Sentence is { } unused && !global.Quiet(parsed)) Error.WriteLine(unused);
+        return kept.Place;
+    }
+
     /// <summary>A run that begins is in the history from now on.</summary>
     public OpenJob Begin(HistoryEntry entry) => new(new JobHistory(JobHistory.FolderIn(null)), entry, SayNotKept);
 
@@ -75,6 +87,10 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
 
         Attempt(path, () => OutputFile.Write(path, write));
     }
+
+    /// <summary>Keeps beside a program that was written where it begins, where its form does not say it.</summary>
+    /// <exception cref="UsageException">The place cannot be written.</exception>
+    public static void Keep(string program, PostForecast? forecast) => Attempt(program + ProgramStart.Ending, () => ProgramStart.Keep(program, forecast));
 
     /// <summary>For a result that comes only once: the place of the result can be written.</summary>
     /// <exception cref="UsageException">It cannot.</exception>

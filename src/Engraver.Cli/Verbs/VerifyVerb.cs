@@ -51,7 +51,7 @@ internal sealed class VerifyVerb
         var (target, dialect) = parsed.GetValue(_target) is { } named ? (named, parsed.GetValue(_dialect)) : Found(file, parsed.GetValue(_dialect));
         var (program, reader) = ReadBack(file, target, dialect);
         if (parsed.GetValue(_target) is null && ProgramForm.Of(file) is null && !_host.Quiet(parsed)) await _host.Error.WriteLineAsync(Wording.Get("Verify.ReadAs", file, $"{target} {dialect}".TrimEnd())).ConfigureAwait(false);
-        var posted = _posted.Of(parsed);
+        var posted = _posted.Of(parsed) with { Start = _host.KeptStart(parsed, file) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report, target), ContractJson.Default.VerifyJson);

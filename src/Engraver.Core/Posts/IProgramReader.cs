@@ -33,7 +33,7 @@ public interface IProgramReader
 /// <param name="Judges">Told in millimetres of the drawing.</param>
 public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, TimeSpan Expected, TimeSpan Longest, IReadOnlyList<ITraceJudge> Judges)
 {
-    /// <summary>Where the first stroke begins, drawing millimetres: the place of the machine for a program that counts from there. Null: nothing is cut.</summary>
+    /// <summary>Where the machine stands for a program that counts from there, drawing millimetres: as it was kept with the program, else where the first stroke begins. Null: nothing is cut.</summary>
     public Point2D? Entry { get; init; }
 
     /// <summary>Told how fast the program cuts, by a reader whose form says so; null: nobody asks.</summary>

@@ -47,7 +47,7 @@ internal sealed class ReadBackJudges
     public ReplayRequest Request(CountsPoint start, TimeSpan expected, TimeSpan longest) =>
         new(_job.Settings.Machine, start, expected, longest, [.. _cuts, .. new ITraceJudge?[] { _length, _pace }.OfType<ITraceJudge>()])
         {
-            Entry = _job.Toolpath.Strokes.Count > 0 ? _job.Toolpath.Strokes[0].Start : null,
+            Entry = _posted.Start ?? (_job.Toolpath.Strokes.Count > 0 ? _job.Toolpath.Strokes[0].Start : null),
             Feeds = Feeds,
             Blends = Blends,
             Terms = Terms,

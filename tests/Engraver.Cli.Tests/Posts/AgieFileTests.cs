@@ -23,6 +23,20 @@ public class AgieFileTests
     }
 
     [Fact]
+    public async Task A_program_is_verified_and_certified_from_the_start_that_is_kept_beside_it()
+    {
+        using var folder = new TemporaryFolder();
+        var (program, drawing) = (folder.PathOf("gasket.agie"), SampleDrawing.PathOf("gasket"));
+        await CliRun.RunAsync("post", drawing, "--target", "agie", "-o", program, "--start", "1000,1000");
+        var verified = await CliRun.RunAsync("verify", program, "--against", drawing);
+        var certified = await CliRun.RunAsync("certify", drawing, "--target", "agie", "--program", program, "-o", folder.PathOf("c.json"));
+        File.Delete(program + ".start.json");
+        var lost = await CliRun.RunAsync("verify", program, "--against", drawing);
+
+        Assert.Equal((ExitCode.Done, ExitCode.Done, ExitCode.DrawingError), (verified.ExitCode, certified.ExitCode, lost.ExitCode));
+    }
+
+    [Fact]
     public async Task The_forecast_is_one_json_object_with_or_without_a_file()
     {
         using var folder = new TemporaryFolder();

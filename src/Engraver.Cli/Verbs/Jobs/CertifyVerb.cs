@@ -55,7 +55,7 @@ internal sealed class CertifyVerb
         {
             Dialect = Dialect(parsed),
             Program = parsed.GetValue(_program) is { } program ? Given(program) : null,
-            Posted = Posted(parsed),
+            Posted = Posted(parsed) with { Start = parsed.GetValue(_program) is { } started ? _host.KeptStart(parsed, started) : null },
             Address = parsed.GetValue(_connect),
             Mode = ModeOption.Mode(parsed.GetValue(_mode)),
         };

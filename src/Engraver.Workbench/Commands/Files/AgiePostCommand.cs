@@ -1,10 +1,10 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts.Agie;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Commands.Sequencing;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Files;
 
@@ -25,15 +25,13 @@ internal sealed class AgiePostCommand : ICommand
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
         var name = await ResultFile.WriteAsync(context, "program", new AgiePost().Ending, output => output.Write(text)).ConfigureAwait(false);
-        if (name is not null) Keep(context, name, posted);
+        if (name is not null)
+        {
+            context.Remember(VerifyCommand.Name, name);
+            ProgramStart.Keep(context.FileToWrite(name), posted.Forecast);
+        }
+
         context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, new AgiePost().Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
         if (posted.Forecast is { } forecast) context.SayResult(output => ForecastText.WriteSum(output, forecast));
-    }
-
-    /// <summary>For VERIFY and LINK.</summary>
-    private static void Keep(CommandContext context, string file, PostedProgram posted)
-    {
-        context.Remember(VerifyCommand.Name, file);
-        if (posted.Forecast is { } forecast) LinkCommand.RememberStart(context, file, DrawingUnits.FromMillimetres(context.Drawing, forecast.Start));
     }
 }

@@ -7,6 +7,7 @@ using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Files;
 
@@ -21,25 +22,26 @@ internal sealed class ExportCommand : ICommand
     {
         var drawing = context.Drawing;
         var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings)), new FileWanted("export", true, s_endings) { Suggested = context.BesideDrawing(s_endings[0]) }).ConfigureAwait(false);
-        var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
+        var (write, forecast) = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
+        ProgramStart.Keep(context.FileToWrite(name), forecast);
         if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, PostedProgram.NoOptions, context.FileToWrite(name), context.Time.GetUtcNow()));
         context.Say(Wording.Get("Export.WrittenFrom", name, Path.GetFileName(drawing.FileName)));
     }
 
     /// <exception cref="CommandException">There is nothing to write.</exception>
-    private static Action<TextWriter>? Writer(CommandContext context, string ending)
+    private static (Action<TextWriter> Write, PostForecast? Forecast)? Writer(CommandContext context, string ending)
     {
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
         switch (ending)
         {
             case ".svg":
                 var plot = DrawingPlot.Create(drawing, settings, asDrawn: false);
-                return output => SvgPlotWriter.Write(plot, output);
+                return (output => SvgPlotWriter.Write(plot, output), null);
             case ".csv" or ".json":
                 var (table, findings) = JobPreparation.CutTableOf(drawing, settings);
                 FindingMessages.Say(context, drawing.FileName, findings, Severity.Warning);
-                return output => EntityTableFormat.Write(ending[1..], table, output);
+                return (output => EntityTableFormat.Write(ending[1..], table, output), null);
             default: return Program(ending) is { } post ? Program(context, post) : null;
         }
     }
@@ -47,10 +49,10 @@ internal sealed class ExportCommand : ICommand
     /// <summary>The post that writes files of an ending; null for what is no program.</summary>
     private static IPost? Program(string ending) => ending is ".svg" or ".csv" or ".json" ? null : PostTable.ForEnding(ending)?.Post;
 
-    private static Action<TextWriter> Program(CommandContext context, IPost post)
+    private static (Action<TextWriter> Write, PostForecast? Forecast) Program(CommandContext context, IPost post)
     {
         var posted = PostedProgram.Create(context.Drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);
         FindingMessages.Say(context, context.Drawing.FileName, posted.Diagnostics, Severity.Warning);
-        return posted.Text is { } text ? output => output.Write(text) : throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
+        return posted.Text is { } text ? (output => output.Write(text), posted.Forecast) : throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
     }
 }

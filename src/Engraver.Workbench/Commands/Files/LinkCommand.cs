@@ -3,6 +3,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Posts.Agie;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Sequencing;
+using Engraver.Workbench.Sidecars;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Commands.Files;
@@ -13,10 +14,6 @@ internal sealed class LinkCommand : ICommand
     private const string Name = "LINK";
 
     public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
-
-    /// <summary>Keeps where a program's first block begins, for the prompt of LINK.</summary>
-    /// <param name="start">Drawing units.</param>
-    public static void RememberStart(CommandContext context, string file, Point2D start) => context.Remember(Key(file), PointPrompt.Show(start));
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -29,7 +26,7 @@ internal sealed class LinkCommand : ICommand
         if (await ResultFile.WriteAsync(context, "program", new AgiePost().Ending, output => output.Write(linked.Text)).ConfigureAwait(false) is { } name)
         {
             context.Remember(VerifyCommand.Name, name);
-            context.Remember(Key(name), PointPrompt.Show(FromMillimetres(context, contours[0].Start)));
+            ProgramStart.Keep(context.FileToWrite(name), contours[0].Start);
         }
 
         context.Say(Wording.Get("Link.Linked", CountText.Format(contours.Sum(contour => contour.Cuts), "Contour"), linked.Text.Count(letter => letter == '\n')), MessageKind.Result);
@@ -39,15 +36,15 @@ internal sealed class LinkCommand : ICommand
     {
         var answer = await context.AskAsync(new FilePrompt(Wording.Get(taken == 0 ? "Link.EnterFirst" : "Link.EnterNext"), new FileWanted("program", false, new AgiePost().Ending)) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is not Answer<string>.Value { Of: var name }) return null;
-        var start = await context.ValueAsync(new PointPrompt(Wording.Get("Link.SpecifyStart")) { Default = context.Remembered(Key(name)) }).ConfigureAwait(false);
+        var kept = ProgramStart.Find(context.FileToRead(name));
+        if (kept.Sentence is { } unused) context.Say(unused, MessageKind.Warning);
+        var start = await context.ValueAsync(new PointPrompt(Wording.Get("Link.SpecifyStart")) { Default = kept.Place is { } place ? PointPrompt.Show(FromMillimetres(context, place)) : null }).ConfigureAwait(false);
         var (text, fault) = ReadBackFile.Open(context.FileToRead(name)).Whole();
         var contour = text is not null ? AgieContour.Read(text, ToMillimetres(context, start), out fault) : null;
         if (contour is not null) return contour;
         FindingMessages.Say(context, name, [fault!], Severity.Warning);
         throw new CommandException(CommandFailure.Drawing, Wording.Get("Link.NotRead", name));
     }
-
-    private static string Key(string file) => $"{Name} {file}";
 
     private static Point2D ToMillimetres(CommandContext context, Point2D point) => context.Document.Current.Drawing is { } drawing ? DrawingUnits.ToMillimetres(drawing, point) : point;
 

@@ -3,6 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Files;
 
@@ -32,6 +33,7 @@ internal sealed class PostCommand : ICommand
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
         var name = await ResultFile.WriteAsync(context, "program", post.Ending, output => output.Write(text)).ConfigureAwait(false);
+        if (name is not null) ProgramStart.Keep(context.FileToWrite(name), posted.Forecast);
         if (name is not null && entry.Reader is not null) context.Remember(VerifyCommand.Name, name);
         context.Remember(HistoryEntry.OfPost(drawing.FileName, settings, post.Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
     }

@@ -4,6 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Sidecars;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Commands.Files;
@@ -31,6 +32,9 @@ internal sealed class VerifyCommand : ICommand
         context.Remember(Name, name);
         var file = context.FileToRead(name);
         var (target, program) = (chosen ?? ProgramForm.Of(file) ?? s_readable[0], ReadBackFile.Open(file));
+        var kept = ProgramStart.Find(file);
+        if (kept.Sentence is { } unused) context.Say(unused, MessageKind.Warning);
+        posted = posted with { Start = kept.Place };
         if (chosen is null) context.Say(Wording.Get("Verify.ReadAs", name, target.Name));
         var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, target.Reader!, drawing, settings, progress, cancellation, posted), cancellation).ConfigureAwait(false);
         if (context.History.NoteReadBack(file, new HistoryReadBack(report.Ok, context.Time.GetUtcNow(), report.MaxDeviationMm, Certificate: null)) is { } failure) context.Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);

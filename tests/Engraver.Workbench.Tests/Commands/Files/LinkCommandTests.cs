@@ -1,6 +1,8 @@
+using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Commands.Files;
 
@@ -38,6 +40,28 @@ public class LinkCommandTests
         await talk.TypeAsync("LINK", "a.agie", "", "b.agie", "", "", "c.agie");
 
         Assert.IsNotType<InputResult.Failed>(await talk.TypeAsync("VERIFY", "c.agie"));
+    }
+
+    /// <summary>The form does not say where a program begins: it is kept beside the file, and so known whatever the drawing's entering entity is by then, and in another session.</summary>
+    [Fact]
+    public async Task A_program_that_was_linked_with_an_entering_entity_is_verified_from_where_it_begins()
+    {
+        await using var talk = new CommandTalk();
+        var drawing = new DrawingBuilder().Line(3, 4, 20, 4).Circle(60, 0, 5.5).Build();
+        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing, Settings = new DrawingSettings { Enter = new EnteringPlace.ByPoint(new Point2D(60, 5.5)) } });
+        await talk.TypeAsync("AGIEPOST", "Exact", "a.agie", "LINK", "a.agie", "", "", "c.agie");
+        await using var other = new CommandTalk();
+        File.Copy(talk.PathOf("c.agie"), other.PathOf("c.agie"));
+        File.Copy(talk.PathOf("c.agie.start.json"), other.PathOf("c.agie.start.json"));
+        other.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
+
+        Assert.IsNotType<InputResult.Failed>(await other.TypeAsync("VERIFY", "c.agie"));
+        await File.AppendAllTextAsync(other.PathOf("c.agie"), "\n");
+        Assert.IsType<InputResult.Failed>(await other.TypeAsync("VERIFY", "c.agie"));
+        Assert.Contains("belongs to another program", other.Said, StringComparison.Ordinal);
+        await File.WriteAllTextAsync(other.PathOf("c.agie.start.json"), "{");
+        Assert.IsType<InputResult.Failed>(await other.TypeAsync("VERIFY", "c.agie"));
+        Assert.Contains("cannot be read", other.Said, StringComparison.Ordinal);
     }
 
     [Theory]
