@@ -38,6 +38,9 @@ public sealed record ResumePlace(JobPlace Place, double Doubt, CountsPoint Frame
     /// <summary>It cannot be resumed because the path is not that of the journal's job.</summary>
     public bool IsOtherPath { get; init; }
 
+    /// <summary>The journal is of an older version, without check sums: whether it was changed nothing tells.</summary>
+    public bool IsUnsealed { get; init; }
+
     /// <summary>Why the job cannot be resumed, and what to do; null when it can.</summary>
     public string? Refusal { get; init; }
 

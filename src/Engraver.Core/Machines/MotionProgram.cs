@@ -37,6 +37,18 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
 
         return null;
     }
+
+    /// <summary>VS of the segment that follows when so many are executed, counts/s; 0 behind the last.</summary>
+    public int SpeedBehind(int executed)
+    {
+        foreach (var sequence in Strokes.SelectMany(stroke => stroke.Sequences))
+        {
+            if (executed < sequence.Segments.Count) return sequence.Speed;
+            executed -= sequence.Segments.Count;
+        }
+
+        return 0;
+    }
 }
 
 /// <summary>One stroke: rapid to <see cref="Start"/> with the tool off, tool on, every sequence in order (at rest between two of them), tool off. Where an axis is the tool drive, "on" is at the height of the start and "off" at clearance height; each pass is a stroke with the same index.</summary>

@@ -30,18 +30,16 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
     private static CrashRecovery? Read(string copyPath, JournalFound now)
     {
         var journal = copyPath[..^CopySuffix.Length];
-        return IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new CrashRecovery(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
+        return JobJournal.IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new CrashRecovery(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
     }
 
-    /// <summary>False for a pipe: it cannot be read again, and opening it would wait for ever. Like an empty file it has no length.</summary>
-    private static bool IsReadable(string journal) => new FileInfo(journal) is { Exists: true, Length: > 0 };
-
-    /// <summary>The last "found" line of the journal, unless the controller was restored after it.</summary>
+    /// <summary>The last "found" line of the journal, unless the controller was restored after it. A line that was changed after it was written tells nothing.</summary>
     private static JournalFound? Unended(string journal)
     {
         JournalFound? found = null;
         foreach (var line in JobJournal.ReadLines(journal))
         {
+            if (JournalSeal.Of(line) is { IsTrue: false }) return null;
             switch (Kind(line))
             {
                 case "found": found = JobJournal.Read<JournalFound>(line); break;

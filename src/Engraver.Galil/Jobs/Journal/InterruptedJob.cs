@@ -10,6 +10,18 @@ namespace Engraver.Galil.Jobs.Journal;
 /// <param name="End">Null where the job did not end properly.</param>
 public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, JournalOpened? Opened, JournalEnd? End)
 {
+    /// <summary>Where the machine was by the line that tells <see cref="Place"/>, the controller's own counts; null where it does not tell.</summary>
+    public (long X, long Y)? At { get; init; }
+
+    /// <summary>That line is the end of a job that a fault ended: an axis that could not follow stands beside the path.</summary>
+    public bool IsAtFault { get; init; }
+
+    /// <summary>Why the journal is not as it was written; empty where it is.</summary>
+    public string Fault { get; private init; } = "";
+
+    /// <summary>The journal is of an older version, whose lines have no check sums.</summary>
+    public bool IsUnsealed { get; private init; }
+
     /// <summary>Journal of the job that has gone on with this one; null for none.</summary>
     public string? ResumedBy { get; init; }
 
@@ -19,13 +31,18 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     public static InterruptedJob? Read(string path)
     {
         InterruptedJob? job = null;
+        var check = new JournalCheck();
         foreach (var line in JobJournal.ReadLines(path))
         {
-            if (CrashRecovery.Kind(line) is { } kind) job = After(job, kind, line);
+            var kind = CrashRecovery.Kind(line);
+            check.Look(line, kind);
+            if (kind is not null) job = After(job, kind, line);
         }
 
-        return job;
+        return job is null ? null : job with { Fault = check.Fault, IsUnsealed = check.IsUnsealed };
     }
+
+    private InterruptedJob Reached(JobPlace place, (long X, long Y)? at, bool isAtFault) => place > Place ? this with { Place = place, At = at, IsAtFault = isAtFault } : this;
 
     private static InterruptedJob? After(InterruptedJob? job, string kind, string line)
     {
@@ -36,8 +53,8 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
                 (_, "job") when JobJournal.Read<JournalHeader>(line) is { } header => new InterruptedJob(header, new JobPlace(header.FromSegments, header.FromAlong), null, null),
                 (not null, "resumed") => job with { ResumedBy = JobJournal.Read<JournalResumed>(line)?.By },
                 (not null, "opened") => job with { Opened = JobJournal.Read<JournalOpened>(line) },
-                (not null, "progress") when JobJournal.Read<JournalProgress>(line) is { } now => job with { Place = JobPlace.Later(job.Place, new JobPlace(now.Cut, now.Along)) },
-                (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => job with { End = end, Place = JobPlace.Later(job.Place, new JobPlace(end.Cut, end.Along)) },
+                (not null, "progress") when JobJournal.Read<JournalProgress>(line) is { } now => job.Reached(new JobPlace(now.Cut, now.Along), (now.X, now.Y), isAtFault: false),
+                (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => (job with { End = end }).Reached(new JobPlace(end.Cut, end.Along), end is { X: { } x, Y: { } y } ? (x, y) : null, isAtFault: end.Outcome != JobOutcome.Stopped),
                 _ => job,
             };
         }

@@ -5,7 +5,7 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>The journal file: one JSON object per line, each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
+/// <summary>The journal file: one JSON object per line with a running number and a check sum (<see cref="JournalSeal"/>), each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
 internal sealed class JobJournal : IDisposable
 {
     /// <summary>Generated at build time: reflection at the first use would delay the heartbeat.</summary>
@@ -16,9 +16,29 @@ internal sealed class JobJournal : IDisposable
     };
 
     private readonly StreamWriter? _file;
+    private long _number;
 
     /// <param name="path">Appended to; null for no journal.</param>
-    public JobJournal(string? path) => _file = path is null ? null : new StreamWriter(path, append: true) { AutoFlush = true, NewLine = "\n" };
+    public JobJournal(string? path)
+    {
+        if (path is null) return;
+        var isTorn = IsReadable(path) && Continue(path);
+        _file = new StreamWriter(path, append: true) { AutoFlush = true, NewLine = "\n" };
+        if (isTorn) _file.WriteLine();
+    }
+
+    /// <summary>False for a pipe: it cannot be read again, and opening it would wait for ever. Like an empty file it has no length.</summary>
+    public static bool IsReadable(string journal) => new FileInfo(journal) is { Exists: true, Length: > 0 };
+
+    /// <summary>Goes on with the running number of the lines that stand there.</summary>
+    /// <returns>Whether the last one is half a line.</returns>
+    private bool Continue(string path)
+    {
+        foreach (var line in ReadLines(path)) _number = JournalSeal.Of(line)?.Number ?? _number;
+        using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        file.Seek(-1, SeekOrigin.End);
+        return file.ReadByte() != '\n';
+    }
 
     /// <summary>The lines of a journal, also of one that is being written.</summary>
     public static IEnumerable<string> ReadLines(string path)
@@ -29,7 +49,7 @@ internal sealed class JobJournal : IDisposable
 
     public static T? Read<T>(string line) => JsonSerializer.Deserialize<T>(line, Json);
 
-    public void Write<T>(T line) => _file?.WriteLine(JsonSerializer.Serialize(line, Json));
+    public void Write<T>(T line) => _file?.WriteLine(JournalSeal.Put(JsonSerializer.Serialize(line, Json), ++_number));
 
     /// <summary>Every line was flushed when it was written, so an error of the disk now was there before and has been reported.</summary>
     public void Dispose()

@@ -22,17 +22,22 @@ internal static class ResumeFinder
     {
         var job = Read(journal, out var refused);
         if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePlace.Refused(refused) with { Mode = job?.Header.Mode, Settings = job?.Header.Settings, IsOtherPath = job is not null && Unfit(job, mode).Length == 0 };
+        var witness = new JournalWitness(job, program);
+        if (witness.WhyNotThere() is { Length: > 0 } elsewhere) return ResumePlace.Refused(elsewhere);
         var kept = await AskAsync(channel, ResidentProgram.Variables.JobMark, cancellation).ConfigureAwait(false);
         var tripped = await AskAsync(channel, ResidentProgram.Variables.TripMark, cancellation).ConfigureAwait(false);
         var frame = new CountsPoint(job.Header.FrameX, job.Header.FrameY);
-        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode, HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings };
+        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode, HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings, IsUnsealed = job.IsUnsealed };
+        var sequences = kept == job.Header.Mark ? await AskAsync(channel, ResidentProgram.Variables.Sequence, cancellation).ConfigureAwait(false) : null;
+        if (witness.WhyNotCounted(sequences) is { Length: > 0 } contradicted) return ResumePlace.Refused(contradicted);
         if (tripped != job.Header.Mark || job.Opened is not { } opened) return found;
-        var trip = await TripAsync(channel, program, job, opened, frame, cancellation).ConfigureAwait(false);
+        if (await TripAsync(channel, program, job, opened, frame, cancellation).ConfigureAwait(false) is not var (trip, at)) return found;
+        if (witness.WhyNotReached(trip, at) is { Length: > 0 } passed) return ResumePlace.Refused(passed);
         return trip > job.Place ? found with { Place = trip, Doubt = TripSeconds * Speed(program, trip) } : found;
     }
 
     /// <summary>The place at which the watchdog switched the tool off, or began to brake a tool that an axis holds.</summary>
-    private static async Task<JobPlace> TripAsync(CommandChannel channel, MotionProgram program, InterruptedJob job, JournalOpened opened, CountsPoint frame, CancellationToken cancellation)
+    private static async Task<(JobPlace Place, CountsPoint At)?> TripAsync(CommandChannel channel, MotionProgram program, InterruptedJob job, JournalOpened opened, CountsPoint frame, CancellationToken cancellation)
     {
         var counter = await AskAsync(channel, ResidentProgram.Variables.TripCounter, cancellation).ConfigureAwait(false);
         var calls = await AskAsync(channel, ResidentProgram.Variables.Sequence, cancellation).ConfigureAwait(false);
@@ -40,7 +45,7 @@ internal static class ResumeFinder
         var y = await AskAsync(channel, ResidentProgram.Variables.TripY, cancellation).ConfigureAwait(false);
         var isTall = program.Profile.Height is not null;
         var z = isTall ? await AskAsync(channel, ResidentProgram.Variables.TripZ, cancellation).ConfigureAwait(false) : 0.0;
-        if (counter is null || calls is null || x is null || y is null || z is null) return default;
+        if (counter is null || calls is null || x is null || y is null || z is null) return null;
         var within = job.Header.Mode switch
         {
             JobMode.Stream => Math.Min((int)counter, opened.Starts[^1]),
@@ -48,7 +53,7 @@ internal static class ResumeFinder
             _ => ChunkProgress.Within(opened.Starts, (int)calls, (int)counter),
         };
         var at = new CountsPoint((int)x - frame.X, (int)y - frame.Y, isTall ? (int)z - job.Header.FrameZ : 0);
-        return PlaceOnProgram.Find(program, opened.First + within, at, OnPath);
+        return (PlaceOnProgram.Find(program, opened.First + within, at, OnPath), at);
     }
 
     /// <summary>Reads the journal, and makes sure that it can be told that its job is gone on with: on a medium that cannot be written the job could be resumed a second time from the same place.</summary>
@@ -79,6 +84,7 @@ internal static class ResumeFinder
     /// <summary>The same, whatever the program.</summary>
     private static string Unfit(InterruptedJob job, JobMode mode) => job switch
     {
+        { Fault: { Length: > 0 } fault } => fault,
         { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
         { ResumedBy: { } later } when File.Exists(later) => Wording.Get("Resume.GoneOn", later),
         { End.Outcome: JobOutcome.Complete } => Wording.Get("Resume.Complete"),
@@ -88,17 +94,7 @@ internal static class ResumeFinder
 
     private static string Word(JobMode mode) => mode switch { JobMode.Stream => "stream", JobMode.Calls => "calls", _ => "program" };
 
-    private static double Speed(MotionProgram program, JobPlace place)
-    {
-        var left = place.Segments;
-        foreach (var sequence in program.Strokes.SelectMany(stroke => stroke.Sequences))
-        {
-            if (left < sequence.Segments.Count) return sequence.Speed * JobControl.FeedRange.Fastest;
-            left -= sequence.Segments.Count;
-        }
-
-        return 0.0;
-    }
+    private static double Speed(MotionProgram program, JobPlace place) => program.SpeedBehind(place.Segments) * JobControl.FeedRange.Fastest;
 
     private static async Task<double?> AskAsync(CommandChannel channel, string variable, CancellationToken cancellation) => (await channel.ReadAsync(variable, cancellation).ConfigureAwait(false)).OrNothing;
 }

@@ -82,6 +82,7 @@ internal sealed class CncResumeCommand : ICommand
         var (job, program, found) = await FindAsync(context, JobMode.Stream, journal, cancellation).ConfigureAwait(false);
         if (found is { Refusal: not null, Mode: { } begun and not JobMode.Stream }) (job, program, found) = await FindAsync(context, begun, journal, cancellation).ConfigureAwait(false);
         if (JobWords.WhyNotResumed(found, job) is { } why) throw new CommandException(CommandFailure.Refused, PreparationRules.NotResumed.At(default, journal, why).Message);
+        if (found.IsUnsealed) context.Say(PreparationRules.JournalUnsealed.At(default, journal).Message, MessageKind.Warning);
         if (found.Mode is { } mode) context.Remember("CNCARM", mode.ToString());
         Choose(context, program, new JobPart(new ResumeRequest { Journal = journal, LeadInMm = LeadInOf(context), AtOrigin = atOrigin }, found.Place, found.Mode, context.Drawing, context.Document.Current.Settings));
     }

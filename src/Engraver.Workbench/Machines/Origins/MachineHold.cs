@@ -1,3 +1,5 @@
+using System.Security.Cryptography;
+using System.Text;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using Engraver.Core.Languages;
@@ -29,9 +31,9 @@ public sealed class MachineHold : IDisposable
         (_path, _name, _lock) = (path, name, taken);
         try
         {
-            if (File.Exists(path)) _memory = (JsonSerializer.Deserialize(File.ReadAllText(path), MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.HoldsNull"))).ToMemory();
+            if (File.Exists(path)) _memory = (JsonSerializer.Deserialize(File.ReadAllText(path), MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.HoldsNull"))).Checked().ToMemory();
         }
-        catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)
+        catch (Exception unusable) when (unusable is JsonException or InvalidDataException or IOException or UnauthorizedAccessException)
         {
             taken.Dispose(); // releases the machine
             if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.NoRecord", SystemReason.Of(unusable)), unusable);
@@ -81,7 +83,7 @@ public sealed class MachineHold : IDisposable
         if (_path is null) return null;
         try
         {
-            OutputFile.Write(_path, output => output.WriteLine(JsonSerializer.Serialize(MachineMemoryDocument.From(_name, memory), MachineMemoryJson.Default.MachineMemoryDocument)));
+            OutputFile.Write(_path, output => output.WriteLine(MachineMemoryDocument.From(_name, memory).Sealed().ToJson()));
             _isWritten = true;
             return null;
         }
@@ -190,6 +192,20 @@ internal sealed record MachineMemoryDocument
     public string? HomedAs { get; set; }
 
     public ScaleDocument? HomedCountsPerMillimetre { get; set; }
+
+    /// <summary>The first 64 bits of SHA-256 over the rest; null in files of an older version.</summary>
+    public string? Sum { get; set; }
+
+    /// <summary>The same with its check sum.</summary>
+    public MachineMemoryDocument Sealed() => this with { Sum = SumOf(this) };
+
+    /// <summary>The same, after its check sum was compared.</summary>
+    /// <exception cref="InvalidDataException">It is not as it was written.</exception>
+    public MachineMemoryDocument Checked() => Sum is null || Sum == SumOf(this) ? this : throw new InvalidDataException(Wording.Get("Origins.SumDiffers"));
+
+    public string ToJson() => JsonSerializer.Serialize(this, MachineMemoryJson.Default.MachineMemoryDocument);
+
+    private static string SumOf(MachineMemoryDocument document) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes((document with { Sum = null }).ToJson())))[..16];
 
     public static MachineMemoryDocument From(string machine, MachineMemory memory) => new()
     {

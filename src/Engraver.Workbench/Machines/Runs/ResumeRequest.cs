@@ -63,6 +63,7 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
         if (request.Journal is not { } journal) return new JobBeginning(ToStroke(program, request.Stroke), 0.0, options.Origin);
         var found = await machine.FindResumeAsync(program, options.Mode, journal, cancellation).ConfigureAwait(false);
         if (JobWords.WhyNotResumed(found, job) is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
+        if (found.IsUnsealed) options.Told?.Invoke(PreparationRules.JournalUnsealed.At(default, journal));
         var resumed = new JobBeginning(found.Place, leadIn + found.Doubt, options.Origin);
         if (request.AtOrigin) return resumed;
         var then = Shown(Millimetres(program, found.Frame));

@@ -41,6 +41,7 @@ public sealed class HeightResumeTests : IDisposable
         await DieAsync(bench, program, mode, where);
 
         var found = await FindAsync(bench, program, mode, "a");
+        Assert.Null(found.Refusal);
         var second = await RunAsync(bench, program, mode, "b", found, null, CancellationToken.None);
 
         Assert.True(found.IsSameZero);

@@ -68,6 +68,21 @@ public sealed class MachineHoldTests : IDisposable
         Assert.Equal((false, true, null), (hold.KnowsZero, hold.Memory.IsMoving, hold.Memory.Rest));
     }
 
+    [Theory]
+    [InlineData("\"x\": 1,", "\"x\": 11,", true)]
+    [InlineData("\"moving\": false", "\"moving\": true", true)]
+    [InlineData("  ", " ", false)]
+    public void A_record_that_was_changed_after_it_was_written_is_refused(string then, string now, bool isRefused)
+    {
+        using (var hold = Take()) hold.Keep(memory => memory.WithOrigin("G54", 1, 2, null));
+        var text = File.ReadAllText(Kept);
+        Assert.Contains(then, text, StringComparison.Ordinal);
+        File.WriteAllText(Kept, text.Replace(then, now, StringComparison.Ordinal));
+
+        if (isRefused) Assert.Contains("check sum does not match", Assert.Throws<MachineMemoryException>(() => Take()).Message, StringComparison.Ordinal);
+        else using (var read = Take()) Assert.Equal(new WorkOrigin(1, 2), read.Memory.ActiveOrigin);
+    }
+
     /// <summary>The controller keeps why an axis stopped last: only where the machine is not where it came to rest was that since.</summary>
     [Theory]
     [InlineData(3, 4, false, "")]

@@ -1,0 +1,98 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+
+namespace Engraver.Galil.Jobs.Journal;
+
+/// <summary>Compares the last place that a journal tells with the position that the same line tells, and with what the controller has counted: what lies before that place is not cut again.</summary>
+/// <remarks>The position may lie ahead of the place (a poll later, braking, on the way to the next stroke), never behind it.</remarks>
+/// <param name="job">Of the journal.</param>
+/// <param name="program">The whole program.</param>
+internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
+{
+    /// <summary>Largest distance of a polled position from its path, counts, without what the machine moves between two readings.</summary>
+    private const double OnPath = 2.5;
+
+    /// <summary>The axes are read one after the other, a sample or two apart (galil-dmc.md C).</summary>
+    private const double ReadingSeconds = 0.002;
+
+    /// <summary>The position may be this much later than the place, seconds: a poll on a slow serial line.</summary>
+    private const double LaterSeconds = 0.5;
+
+    /// <summary>Why the place cannot be where the journal tells that the machine was; empty when it can.</summary>
+    public string WhyNotThere()
+    {
+        var place = job.Place;
+        if (place <= new JobPlace(job.Header.FromSegments, job.Header.FromAlong) || job.At is not { } at) return "";
+        var here = new Point2D(at.X - job.Header.FrameX, at.Y - job.Header.FrameY);
+        if (place.Along >= 0.0 && place.Segments <= program.SegmentCount && (job.IsAtFault ? IsNear(place, here) : IsAhead(place, here))) return "";
+        return Wording.Get("Resume.PlaceElsewhere", place.Segments, program.SegmentCount, Math.Round(place.Along), at.X, at.Y);
+    }
+
+    /// <summary>Why the controller contradicts the place; empty when it does not.</summary>
+    /// <param name="sequences">seq, as far as it counts this job; null where it does not.</param>
+    public string WhyNotCounted(double? sequences)
+    {
+        if (job.Opened is not { Starts.Count: > 0 } opened) return "";
+        var counted = opened.First + (job.Header.Mode switch
+        {
+            JobMode.Calls when sequences is { } calls => calls > opened.Calls ? 1 : 0,
+            JobMode.Program when sequences is { } calls => opened.Starts[(int)Math.Clamp(Math.Ceiling(calls / 2.0), 0.0, opened.Starts.Count - 1)],
+            _ => opened.Starts[^1],
+        });
+        return job.Place.Segments > counted ? Contradicted(new JobPlace(counted, 0.0)) : "";
+    }
+
+    /// <summary>Why the place cannot have been reached when the watchdog stopped the machine; empty when it can. What the controller counts is cleared between two sequences: then only the position tells.</summary>
+    /// <param name="trip">By what the controller counted.</param>
+    /// <param name="at">Where it stopped the machine, job frame.</param>
+    public string WhyNotReached(JobPlace trip, CountsPoint at) => trip >= job.Place || IsAhead(job.Place, new Point2D(at.X, at.Y)) ? "" : Contradicted(trip);
+
+    private string Contradicted(JobPlace counted) => Wording.Get("Resume.CountersContradict", job.Place.Segments, Math.Round(job.Place.Along), counted.Segments, Math.Round(counted.Along));
+
+    /// <summary>Where a fault ended the job, its axes may stand beside the path by the position error that they are allowed.</summary>
+    private bool IsNear(JobPlace place, Point2D here)
+    {
+        var (start, segment) = Of(place) is var (from, next, _) ? (from, next) : (program.SegmentBehind(place.Segments - 1)!.Value.Segment.End, default);
+        var there = segment.Length > 0.0 ? new SegmentCourse(start, segment).At(place.Along) : new Point2D(start.X, start.Y);
+        var allowed = Reach(place) + (program.Profile.FollowingErrorAt(program.Profile.FastestMmPerSecond) * program.Profile.Scale.Largest);
+        return there.DistanceTo(here) <= allowed || IsAhead(place, here);
+    }
+
+    /// <summary>Whether the machine is at the place, or a little ahead of it on its path or on its way to the next stroke.</summary>
+    private bool IsAhead(JobPlace place, Point2D here)
+    {
+        var (reach, slack) = (Reach(place), Slack(place));
+        var before = place is { Segments: > 0, Along: 0.0 } ? Of(place with { Segments = place.Segments - 1 }) : null;
+        var along = place.Along;
+        for (var i = place.Segments; reach >= 0.0; i++)
+        {
+            var next = Of(new JobPlace(i, 0.0));
+            var from = next?.Start ?? program.Finish;
+            if (before is var (_, ended, stroke) && (next?.Stroke != stroke) && IsBetween(ended.End, from ?? ended.End, here, slack)) return true;
+            if (next is not var (start, segment, _)) return false;
+            var course = new SegmentCourse(start, segment);
+            if (along > segment.Length + slack) return false;
+            var passed = course.AlongTo(here, 0.0);
+            if (course.DistanceTo(here) <= slack && (IsUpright(start, segment) || (passed >= along - slack && passed <= along + reach + slack))) return true;
+            (reach, along, before) = (reach - Math.Max(0.0, segment.Length - along), 0.0, next);
+        }
+
+        return false;
+    }
+
+    /// <summary>Each axis makes its part of a rapid in its own time.</summary>
+    private static bool IsBetween(CountsPoint one, CountsPoint other, Point2D here, double slack) =>
+        here.X >= Math.Min(one.X, other.X) - slack && here.X <= Math.Max(one.X, other.X) + slack && here.Y >= Math.Min(one.Y, other.Y) - slack && here.Y <= Math.Max(one.Y, other.Y) + slack;
+
+    private static bool IsUpright(CountsPoint start, in VectorSegment segment) => (start.X, start.Y) == (segment.End.X, segment.End.Y) && segment.Kind == VectorSegmentKind.Line;
+
+    private (CountsPoint Start, VectorSegment Segment, int Stroke)? Of(JobPlace place) => program.SegmentBehind(place.Segments);
+
+    private double Slack(JobPlace place) => OnPath + (ReadingSeconds * Speed(place));
+
+    private double Reach(JobPlace place) => (LaterSeconds * Speed(place)) + (Speed(place) * Speed(place) / (2.0 * program.Profile.AccelerationCounts));
+
+    /// <summary>The fastest that the path may be there, counts/s.</summary>
+    private double Speed(JobPlace place) => program.SpeedBehind(Math.Min(place.Segments, program.SegmentCount - 1)) * JobControl.FeedRange.Fastest;
+}
