@@ -267,10 +267,16 @@ internal sealed class ControllerCore : IDisposable
         _nextTick = TimeSpan.MaxValue;
         _clock.Pace();
         _dispatcher.ReleaseReplies();
-        _clock.Look(_dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Faults.IsAnswerOwed || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
+        LookAtHosts();
 
         _status.Notify();
         TickWithin(QuietTime());
+    }
+
+    private void LookAtHosts()
+    {
+        var isHeldUp = _dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Faults.IsAnswerOwed || Machine.Handles.Open.Any(static handle => handle.IsMidCommand);
+        _clock.Look(isHeldUp, isHeldUp && (Machine.Handles.Open.Any(static handle => handle.Output.IsRead) || Machine.Serial.Client?.Output.IsRead == true));
     }
 
     /// <summary>Ends the controller's work after a bug of the simulator, since its state cannot be trusted. Cuts every client, so that none waits for an answer, and faults <see cref="Broken"/>.</summary>

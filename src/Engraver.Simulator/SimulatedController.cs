@@ -66,10 +66,10 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
-    /// <summary>Gives the controller's clock to a host: from now on time passes only by the commands of hosts and while every host that has the clock waits. Disposing the clock gives it back.</summary>
-    public HostClock JoinClock() => _core.Hosts.Join();
+    /// <summary>Gives the controller's clock to a host of this process: from now on time passes only by the commands of hosts and while every host that has the clock waits, however late one is. Disposing the clock gives it back.</summary>
+    public HostClock JoinClock() => _core.Hosts.Join(isElsewhere: false);
 
-    /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); each connection counts as one host that has the clock.</summary>
+    /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); each connection counts as one host that has the clock, and one that hangs is given up.</summary>
     /// <exception cref="System.Net.Sockets.SocketException">No port is free.</exception>
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation)
     {

@@ -38,9 +38,12 @@ public sealed class RunTraceBuilder
     public void Add(in TraceSample sample)
     {
         var deviation = 0.0;
-        if (sample.Cutting && _index.NearestTo(sample.Place, out var distance) >= 0) deviation = distance;
+        if (sample.Cutting && _index.NearEnoughTo(sample.Place, Overlooked(sample), out var distance) >= 0) deviation = distance;
         Add(new RunTracePlace(sample.Seconds, sample.Place, sample.Cutting, deviation, sample.FollowingMm));
     }
+
+    /// <summary>A place that deviates no more than this is not kept, however much it is: of those that become one place, another deviates more.</summary>
+    private double Overlooked(in TraceSample sample) => _waiting > 0 && _worst.ToolOn == sample.Cutting ? Math.BitDecrement(_worst.DeviationMm) : -1.0;
 
     /// <summary>The machine went along here.</summary>
     public void Add(in TraceSpan span)

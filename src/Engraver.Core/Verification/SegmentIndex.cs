@@ -16,6 +16,7 @@ internal sealed class SegmentIndex
     private long _measured;
     private BoxTree.Measure _measure;
     private int _last;
+    private double _foot = double.NaN;
 
     /// <summary>Does it hold of a segment between two fractions of it?</summary>
     public delegate bool Question(int segment, double from, double to);
@@ -65,8 +66,17 @@ internal sealed class SegmentIndex
     {
         distance = double.PositiveInfinity;
         if (_segments.Length == 0) return -1;
+        if (_segments[_last].IsFreeCurve && IsNearLast(place, enough, out distance)) return _last;
         distance = Distance(_last, place);
         return distance <= enough ? _last : NearestTo(place, distance, enough, out distance);
+    }
+
+    /// <summary>The foot on a curve moves little from one place to the next, and a point of the curve is enough where it is near enough: the exact distance, which costs ten times as much, is no larger.</summary>
+    private bool IsNearLast(Point2D place, double enough, out double distance)
+    {
+        _measured++;
+        (_foot, distance) = FootOf.Place(_segments[_last], place, _foot);
+        return distance <= enough;
     }
 
     /// <summary>False when no segment comes within reach of a line, an arc or a piece of a curve; true when one does, or may.</summary>

@@ -12,7 +12,7 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     /// <summary>Wall time of silence after which a host with the clock that waits for an answer which does not come is taken to be waiting for its own time-out.</summary>
     private static readonly TimeSpan Unanswered = TimeSpan.FromMilliseconds(500);
 
-    /// <summary>Wall time of silence after which any host with the clock is given up: time passes without it, and a watchdog finds it dead.</summary>
+    /// <summary>Wall time of silence after which a host of another process is given up: time passes without it, and a watchdog finds it dead. A host of this process is waited for without end, because it is late only where this process is.</summary>
     private static readonly TimeSpan GivenUp = TimeSpan.FromSeconds(10);
 
     private readonly SilenceRule _silence = new(machine, options.Time);
@@ -49,7 +49,8 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
 
     /// <summary>Called every few milliseconds while something can happen: lets time pass after silence, or past a host that is stuck.</summary>
     /// <param name="isHeldUp">A host waits for an answer that the controller does not give, or has sent half a command.</param>
-    public void Look(bool isHeldUp)
+    /// <param name="isRead">Somebody waits for bytes of the controller at this moment: only so can it be told that a host of this process waits for an answer and is not merely late.</param>
+    public void Look(bool isHeldUp, bool isRead)
     {
         if (!Hosts.AreThere)
         {
@@ -57,8 +58,7 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
             return;
         }
 
-        var isStuck = _silence.Silent >= (isHeldUp ? Unanswered : GivenUp);
-        if (isStuck && !Hosts.AllWait) machine.Advance(SinceLook());
+        if (!Hosts.AllWait && Hosts.All(host => host.IsWaiting || IsStuck(host, isHeldUp, isRead))) machine.Advance(SinceLook());
         _looked = Wall;
     }
 
@@ -74,6 +74,9 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
         _credit -= TimeSpan.FromTicks(step);
         return step > 0 || Hosts.NextDue <= machine.ClockTicks;
     }
+
+    private bool IsStuck(HostClock host, bool isHeldUp, bool isRead) =>
+        host.IsElsewhere ? _silence.Silent >= (isHeldUp ? Unanswered : GivenUp) : isHeldUp && isRead && _silence.Silent >= Unanswered;
 
     private TimeSpan _looked;
 

@@ -20,9 +20,10 @@ internal sealed class HostClockCoordinator(Machine machine, ControllerClock cloc
     }
 
     /// <summary>Gives a host the clock.</summary>
-    public HostClock Join()
+    /// <param name="isElsewhere">The host is another process.</param>
+    public HostClock Join(bool isElsewhere)
     {
-        var host = new HostClock(this);
+        var host = new HostClock(this, isElsewhere);
         lock (gate)
         {
             clock.Pace();

@@ -11,7 +11,7 @@ internal sealed class HostClocks
     public bool AreThere => _hosts.Count > 0;
 
     /// <summary>Every host waits for one of its timers.</summary>
-    public bool AllWait => _hosts.TrueForAll(static host => host.IsWaiting);
+    public bool AllWait => All(static host => host.IsWaiting);
 
     /// <summary>When the first timer fires, ticks; <see cref="long.MaxValue"/> when none is set.</summary>
     public long NextDue
@@ -23,6 +23,8 @@ internal sealed class HostClocks
             return next;
         }
     }
+
+    public bool All(Predicate<HostClock> condition) => _hosts.TrueForAll(condition);
 
     public void Add(HostClock host) => _hosts.Add(host);
 

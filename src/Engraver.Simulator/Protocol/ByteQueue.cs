@@ -9,6 +9,19 @@ internal sealed class ByteQueue
     private int _count;
     private bool _completed;
     private TaskCompletionSource? _waiting;
+    private int _readers;
+
+    /// <summary>Somebody waits for bytes, and none are there.</summary>
+    public bool IsRead
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _readers > 0 && _count == 0;
+            }
+        }
+    }
 
     /// <summary>Bytes that have not been read.</summary>
     public int Count
@@ -63,9 +76,17 @@ internal sealed class ByteQueue
 
                 _waiting ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
                 wait = _waiting.Task;
+                _readers++;
             }
 
-            await wait.WaitAsync(cancellation).ConfigureAwait(false);
+            try
+            {
+                await wait.WaitAsync(cancellation).ConfigureAwait(false);
+            }
+            finally
+            {
+                lock (_gate) _readers--;
+            }
         }
     }
 

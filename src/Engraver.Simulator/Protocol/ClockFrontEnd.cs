@@ -29,7 +29,7 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
     private async Task ServeAsync(Socket socket, CancellationToken cancellation)
     {
         await using var stream = new NetworkStream(socket, ownsSocket: true);
-        using var clock = _core.Hosts.Join();
+        using var clock = _core.Hosts.Join(isElsewhere: true);
         using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
         var next = reader.ReadLineAsync(cancellation).AsTask();
         try

@@ -12,17 +12,12 @@ public sealed class MachineClock : IDisposable
     private readonly IDisposable? _taken;
     private readonly Action? _heard;
 
-    private readonly bool _isOfRealTime;
-
-    private MachineClock(TimeProvider time, IDisposable? taken, Action? heard, bool isOfRealTime = false) => (Time, _taken, _heard, _isOfRealTime) = (time, taken, heard, isOfRealTime);
+    private MachineClock(TimeProvider time, IDisposable? taken, Action? heard) => (Time, _taken, _heard) = (time, taken, heard);
 
     public TimeProvider Time { get; }
 
     /// <summary>The system's clock, or a test's; disposing leaves it alone.</summary>
     public static MachineClock FromWall(TimeProvider wall) => new(wall, null, null);
-
-    /// <summary>The wall's, by which a simulated controller of this process goes in real time.</summary>
-    public static MachineClock FromWallOfSimulator(TimeProvider wall) => new(wall, null, null, isOfRealTime: true);
 
     /// <param name="clock">Owned: it is given back with this.</param>
     public static MachineClock FromSimulator(HostClock clock) => new(clock, clock, null);
@@ -60,7 +55,7 @@ public sealed class MachineClock : IDisposable
 
     /// <summary>Begins to keep what is said, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the conversation.</param>
-    public MachineConversation ConversationTo(TextWriter file, TimeProvider wall) => new(new ConversationRecorder(file, Time, _taken is not null ? ConversationClock.Controller : _isOfRealTime ? ConversationClock.RealTime : ConversationClock.Wall, wall));
+    public MachineConversation ConversationTo(TextWriter file, TimeProvider wall) => new(new ConversationRecorder(file, Time, _taken is null ? ConversationClock.Wall : ConversationClock.Controller, wall));
 
     public void Dispose() => _taken?.Dispose();
 

@@ -70,7 +70,7 @@ public sealed class MachineConnection : IAsyncDisposable
     public async Task<IMachineConnection> ShakeHandsAsync(TimeProvider time, CancellationToken cancellation) =>
         await GalilConnection.OpenAsync(OpenLinkAsync, trace: null, time, cancellation).ConfigureAwait(false);
 
-    /// <summary>The clock for a job. A simulated controller that is not at speed 1 gives its own: its time then goes on only by what the job says and while the job waits, until the clock is disposed.</summary>
+    /// <summary>The clock for a job. A simulated controller gives its own, one of another process if it is not at speed 1: its time then goes on only by what the job says and while the job waits, until the clock is disposed.</summary>
     /// <exception cref="ControllerLinkException">Nobody offers a clock where the address says.</exception>
     public MachineClock TakeClock() => _takeClock();
 
@@ -83,7 +83,7 @@ public sealed class MachineConnection : IAsyncDisposable
             double.IsPositiveInfinity(address.Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={address.Speed}"),
             controller,
             _ => Task.FromResult<IControllerLink>(LinkTo(controller)),
-            () => address.Speed == 1.0 ? MachineClock.FromWallOfSimulator(time) : MachineClock.FromSimulator(controller.JoinClock()));
+            () => MachineClock.FromSimulator(controller.JoinClock()));
     }
 
     private static StreamLink LinkTo(SimulatedController controller)

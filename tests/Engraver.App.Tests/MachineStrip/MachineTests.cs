@@ -289,7 +289,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     [InlineData(true)]
     public Task Stop_is_on_the_wire_while_the_window_is_busy(bool byMouse) => fixture.WithOperator(here =>
     {
-        using var wire = new ServedMachine(here, speed: 1);
+        using var wire = new ServedMachine(here, speed: 2); // with its clock: the dead man goes by it and not by the load of the computer
         StartSlowly(here, wire.Address);
         var place = here.MiddleOf(here.Find<Button>("StopKey"));
         using var braked = new ManualResetEventSlim();

@@ -101,11 +101,12 @@ public class SerialRunTests
     {
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--serial", folder.PathOf("tty"), "--baud", "115200");
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--serial", folder.PathOf("tty"), "--baud", "115200", "--speed", "4"); // at speed 1 there is no clock to take, and a busy computer sets off the dead man
+        var clock = (await simulate.LineAsync("clock ", patience.Token)).Split(':')[^1];
         var network = await simulate.LineAsync("listening ", patience.Token);
         var serial = await simulate.LineAsync("listening ", patience.Token);
         using var host = EngraverProcess.Start(
-            "run", folder.WithFile("short.dxf", Wave(20, 0.1)), "--connect", serial["listening ".Length..] + "?baud=115200", "--json", "--journal", folder.PathOf("run.jsonl"));
+            "run", folder.WithFile("short.dxf", Wave(20, 0.1)), "--connect", $"{serial["listening ".Length..]}?baud=115200&clock={clock}", "--json", "--journal", folder.PathOf("run.jsonl"));
         var report = System.Text.Json.JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;
         await host.WaitAsync(patience.Token);
         simulate.Signal(PosixSignal.SIGINT);
