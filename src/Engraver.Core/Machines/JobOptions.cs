@@ -50,8 +50,8 @@ public sealed record JobOptions
     /// <summary>Controller counts at the drawing's zero; null: the machine stands at the drawing's start point.</summary>
     public CountsPoint? Frame { get; init; }
 
-    /// <summary>Whether every polled position is kept for a later comparison. If not, only the last ones are, and memory does not grow with the time of the run.</summary>
-    public bool KeepsPolledTrace { get; init; } = true;
+    /// <summary>Told every position that was polled and differs from the one before, on the thread of the job, which it must not hold up; null for nobody.</summary>
+    public Action<TracePoint>? Polled { get; init; }
 
     /// <summary>The controller's letters of the axes whose position error is asked for while the job runs: ten times a second over a network, with every second look at the path over a serial line. Empty where nobody needs it; steppers have none.</summary>
     public string FollowedAxes { get; init; } = "";

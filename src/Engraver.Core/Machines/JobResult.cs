@@ -51,7 +51,7 @@ public sealed record JobResult
     /// <summary>The refused command that ended the job, when one did.</summary>
     public MachineRefusal? Refusal { get; init; }
 
-    /// <summary>Positions polled during the run, job frame.</summary>
+    /// <summary>The last position polled with the tool on and the last one with the tool off, in order, job frame. All of them are told while the job runs (<see cref="JobOptions.Polled"/>).</summary>
     public required IReadOnlyList<TracePoint> PolledTrace { get; init; }
 
     /// <summary>Drawing entities with at least one executed segment, in order of cutting.</summary>

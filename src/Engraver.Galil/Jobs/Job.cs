@@ -47,7 +47,7 @@ internal sealed class Job
         _heightOfCut = program.Profile is { Height: null, Axes.Z: not null } ? options.HeightOfCut : null;
         var rest = options.From == default ? RemainingProgram.Whole(program) : RestFrom(options.From, options.LeadIn);
         _program = rest.Program;
-        _ledger = new JobLedger(program, options.KeepsPolledTrace, rest, options.From);
+        _ledger = new JobLedger(program, rest, options.From, options.Polled);
         _ledger.Begin();
         var mark = hand is null ? MachineMemory.NewMark(session.Time.GetUtcNow()) : 0;
         _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), _stop) { Mark = mark };

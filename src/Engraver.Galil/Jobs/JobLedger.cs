@@ -8,7 +8,8 @@ namespace Engraver.Galil.Jobs;
 /// <param name="program">The whole program: segments and strokes are counted in it, also where only its rest is cut.</param>
 /// <param name="rest">What is cut; null for all of it.</param>
 /// <param name="from">What lies before it was cut by an earlier job.</param>
-internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true, RemainingProgram? rest = null, JobPlace from = default)
+/// <param name="polled">Told every position that was polled and differs from the one before; null for nobody.</param>
+internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = null, JobPlace from = default, Action<TracePoint>? polled = null)
 {
     /// <summary>A position further from the path than this is not on it, counts.</summary>
     private const double OnPath = 2.5;
@@ -82,6 +83,7 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true, R
     /// <summary>What went wrong without ending the job.</summary>
     public List<Diagnostic> Warnings { get; } = [];
 
+    /// <summary>The last position with the tool on and the last with the tool off, in the order in which they were polled.</summary>
     public IReadOnlyList<TracePoint> Trace => _trace;
 
     public IReadOnlyList<int> Entities => _entities;
@@ -164,11 +166,12 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true, R
         if (_seen.Add(segment.EntityIndex)) _entities.Add(segment.EntityIndex);
     }
 
-    /// <summary>Keeps a polled position if it differs from the last; where no trace is kept, only the last with the tool on and the last with the tool off.</summary>
+    /// <summary>Passes a polled position on if it differs from the last. Memory does not grow with the time of the job.</summary>
     public void Trail(TracePoint point)
     {
         if (_trace.Count > 0 && _trace[^1] with { Seconds = point.Seconds, Error = point.Error } == point) return;
-        if (!keepsTrace) _trace.RemoveAll(passed => passed.ToolOn == point.ToolOn);
+        _trace.RemoveAll(passed => passed.ToolOn == point.ToolOn);
         _trace.Add(point);
+        polled?.Invoke(point);
     }
 }

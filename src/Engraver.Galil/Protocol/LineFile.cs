@@ -13,6 +13,9 @@ internal sealed class LineFile
     /// <summary>After the operator's stop: wall time without progress after which the reader is given up.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
 
+    /// <summary>Wall time between two flushes: a compressed file grows with each of them.</summary>
+    public static readonly TimeSpan FlushEvery = TimeSpan.FromSeconds(1);
+
     private readonly Channel<string> _lines = Channel.CreateBounded<string>(new BoundedChannelOptions(MostWaiting) { SingleReader = true });
     private readonly TimeProvider _wall;
     private readonly Task _writing;
@@ -22,7 +25,7 @@ internal sealed class LineFile
 
     /// <param name="writer">Owned: closed after the last line.</param>
     /// <param name="wall">The wall clock, for the waits for the reader.</param>
-    /// <param name="flushes">Whether what is written reaches the system whenever no line waits, so that a crash leaves it readable.</param>
+    /// <param name="flushes">Whether what is written reaches the system within <see cref="FlushEvery"/>, so that a crash leaves it readable.</param>
     public LineFile(TextWriter writer, TimeProvider wall, bool flushes = false)
     {
         (_wall, _flushes) = (wall, flushes);
@@ -68,17 +71,34 @@ internal sealed class LineFile
         try
         {
             using var owned = writer;
-            foreach (var line in _lines.Reader.ReadAllAsync().ToBlockingEnumerable())
+            for (var flushed = _wall.GetTimestamp(); AwaitLines(writer, flushed);)
             {
-                writer.WriteLine(line);
-                Interlocked.Increment(ref _taken);
-                if (_flushes && !_lines.Reader.TryPeek(out _)) writer.Flush();
+                while (_lines.Reader.TryRead(out var line))
+                {
+                    writer.WriteLine(line);
+                    Interlocked.Increment(ref _taken);
+                }
+
+                if (!_flushes || _wall.GetElapsedTime(flushed) < FlushEvery) continue;
+                writer.Flush();
+                flushed = _wall.GetTimestamp();
             }
         }
         catch (IOException unwritten)
         {
             Fail(SystemReason.Of(unwritten));
         }
+    }
+
+    /// <summary>Waits for lines, and flushes what was written when none come for long.</summary>
+    /// <returns>False when there are no more.</returns>
+    private bool AwaitLines(TextWriter writer, long flushed)
+    {
+        var more = _lines.Reader.WaitToReadAsync().AsTask();
+        if (!_flushes || more.IsCompleted) return more.GetAwaiter().GetResult();
+        var rest = FlushEvery - _wall.GetElapsedTime(flushed);
+        if (!more.Wait(rest > TimeSpan.Zero ? rest : TimeSpan.Zero)) writer.Flush(); // a thread of its own, which nobody waits for
+        return more.GetAwaiter().GetResult();
     }
 
     private void Fail(string why) => Interlocked.CompareExchange(ref _failure, why, null);

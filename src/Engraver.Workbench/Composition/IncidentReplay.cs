@@ -5,6 +5,7 @@ using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 using Engraver.Simulator.Clocks;
+using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
 
@@ -63,7 +64,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         {
             var told = InterruptedJob.Read(journal);
             if (!File.Exists(wire)) return (null, Wording.Get("Replay.NoConversation", journal, wire));
-            using var input = File.OpenText(wire);
+            using var input = CompressedText.Open(wire);
             if (told?.Header.Axes is { Length: > 0 } axes && (axes.Length is not (2 or 3) || !axes.All(letter => letter is >= 'A' and <= 'D'))) throw new FormatException(Wording.Get("Replay.OtherAxes", axes));
             replay = new IncidentReplay(Conversation.Read(input), told);
         }

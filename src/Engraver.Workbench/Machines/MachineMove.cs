@@ -64,7 +64,7 @@ internal sealed record MachineMove(
         Wording.Get("MachineSession.Jogging"),
         journal,
         (_, _) => null,
-        (machine, program, options, stop) => machine.StandByAsync(program, standby, options with { KeepsPolledTrace = false }, progress, stop));
+        (machine, program, options, stop) => machine.StandByAsync(program, standby, options, progress, stop));
 
     /// <summary>A test move to a place, counts of the controller, whatever is known of the origins.</summary>
     /// <param name="known">The machine's own profile, by which it was homed and which tells its travel in millimetres.</param>

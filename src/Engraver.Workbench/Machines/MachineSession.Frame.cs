@@ -48,7 +48,7 @@ public sealed partial class MachineSession
         if (placement.Found is { Refusal: { } unplaced }) return JobResult.NotStarted(frame.Strokes.Count, unplaced.Message) with { Diagnostics = [unplaced] };
         _status.Placed(placement.Found.Frame);
         placement.Begin();
-        var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCFRAME", DryRun = true, Frame = placement.Found.Frame, SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [], KeepsPolledTrace = false };
+        var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCFRAME", DryRun = true, Frame = placement.Found.Frame, SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [] };
         var result = await machine.RunAsync(placement.Program, options, new JobListener(TellMove), stop).ConfigureAwait(false);
         return placement.End(result) is { } unkept ? result with { Diagnostics = [.. result.Diagnostics, unkept] } : result;
     }

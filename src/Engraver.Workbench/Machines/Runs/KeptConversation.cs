@@ -3,7 +3,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>The file beside a journal in which stands what was said to the controller: by it the run can be replayed.</summary>
+/// <summary>The file beside a journal in which stands what was said to the controller, compressed: by it the run can be replayed.</summary>
 public static class KeptConversation
 {
     private const string Ending = ".wire";
@@ -21,7 +21,7 @@ public static class KeptConversation
         if (FileKind.IsStream(journal) || FileKind.IsStream(PathOf(journal))) return (null, null);
         try
         {
-            return (new StreamWriter(PathOf(journal), append: false) { NewLine = "\n" }, null);
+            return (CompressedText.Create(PathOf(journal)), null);
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {

@@ -122,10 +122,11 @@ public static class MachineRun
         var listener = judge is null ? null : new RecordListener(job.Settings.Machine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
         listener?.Start(frame.X, frame.Y, frame.Z);
+        var polled = options.DryRun || connection.Simulator is not null ? null : new PolledJudge(job);
         var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
-            Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(job, placement.Program, ended, listener, options.DryRun)),
+            Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(placement.Program, ended, listener, polled)),
             Mode = options.Mode,
             JournalPath = options.JournalPath,
             Address = connection.Description,
@@ -140,7 +141,7 @@ public static class MachineRun
             SourceOf = job.Drawing.SourceOf,
             Frame = frame,
             SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],
-            KeepsPolledTrace = connection.Simulator is null,
+            Polled = polled is null ? null : polled.Add,
             FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.All.Zip("XYZ").Where(axis => !placement.OpenLoop.Contains(axis.Second)).Select(axis => axis.First.Letter)) : "", // a stepper has no position error: its position is what was commanded
         };
         options.Placed?.Invoke(frame);
@@ -148,22 +149,21 @@ public static class MachineRun
         placement.Begin();
         var result = await machine.RunAsync(placement.Program, jobOptions, progress, stop).ConfigureAwait(false);
         if (placement.End(result) is { } unkept) options.Told?.Invoke(unkept);
-        return (result, judgement, Recorded(job, result, listener, options));
+        return (result, judgement, Recorded(result, listener, polled, options));
     }
 
     /// <summary>Where the machine was, which is kept beside the journal. A dry run cuts nothing, and nothing of it is kept.</summary>
-    private static RunTrace? Recorded(PreparedJob job, JobResult result, RecordListener? listener, MachineRunOptions options)
+    private static RunTrace? Recorded(JobResult result, RecordListener? listener, PolledJudge? polled, MachineRunOptions options)
     {
-        if (options.DryRun || result.FrameOrigin is null) return null;
-        var trace = listener?.Trace() ?? RunJudge.PolledPlaces(job, result);
+        if (result.FrameOrigin is null || (listener?.Trace() ?? polled?.Trace()) is not { } trace) return null;
         if (KeptTrace.Keep(trace, options.JournalPath) is { } failure) options.Told?.Invoke(PreparationRules.TraceNotKept.At(default, failure));
         return trace;
     }
 
-    private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, RecordListener? listener, bool dryRun)
+    private static RunJudgement Judge(MotionProgram program, JobResult result, RecordListener? listener, PolledJudge? polled)
     {
-        if (dryRun || result.FrameOrigin is null) return RunJudgement.Unknown;
-        return listener is null ? RunJudge.ByPolling(job, program, result) : RunJudge.ByRecord(listener.Verdicts()[0], listener.Motors);
+        if (result.FrameOrigin is null) return RunJudgement.Unknown;
+        return listener is not null ? RunJudge.ByRecord(listener.Verdicts()[0], listener.Motors) : polled?.Judge(program, result) ?? RunJudgement.Unknown;
     }
 }
 

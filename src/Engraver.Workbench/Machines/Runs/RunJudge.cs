@@ -19,7 +19,8 @@ public static class RunJudge
     /// <summary>Compares the motors of a job with the drawing, in plan: how far the height is behind is part of the following error.</summary>
     internal static MotorJudge MotorsOf(PreparedJob job) => new(() => PlanJudgeOf(job, null, Tolerances(job)));
 
-    private static RunJudgement WithMotors(RunJudgement path, MotorJudge? motors) => motors?.Following is not { } following || path.MaxDeviationMm is not { } commanded ? path : path with
+    /// <summary>A verdict on the commanded path and, where they are known, on the motors.</summary>
+    internal static RunJudgement WithMotors(RunJudgement path, MotorJudge? motors) => motors?.Following is not { } following || path.MaxDeviationMm is not { } commanded ? path : path with
     {
         MaxDeviationMm = Math.Max(commanded, motors.Deviation),
         DeviationAt = motors.Deviation > commanded ? motors.DeviationAt : path.DeviationAt,
@@ -48,42 +49,10 @@ public static class RunJudge
     /// <summary>Keeps where a machine was, with its distance from the drawing.</summary>
     internal static RunTraceBuilder PlacesOf(PreparedJob job) => new(job.Analysed.ToSegments());
 
-    /// <summary>The places that a controller was polled for.</summary>
-    internal static RunTrace PolledPlaces(PreparedJob job, JobResult result)
-    {
-        var places = PlacesOf(job);
-        CountsPoint? error = null;
-        foreach (var point in result.PolledTrace) places.Add(MotorSample(job.Settings.Machine, point with { Error = error = point.Error ?? error })); // between two questions the last answer is the best that is known
-        return places.ToTrace("polled");
-    }
-
     /// <summary>A place that a job has told while it runs; of a dry run the path counts as cut.</summary>
     /// <param name="error">The position error that was told last; null where nobody asks.</param>
     internal static TraceSample Sample(PreparedJob job, JobProgress told, bool isDryRun, CountsPoint? error) =>
         MotorSample(job.Settings.Machine, new TracePoint(told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath)) { Error = error });
-
-    /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed; the one under way counts up to the last position known on it.</summary>
-    public static RunJudgement ByPolling(PreparedJob job, MotionProgram program, JobResult result)
-    {
-        var profile = job.Settings.Machine;
-        var trace = result.PolledTrace.Select(point => Sample(profile, point.Seconds, point.Place, point.ToolOn)).ToArray();
-        if (!trace.Any(sample => sample.Cutting)) return RunJudgement.Unknown;
-        var (judge, motors) = (JudgeOf(job), MotorsOf(job));
-        for (var i = 0; i < trace.Length; i++)
-        {
-            // The last poll before the tool is out of the work may be the only one of its way up; the judge of heights knows a way up or down by what is no cut before it.
-            if (trace[i].Cutting && i + 1 < trace.Length && !trace[i + 1].Cutting) judge.Add(trace[i] with { Cutting = false });
-            judge.Add(trace[i]);
-        }
-
-        foreach (var point in result.PolledTrace.Where(point => point.Error is not null)) motors.Add(Sample(profile, point.Seconds, point.Place, point.ToolOn), MotorSample(profile, point));
-        var found = judge.Verdict();
-        var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
-        var tolerances = Tolerances(job);
-        var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
-        var missing = Math.Max(0.0, planned - cut) / profile.Scale.Largest;
-        return WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, motors);
-    }
 
     /// <summary>The differences that a correct run of the job may have.</summary>
     public static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
@@ -96,9 +65,9 @@ public static class RunJudge
     private static double CoarsestCount(MachineProfile profile) => 1.0 / (profile.Height is null ? profile.Scale.Smallest : Math.Min(profile.Scale.Smallest, Math.Abs(profile.Scale.Z)));
 
     /// <summary>Where the motors were: the commanded position less the position error, where somebody asked for it.</summary>
-    private static TraceSample MotorSample(MachineProfile profile, TracePoint point) => Sample(profile, point.Seconds, point.Place - (point.Error ?? default), point.ToolOn, point.Error);
+    internal static TraceSample MotorSample(MachineProfile profile, TracePoint point) => CommandedSample(profile, point.Seconds, point.Place - (point.Error ?? default), point.ToolOn, point.Error);
 
-    private static TraceSample Sample(MachineProfile profile, double seconds, CountsPoint counts, bool cutting, CountsPoint? error = null)
+    internal static TraceSample CommandedSample(MachineProfile profile, double seconds, CountsPoint counts, bool cutting, CountsPoint? error = null)
     {
         var place = profile.Scale.ToMillimetres(counts.X, counts.Y);
         return new(seconds, place.X, place.Y, cutting, profile.Scale.ToMillimetres(counts.Z)) { FollowingMm = error is { } known ? Following(profile, known) : null };

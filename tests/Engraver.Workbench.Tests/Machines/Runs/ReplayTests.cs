@@ -4,6 +4,7 @@ using Engraver.Core.Machines.Origins;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
@@ -112,7 +113,8 @@ public sealed class ReplayTests : IDisposable
     public async Task A_host_that_died_is_followed_to_its_last_word_and_then_the_watchdog_stops_the_machine()
     {
         var (_, record) = await RunAsync(JobMode.Stream, new JobControl(), _ => { });
-        var lines = await File.ReadAllLinesAsync(KeptConversation.PathOf(Journal));
+        string[] lines;
+        using (var kept = CompressedText.Open(KeptConversation.PathOf(Journal))) lines = (await kept.ReadToEndAsync()).TrimEnd('\n').Split('\n');
         var last = Array.FindIndex(lines, line => line[0] != '#' && long.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture) > 6_000_000);
         await File.WriteAllTextAsync(KeptConversation.PathOf(Journal), string.Join('\n', lines.Take(last)) + "\n6000000 0 > torn");
         File.WriteAllLines(Journal, (await File.ReadAllLinesAsync(Journal)).Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal)));

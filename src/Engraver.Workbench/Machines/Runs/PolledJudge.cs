@@ -1,0 +1,64 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Core.Verification;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>Judges a run on a real link by the positions that are polled while it goes on, one after the other: memory does not grow with the time of the run.</summary>
+/// <remarks>Everything is built before the job begins, because building a judge of a large drawing would delay the heartbeat. Not thread safe.</remarks>
+internal sealed class PolledJudge
+{
+    private readonly PreparedJob _job;
+    private readonly ITraceJudge _path;
+    private readonly MotorJudge _motors;
+    private readonly RunTraceBuilder _places;
+    private TraceSample? _last;
+    private CountsPoint? _error;
+    private bool _hasCut;
+
+    public PolledJudge(PreparedJob job)
+    {
+        (_job, _path, _places) = (job, RunJudge.JudgeOf(job), RunJudge.PlacesOf(job));
+        var motors = RunJudge.PlanJudgeOf(job, null, RunJudge.Tolerances(job));
+        _motors = new MotorJudge(() => motors);
+    }
+
+    public void Add(TracePoint point)
+    {
+        var profile = _job.Settings.Machine;
+        var commanded = RunJudge.CommandedSample(profile, point.Seconds, point.Place, point.ToolOn);
+        TellLast(commanded.Cutting);
+        _last = commanded;
+        if (point.Error is not null) _motors.Add(commanded, RunJudge.MotorSample(profile, point));
+        _error = point.Error ?? _error; // between two questions the last answer is the best that is known
+        _places.Add(RunJudge.MotorSample(profile, point with { Error = _error }));
+    }
+
+    /// <summary>Where the machine was.</summary>
+    public RunTrace Trace() => _places.ToTrace("polled");
+
+    /// <summary>By the positions, and by the segments that the controller counted as executed; the one under way counts up to the last position known on it. Call once, at the end of the job.</summary>
+    public RunJudgement Judge(MotionProgram program, JobResult result)
+    {
+        TellLast(isCutOn: true);
+        _last = null;
+        if (!_hasCut) return RunJudgement.Unknown;
+        var found = _path.Verdict();
+        var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
+        var tolerances = RunJudge.Tolerances(_job);
+        var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
+        var missing = Math.Max(0.0, planned - cut) / _job.Settings.Machine.Scale.Largest;
+        return RunJudge.WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, _motors);
+    }
+
+    /// <summary>The last poll before the tool is out of the work may be the only one of its way up; the judge of heights knows a way up or down by what is no cut before it.</summary>
+    private void TellLast(bool isCutOn)
+    {
+        if (_last is not { } last) return;
+        _hasCut |= last.Cutting;
+        if (last.Cutting && !isCutOn) _path.Add(last with { Cutting = false });
+        _path.Add(last);
+    }
+}
