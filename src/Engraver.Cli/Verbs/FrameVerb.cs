@@ -47,7 +47,7 @@ internal sealed class FrameVerb
             stop).ConfigureAwait(false);
         _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (frame is null) return NotMoved($"{job.WithoutProgram}.");
-        await using var machine = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null), Profile = settings.Machine };
+        await using var machine = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null), SimulatedIsHomed = true, Profile = settings.Machine };
         await machine.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
         var placement = await machine.AskAsync(frame, dryRun: true, stop).ConfigureAwait(false);
         var list = ArmingChecklist.OfFrameOnConsole(job, machine.Profile, machine.Status, placement);

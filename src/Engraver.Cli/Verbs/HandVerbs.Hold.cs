@@ -12,7 +12,7 @@ internal sealed partial class HandVerbs
     {
         var verb = new HandVerbs(host);
         var command = verb.Command("home", Wording.Get("Hand.Home"));
-        command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (machine, cancellation) => verb.HomeAsync(machine, cancellation), stop));
+        command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (machine, cancellation) => verb.HomeAsync(machine, cancellation), stop, homes: true));
         return command;
     }
 

@@ -109,10 +109,11 @@ internal sealed partial class HandVerbs
     private MachineCommand Command(string name, string description) => new(name, description) { _connect, _json, _profile };
 
     /// <summary>Connects, acts, looks once more and says what it sees.</summary>
-    private async Task<int> WithMachineAsync(ParseResult parsed, Func<MachineSession, CancellationToken, Task<int>> act, CancellationToken stop)
+    /// <param name="homes">It homes the machine, which a simulated one has to be away from its marks for.</param>
+    private async Task<int> WithMachineAsync(ParseResult parsed, Func<MachineSession, CancellationToken, Task<int>> act, CancellationToken stop, bool homes = false)
     {
         var address = parsed.GetRequiredValue(_connect)!;
-        await using var machine = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null) };
+        await using var machine = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null), SimulatedIsHomed = !homes };
         if (parsed.GetValue(_profile) is { } profile) machine.Profile = ProfileOption.Load(parsed, profile);
         await machine.ConnectAsync(address, stop).ConfigureAwait(false);
         var code = await act(machine, stop).ConfigureAwait(false);

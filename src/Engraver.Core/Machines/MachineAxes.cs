@@ -20,9 +20,6 @@ public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = 
     /// <summary>The same of several, in their order.</summary>
     public string NamesOf(string letters) => string.Concat(letters.Select(NameOf));
 
-    /// <summary>The same axes without travel and homing.</summary>
-    public MachineAxes WithoutPlaces() => this with { X = X with { Travel = null, Homing = null }, Y = Y with { Travel = null, Homing = null }, Z = Z is { } z ? z with { Travel = null, Homing = null } : null };
-
     /// <summary>The letters of the two axes of the plane.</summary>
     public string PlaneLetters => string.Concat(X.Letter, Y.Letter);
 

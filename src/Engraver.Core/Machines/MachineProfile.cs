@@ -82,12 +82,12 @@ public sealed record MachineProfile
     /// <summary>Whether the machine has to be homed: one of its axes says how.</summary>
     public bool HasHoming => Axes.All.Any(axis => axis.Homing is not null);
 
+    /// <summary>The same machine without homing: a simulated one of this profile is switched on at its machine zero.</summary>
+    public MachineProfile WithoutHoming() => this with { Axes = Axes with { X = Axes.X with { Homing = null }, Y = Axes.Y with { Homing = null }, Z = Axes.Z is { } z ? z with { Homing = null } : null } };
+
     /// <summary>What the zero of a homed machine depends on: another text is another zero, so that what was kept by the one means nothing by the other.</summary>
     public string HomedAs => string.Join(' ', Axes.All.Where(axis => axis.Homing is not null).Select(axis => string.Create(
         System.Globalization.CultureInfo.InvariantCulture, $"{axis.Letter}{(axis.Homing!.Plus == axis.CountsPerMillimetre > 0.0 ? '+' : '-')}{axis.Homing.By}@{Math.Round(axis.Homing.Zero * axis.CountsPerMillimetre)}")));
-
-    /// <summary>The same machine without travel and homing: for a simulated one that lives for one job and stands nowhere in particular.</summary>
-    public MachineProfile WithoutPlaces() => this with { Axes = Axes.WithoutPlaces() };
 
     public CountsScale Scale => Axes.Scale;
 

@@ -53,6 +53,9 @@ internal sealed record MachineFacts
     /// <summary>Whether the machine was homed since power-on; null for one that is not homed at all.</summary>
     public bool? IsHomed { get; init; }
 
+    /// <summary>It is simulated, and counts as homed though nobody homed it.</summary>
+    public bool HomingIsAssumed { get; init; }
+
     /// <summary>The last progress of the last job on this machine; a move by hand does not change it.</summary>
     public JobProgress? Progress { get; init; }
 
@@ -109,6 +112,7 @@ internal sealed record MachineFacts
             ArmedUntil = state == MachineState.Armed ? armed?.Until : null,
             IsDryRun = state == MachineState.Armed ? armed!.DryRun : IsDryRun && (JobRuns || Ended is not null),
             IsHomed = IsHomed,
+            HomingIsAssumed = HomingIsAssumed,
             IsLinkLost = Lost is not null,
             OriginMissing = OriginMissing,
             Time = SeenAt,

@@ -70,6 +70,9 @@ public sealed partial class MachineSession : IAsyncDisposable
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation => _watched.Connection?.Simulator is not null;
 
+    /// <summary>A simulated machine counts as homed and stands at its machine zero: for one act on a machine that ends with it. Otherwise it is homed as a real one is.</summary>
+    public bool SimulatedIsHomed { get; init; }
+
     /// <summary>Where the work origins of machines are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does what is known of it.</summary>
     public string? OriginsFolder { get; init; }
 
@@ -117,7 +120,7 @@ public sealed partial class MachineSession : IAsyncDisposable
         ArgumentNullException.ThrowIfNull(address);
         if (IsRunning) throw new InvalidOperationException("A job runs.");
         await DisconnectAsync().ConfigureAwait(false);
-        var poll = await _watched.OpenAsync(address, Profile, cancellation).ConfigureAwait(false);
+        var poll = await _watched.OpenAsync(address, SimulatedIsHomed ? Profile.WithoutHoming() : Profile, cancellation).ConfigureAwait(false);
         var identity = _watched.Identity!;
         await TakeAsync(identity, cancellation).ConfigureAwait(false);
         _status.Connected(_watched.Connection!.Description, IsSimulation, identity);
@@ -135,6 +138,7 @@ public sealed partial class MachineSession : IAsyncDisposable
             var place = _place = await _watched.Watch!.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
             Hold = new MachineMemories(IsSimulation ? null : OriginsFolder).Take(_watched.Connection!.Description, identity, place, MachineHolder.Describe("CncEngraver", _time));
             Hold.Recognise(place);
+            if (SimulatedIsHomed && IsSimulation) Hold.AssumeHomed(Profile);
         }
         catch (ControllerException)
         {
@@ -209,7 +213,7 @@ public sealed partial class MachineSession : IAsyncDisposable
         if (!IsRunning) Hold?.KeepSeen(poll.Position, poll.Moves);
         if (_place is { } place && string.Concat(poll.MotorsOff.Intersect(place.Uncounted)) is { Length: > 0 } off) Hold?.KeepLost(Wording.Get("Origins.StepperWasOff", Profile.Axes.NamesOf(off)));
         _status.OriginIs(OriginMissing(poll.Position)); // a job under way is not watched: this is the look before or behind it
-        _status.HomedIs(IsHomed);
+        _status.HomedIs(IsHomed, Hold is { Memory.HomingIsAssumed: true });
         _status.Seen(poll);
     }
 

@@ -86,6 +86,9 @@ public sealed record MachineStatus
     /// <summary>Whether the machine was homed since power-on; null for one that is not homed at all.</summary>
     public bool? IsHomed { get; init; }
 
+    /// <summary>It is simulated, and counts as homed though nobody homed it.</summary>
+    public bool HomingIsAssumed { get; init; }
+
     /// <summary>True when the controller answers no more; the other values are then the last known ones.</summary>
     public bool IsLinkLost { get; init; }
 

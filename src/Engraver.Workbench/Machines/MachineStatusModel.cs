@@ -145,7 +145,8 @@ internal sealed class MachineStatusModel : IDisposable
     public void OriginIs(Diagnostic? missing) => Change(facts => facts with { OriginMissing = missing });
 
     /// <param name="isHomed">Null for a machine that is not homed at all.</param>
-    public void HomedIs(bool? isHomed) => Change(facts => facts with { IsHomed = isHomed });
+    /// <param name="isAssumed">It is simulated, and nobody homed it.</param>
+    public void HomedIs(bool? isHomed, bool isAssumed = false) => Change(facts => facts with { IsHomed = isHomed, HomingIsAssumed = isAssumed });
 
     private void Begins(Func<MachineFacts, MachineFacts> also)
     {

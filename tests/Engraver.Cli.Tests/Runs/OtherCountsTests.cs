@@ -71,6 +71,7 @@ public sealed class OtherCountsTests : IDisposable
         var kept = JsonNode.Parse(await File.ReadAllTextAsync(file, _limit.Token))!;
         Assert.Equal(1000, (int)kept["origins"]!["G54"]!["countsPerMillimetre"]!["x"]!);
         kept["origins"]!["G54"]!.AsObject().Remove("countsPerMillimetre");
+        kept.AsObject().Remove("sum"); // as an older version wrote it
         await File.WriteAllTextAsync(file, kept.ToJsonString(), _limit.Token);
 
         Assert.StartsWith("READY", await DoneAsync(["status", "--machine", other, .. at]), StringComparison.Ordinal);

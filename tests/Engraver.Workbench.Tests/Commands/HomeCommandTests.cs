@@ -63,7 +63,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
     [Fact]
     public async Task Origins_that_were_set_before_the_first_homing_move_with_the_counts_and_those_of_a_lost_zero_are_forgotten_and_named()
     {
-        await using (var session = await ConnectedAsync(Profile with { Axes = Profile.Axes.WithoutPlaces() }))
+        await using (var session = await ConnectedAsync(Profile with { Axes = Profile.Axes with { X = Profile.Axes.X with { Travel = null, Homing = null }, Y = Profile.Axes.Y with { Travel = null, Homing = null } } }))
         {
             await TypeAsync(session, "CNCGOTO", "3,4");
             await TypeAsync(session, "CNCZERO", "All"); // 23, 19 by the place of the switches
@@ -77,7 +77,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
             Assert.InRange(origin.Y!.Value, 18997, 19003);
         }
 
-        await using (var session = await ConnectedAsync(Profile with { Axes = Profile.Axes.WithoutPlaces() }))
+        await using (var session = await ConnectedAsync(Profile with { Axes = Profile.Axes with { X = Profile.Axes.X with { Travel = null, Homing = null }, Y = Profile.Axes.Y with { Travel = null, Homing = null } } }))
         {
             Assert.Contains("homed with another machine profile", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCZERO", "X", "Yes")).Sentence, StringComparison.Ordinal);
         }

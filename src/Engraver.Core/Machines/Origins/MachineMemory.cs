@@ -51,6 +51,16 @@ public sealed record MachineMemory
     /// <summary>Of the machine profile by which it was homed, without letters.</summary>
     public KeptAxes HomedAxes { get; init; }
 
+    /// <summary>Nobody homed the machine: it is simulated, ends with its connection, and counts as homed where it began, so that a rehearsal is checked as a job on the machine is.</summary>
+    public bool HomingIsAssumed { get; init; }
+
+    /// <summary>A simulated machine that counts as homed by this profile.</summary>
+    public MachineMemory AssumeHomed(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return profile.HasHoming ? this with { HomedAs = profile.HomedAs, HomedAxes = KeptAxes.Of(profile).WithoutLetters(), HomingIsAssumed = true } : this;
+    }
+
     /// <summary>True when the machine was homed as this profile says, by the same counts per millimetre.</summary>
     public bool WasHomedBy(MachineProfile profile)
     {
@@ -80,7 +90,7 @@ public sealed record MachineMemory
     public bool IsSameZero(ControllerPlace place)
     {
         ArgumentNullException.ThrowIfNull(place);
-        return Mark is { } mark && place.Mark == mark && (Clock is not { } then || place.Clock is not { } now || now >= then);
+        return HomingIsAssumed || (Mark is { } mark && place.Mark == mark && (Clock is not { } then || place.Clock is not { } now || now >= then));
     }
 
     /// <summary>True when a controller that lost its zero can have been switched off only where it counted 0, so that its 0 is the same place again.</summary>
@@ -110,7 +120,7 @@ public sealed record MachineMemory
     public MachineMemory AssumeZero(bool hasHeight = false) => With(Active, new WorkOrigin(0, 0, hasHeight ? 0 : null) { IsAssumed = true });
 
     /// <summary>Without the origins: the controller counts from another zero now, and what they told is nowhere.</summary>
-    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "", HomedAxes = default };
+    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "", HomedAxes = default, HomingIsAssumed = false };
 
     /// <summary>The machine was homed: the controller counts from the zero of the homing now.</summary>
     /// <param name="profile">By which.</param>
@@ -122,7 +132,7 @@ public sealed record MachineMemory
         var origins = HomedAs == profile.HomedAs ? Origins
             : shift is null ? new Dictionary<string, WorkOrigin>()
             : Origins.ToDictionary(entry => entry.Key, entry => entry.Value with { X = entry.Value.X + shift[0], Y = entry.Value.Y + shift[1], Z = shift.Count > 2 ? entry.Value.Z + shift[2] : entry.Value.Z });
-        return this with { Origins = origins, HomedAs = profile.HomedAs, HomedAxes = KeptAxes.Of(profile).WithoutLetters(), Lost = "" };
+        return this with { Origins = origins, HomedAs = profile.HomedAs, HomedAxes = KeptAxes.Of(profile).WithoutLetters(), HomingIsAssumed = false, Lost = "" };
     }
 
     private MachineMemory With(string name, WorkOrigin origin) => this with { Origins = new Dictionary<string, WorkOrigin>(Origins) { [name] = origin } };

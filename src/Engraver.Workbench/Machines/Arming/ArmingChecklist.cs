@@ -66,7 +66,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         ArmingCheck[] said =
         [
             Check(status.State.IsReady() || status.State is MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin, Wording.Get("ArmingChecklist.Controller", Word(status))),
-            .. status.IsHomed is { } homed ? [Check(homed, speech.Text(homed ? "ArmingChecklist.Homed" : "ArmingChecklist.NotHomed"))] : Array.Empty<ArmingCheck>(),
+            .. status.IsHomed is { } homed ? [status.HomingIsAssumed && homed ? Note(Wording.Get("ArmingChecklist.HomingAssumed")) : Check(homed, speech.Text(homed ? "ArmingChecklist.Homed" : "ArmingChecklist.NotHomed"))] : Array.Empty<ArmingCheck>(),
             status.MotorsOn == true ? Check(true, Wording.Get("ArmingChecklist.MotorsOn")) : speech.Motors(),
             Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitHit") : Wording.Get("ArmingChecklist.HitMoveMachineOff", status.Limit)),
             Check(status.State != MachineState.EmergencyStopOpen, Wording.Get(status.State == MachineState.EmergencyStopOpen ? "ArmingChecklist.AbortInputActive" : "ArmingChecklist.AbortInputRests")),
@@ -114,6 +114,8 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     }
 
     internal static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
+
+    private static ArmingCheck Note(string sentence) => new(true, sentence + ".") { IsNote = true };
 
     internal static ArmingCheck Check(bool passed, string sentence) => new(passed, sentence + ".");
 

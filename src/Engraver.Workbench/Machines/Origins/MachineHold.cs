@@ -110,6 +110,14 @@ public sealed class MachineHold : IDisposable
         lock (_guard) return _knowsZero && _memory.Lost.Length == 0 && _memory.WasHomedBy(profile);
     }
 
+    /// <summary>The machine is simulated and nothing of it is kept: it counts as homed, with its zero where it began (<see cref="MachineMemory.AssumeHomed"/>).</summary>
+    /// <exception cref="InvalidOperationException">It is a machine of which something is kept.</exception>
+    public void AssumeHomed(MachineProfile profile)
+    {
+        if (IsKept) throw new InvalidOperationException("A real machine is homed.");
+        Keep(memory => memory.AssumeHomed(profile));
+    }
+
     /// <summary>The controller was asked where it is.</summary>
     public void Recognise(ControllerPlace place)
     {

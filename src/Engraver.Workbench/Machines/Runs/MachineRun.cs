@@ -72,8 +72,8 @@ public static class MachineRun
     private static async Task<MachineRunReport> OnMachineAsync(
         PreparedJob job, MotionProgram program, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        if (options.Hold is null && connection.Simulator is not null) program = program with { Profile = program.Profile.WithoutPlaces() }; // it lives for this job and stands nowhere in particular
         using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
+        if (taken is { IsKept: false } && connection.Simulator is not null) taken.AssumeHomed(program.Profile);
         var beginning = await JobBeginning.FindAsync(machine, job, program, options, (options.Hold ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
         var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.DryRun, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
@@ -108,6 +108,7 @@ public static class MachineRun
             Identity = machine.Identity,
             Poll = await machine.LookAsync(profile.Axes, stop).ConfigureAwait(false),
             IsHomed = profile.HasHoming ? hold.IsHomed(profile) : null,
+            HomingIsAssumed = hold.Memory.HomingIsAssumed,
             SeenAt = time.GetUtcNow(),
         };
         return mayStart(facts.ToStatus(profile, armed: null), placement);
