@@ -59,6 +59,8 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule JournalUnsealed = new("JOB0048", Severity.Warning, "journal");
 
+    public static readonly DiagnosticRule FamilyUntried = new("JOB0049", Severity.Warning, "model", "family");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile, SetByOtherCounts, HomedByOtherCounts, NotSetWhileDoubted, StepBeyondTravel, SetByOtherAxis, NotSetWhileMoving, JournalUnsealed];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, MotorUntold, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed, OtherProfile, SetByOtherCounts, HomedByOtherCounts, NotSetWhileDoubted, StepBeyondTravel, SetByOtherAxis, NotSetWhileMoving, JournalUnsealed, FamilyUntried];
 }

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>The address of a controller: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>. A value; opening it is the caller's task.</summary>
+/// <summary>The address of a controller: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>; also without its scheme where the rest tells it (<c>192.168.0.2</c>, <c>COM3</c>, <c>sim</c>). A value; opening it is the caller's task.</summary>
 public abstract record ControllerAddress
 {
     /// <summary>Port 23 is the convention of Galil's own hosts (galil-dmc.md A.1).</summary>
@@ -11,6 +11,9 @@ public abstract record ControllerAddress
 
     /// <summary>The controller's rate without a jumper (galil-dmc.md A.2).</summary>
     public const int DefaultBaud = 19200;
+
+    private const string TcpScheme = "tcp://";
+    private const string SerialScheme = "serial://";
 
     /// <summary>What is accepted, for messages.</summary>
     public static string Forms => Wording.Get("ControllerAddress.Forms");
@@ -34,16 +37,26 @@ public abstract record ControllerAddress
     public static bool TryParse(string text, [NotNullWhen(true)] out ControllerAddress? address)
     {
         ArgumentNullException.ThrowIfNull(text);
-        var (body, query) = Split(text);
+        var (body, query) = Split(text.Trim());
         address = body switch
         {
-            _ when body.StartsWith("tcp://", StringComparison.Ordinal) => Tcp(body["tcp://".Length..], query),
-            _ when body.StartsWith("serial://", StringComparison.Ordinal) => Serial(body["serial://".Length..], query),
-            "sim:" => Simulated(query),
+            _ when body.StartsWith(TcpScheme, StringComparison.OrdinalIgnoreCase) => Tcp(body[TcpScheme.Length..], query),
+            _ when body.StartsWith(SerialScheme, StringComparison.OrdinalIgnoreCase) => Serial(body[SerialScheme.Length..], query),
+            _ when body.Equals("sim:", StringComparison.OrdinalIgnoreCase) || body.Equals("sim", StringComparison.OrdinalIgnoreCase) => Simulated(query),
+            _ when IsPort(body) => Serial(body, query),
+            _ when IsHost(body) => Tcp(body, query),
             _ => null,
         };
         return address is not null;
     }
+
+    /// <summary>COM3, or a device path.</summary>
+    private static bool IsPort(string body) =>
+        body.StartsWith("/dev/", StringComparison.Ordinal) || (body.StartsWith("COM", StringComparison.OrdinalIgnoreCase) && int.TryParse(body.AsSpan(3), NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port is > 0 and <= 256);
+
+    /// <summary>An IP address or a name with a dot, also with a port. A single word may as well be a misspelled scheme.</summary>
+    private static bool IsHost(string body) =>
+        !body.Contains("//", StringComparison.Ordinal) && (body.Contains('.', StringComparison.Ordinal) || body.StartsWith('[') || body.Split(':')[0] == "localhost");
 
     private static (string Body, string Query) Split(string text) =>
         text.IndexOf('?', StringComparison.Ordinal) is >= 0 and var mark ? (text[..mark], text[(mark + 1)..]) : (text, "");

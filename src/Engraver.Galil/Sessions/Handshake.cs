@@ -12,11 +12,12 @@ internal static class Handshake
     public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
     {
         var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
-        var axes = AxesOf(model) ?? throw new ProtocolViolationException(Wording.Get("Handshake.AnswersOnLinkController", model));
+        var (axes, family, isSimulated) = ControllerModel.Parse(model) ?? throw new ProtocolViolationException(Wording.Get("Handshake.AnswersOnLinkController", model));
+        if (axes < 2) throw new ProtocolViolationException(Wording.Get("Handshake.OneAxis", model));
         var handle = await TextAsync(channel, "WH", cancellation).ConfigureAwait(false);
         var record = await RecordBytesAsync(channel, axes, cancellation).ConfigureAwait(false);
         await channel.SendAsync("TC1", cancellation).ConfigureAwait(false);
-        return new ControllerIdentity(model, axes, handle, record, await LimitsAsync(channel, cancellation).ConfigureAwait(false));
+        return new ControllerIdentity(model, axes, handle, record, await LimitsAsync(channel, cancellation).ConfigureAwait(false)) { UntriedFamily = isSimulated ? null : family };
     }
 
     private static async Task<string> TextAsync(CommandChannel channel, string question, CancellationToken cancellation) =>
@@ -42,15 +43,5 @@ internal static class Handshake
             await Ask("_IA2").ConfigureAwait(false),
             await Ask("_LMS").ConfigureAwait(false),
             await Ask("_TM").ConfigureAwait(false));
-    }
-
-    /// <summary>Number of axes from the model string: the digit after the family, which is the sixth character, on the 500x0 the seventh.</summary>
-    /// <returns>Null when the string is not a model of the DMC family.</returns>
-    public static int? AxesOf(string model)
-    {
-        ArgumentNullException.ThrowIfNull(model);
-        if (!model.StartsWith("DMC", StringComparison.Ordinal)) return null;
-        var place = model.StartsWith("DMC500", StringComparison.Ordinal) ? 6 : 5;
-        return model.Length > place && model[place] is >= '1' and <= '8' ? model[place] - '0' : null;
     }
 }

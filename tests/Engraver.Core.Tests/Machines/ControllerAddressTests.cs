@@ -19,6 +19,24 @@ public class ControllerAddressTests
         Assert.Equal(new SimulatedAddress(2.5), ControllerAddress.Parse("sim:?speed=2.5"));
     }
 
+    /// <summary>What people type, and what it is.</summary>
+    [Theory]
+    [InlineData("192.168.0.2", "tcp://192.168.0.2:23")]
+    [InlineData("192.168.0.2:5000", "tcp://192.168.0.2:5000")]
+    [InlineData(" 192.168.0.2 ", "tcp://192.168.0.2:23")]
+    [InlineData("engraver.local", "tcp://engraver.local:23")]
+    [InlineData("engraver.local:1234", "tcp://engraver.local:1234")]
+    [InlineData("localhost", "tcp://localhost:23")]
+    [InlineData("[::1]:23", "tcp://[::1]:23")]
+    [InlineData("TCP://10.0.0.5", "tcp://10.0.0.5:23")]
+    [InlineData("COM3", "serial://COM3?baud=19200")]
+    [InlineData("com12?baud=9600", "serial://com12?baud=9600")]
+    [InlineData("/dev/ttyUSB0", "serial:///dev/ttyUSB0?baud=19200")]
+    [InlineData("sim", "sim:")]
+    [InlineData("SIM:", "sim:")]
+    [InlineData("sim?speed=2.5", "sim:?speed=2.5")]
+    public void An_address_without_its_scheme_is_taken_where_it_tells_what_it_is(string text, string address) => Assert.Equal(address, ControllerAddress.Parse(text).Typed);
+
     [Theory]
     [InlineData("tcp://10.0.0.5:5000")]
     [InlineData("serial:///dev/ttyS0?baud=9600")]
@@ -30,7 +48,17 @@ public class ControllerAddressTests
 
     [Theory]
     [InlineData("")]
-    [InlineData("10.0.0.5:23")]
+    [InlineData("engraver")]
+    [InlineData("simm")]
+    [InlineData("usb:1")]
+    [InlineData("tcp:23")]
+    [InlineData("COM")]
+    [InlineData("COM3x")]
+    [InlineData("10.0.0.5:0")]
+    [InlineData("10.0.0.5:port")]
+    [InlineData("http://10.0.0.5")]
+    [InlineData("10.0.0.5/path")]
+    [InlineData("ttyUSB0:")]
     [InlineData("tcp://")]
     [InlineData("tcp://host:0")]
     [InlineData("tcp://host:70000")]

@@ -21,8 +21,9 @@ internal sealed class SimulatedBench : IAsyncDisposable
     /// <param name="clock">The controller's wall clock: where one stands, silence of the host lets no time pass, however long this computer is held up.</param>
     /// <param name="spacing">What divides a negative number from the one before it.</param>
     /// <param name="lag">By which the motors trail their commands.</param>
-    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank, TimeSpan lag = default, params AxisSwitches[] switches) => Controller = new SimulatedController(
-        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing, ServoLag = lag, Switches = switches });
+    /// <param name="model">What ^R^V answers; null for the usual one.</param>
+    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank, TimeSpan lag = default, string? model = null, params AxisSwitches[] switches) => Controller = new SimulatedController(
+        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing, ServoLag = lag, Switches = switches, Model = model ?? new SimulatorOptions().Model });
 
     public SimulatedController Controller { get; }
 

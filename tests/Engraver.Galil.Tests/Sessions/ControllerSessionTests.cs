@@ -23,15 +23,53 @@ public class ControllerSessionTests
         Assert.Equal((511, 1000, 6), (identity.Limits.Segments, identity.Limits.SampleMicroseconds, identity.Limits.FreeHandles));
     }
 
+    /// <summary>The digit of the axes is the third of four or the fourth of five.</summary>
     [Theory]
-    [InlineData("DMC2143 Rev 1.0o", 4)]
-    [InlineData("DMC2182s87j", 8)]
-    [InlineData("DMC4143 Rev 1.2", 4)]
-    [InlineData("DMC50040 Rev 1.0", 4)]
-    [InlineData("RIO47100", null)]
-    [InlineData("HTTP/1.1 400", null)]
-    [InlineData("DMC", null)]
-    public void The_axis_digit_stands_where_the_family_puts_it(string model, int? axes) => Assert.Equal(axes, Handshake.AxesOf(model));
+    [InlineData("DMC2143 Rev 1.0o", 4, "DMC-21x3", true)]
+    [InlineData("DMC2143...", 4, "DMC-21x3", true)]
+    [InlineData("DMC2182s87j", 8, "DMC-21x2", true)]
+    [InlineData("DMC4143", 4, "DMC-41x3", false)]
+    [InlineData("DMC4143 Rev 1.2", 4, "DMC-41x3", false)]
+    [InlineData("DMC4080 Rev 1.0i", 8, "DMC-40x0", false)]
+    [InlineData("DMC50040 Rev 1.0", 4, "DMC-500x0", false)]
+    [InlineData("DMC52040", 4, "DMC-520x0", false)]
+    [InlineData("DMC30010 Rev 1.2d", 1, "DMC-300x0", false)]
+    [InlineData("DMC1842", 4, "DMC-18x2", false)]
+    [InlineData("DMC1846", 4, "DMC-18x6", false)]
+    [InlineData("DMC9929 Rev 9", 2, "DMC-99x9", false)]
+    public void Family_and_axes_are_read_from_the_model(string model, int axes, string family, bool isSimulated) =>
+        Assert.Equal(new ControllerModel(axes, family, isSimulated), ControllerModel.Parse(model));
+
+    [Theory]
+    [InlineData("RIO47100")]
+    [InlineData("HTTP/1.1 400")]
+    [InlineData("DMC")]
+    [InlineData("DMC500")]
+    [InlineData("DMC2103")]
+    [InlineData("DMC214300")]
+    public void What_names_no_model_of_the_family_is_none(string answer) => Assert.Null(ControllerModel.Parse(answer));
+
+    [Fact]
+    public async Task A_controller_with_one_axis_is_refused_with_what_is_needed()
+    {
+        await using var bench = new SimulatedBench(model: "DMC30010 Rev 1.2d");
+
+        var refused = await Assert.ThrowsAsync<ProtocolViolationException>(() => bench.OpenAsync());
+
+        Assert.Equal("DMC30010 Rev 1.2d has one axis; a drawing needs two. Connect a controller with two axes or more.", refused.Message);
+    }
+
+    [Theory]
+    [InlineData("DMC2123 Rev 1.0o", null)]
+    [InlineData("DMC4143 Rev 1.2", "DMC-41x3")]
+    [InlineData("DMC52040", "DMC-520x0")]
+    public async Task A_family_that_no_simulated_controller_is_of_is_told(string model, string? family)
+    {
+        await using var bench = new SimulatedBench(model: model);
+        await using var session = await bench.OpenAsync();
+
+        Assert.Equal((model, family), (session.Identity.Model, session.Identity.UntriedFamily));
+    }
 
     [Fact]
     public async Task Something_else_that_answers_is_no_controller()

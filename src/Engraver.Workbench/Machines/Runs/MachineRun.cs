@@ -146,6 +146,7 @@ public static class MachineRun
             FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.All.Zip("XYZ").Where(axis => !placement.OpenLoop.Contains(axis.Second)).Select(axis => axis.First.Letter)) : "", // a stepper has no position error: its position is what was commanded
         };
         options.Placed?.Invoke(frame);
+        if (machine.Identity.UntriedFamily is { } family) options.Told?.Invoke(PreparationRules.FamilyUntried.At(default, machine.Identity.Model, family));
         if (placement.Untold.Count > 0) options.Told?.Invoke(PreparationRules.MotorUntold.At(default, string.Join(", ", placement.Untold)));
         placement.Begin();
         var result = await machine.RunAsync(placement.Program, jobOptions, progress, stop).ConfigureAwait(false);
