@@ -1,4 +1,5 @@
 using System.CommandLine.Parsing;
+using System.Text.RegularExpressions;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines.Origins;
@@ -7,7 +8,7 @@ using Engraver.Workbench.CommandLanguage;
 namespace Engraver.Cli.Options;
 
 /// <summary>Reads the values of options: invariant numbers only, and one sentence when a value cannot be read.</summary>
-internal static class OptionValue
+internal static partial class OptionValue
 {
     /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres; places may lie farther (drawings of maps). What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
     private const double Largest = 1e9;
@@ -76,7 +77,11 @@ internal static class OptionValue
     }
 
     public static IReadOnlyList<string> Names(ArgumentResult result) =>
-        result.Tokens[0].Value.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
+        [.. QuotedName().Matches(result.Tokens[0].Value).Select(found => found.Groups["quoted"] is { Success: true, Value: var quoted } ? quoted.Replace("\"\"", "\"", StringComparison.Ordinal) : found.Groups["plain"].Value.Trim()).Where(name => name.Length > 0)];
+
+    /// <summary>Names apart by commas; one with a comma in it stands in double quotes, in which a double quote is written twice.</summary>
+    [GeneratedRegex("(?:^|,)\\s*(?:\"(?<quoted>(?:[^\"]|\"\")*)\"\\s*(?=,|$)|(?<plain>[^,]*))", RegexOptions.CultureInvariant)]
+    private static partial Regex QuotedName();
 
     private static double Number(ArgumentResult result, Func<double, bool> allowed, string wanted)
     {

@@ -7,7 +7,7 @@ public static class DxfRules
 
     public static readonly DiagnosticRule NotDxf = new("DXF0002", Severity.Error, "found");
 
-    public static readonly DiagnosticRule UnitsAssumed = new("DXF0003", Severity.Warning, "insunits", "measurement");
+    public static readonly DiagnosticRule UnitsAssumed = new("DXF0003", Severity.Warning, "insunits", "measurement", "unit");
 
     public static readonly DiagnosticRule DwgFile = new("DXF0004", Severity.Error, "version");
 
@@ -107,6 +107,12 @@ public static class DxfRules
 
     public static readonly DiagnosticRule CurveLost = new("DXF0060", Severity.Error, "type", "place", "lengths");
 
+    public static readonly DiagnosticRule BinaryConverted = new("DXF0061", Severity.Error);
+
+    public static readonly DiagnosticRule AllOnPaper = new("DXF0062", Severity.Warning, "count");
+
+    public static readonly DiagnosticRule Dashed = new("DXF0063", Severity.Warning, "type", "place", "linetype");
+
     /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: such curves are read now.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
@@ -114,6 +120,6 @@ public static class DxfRules
         TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
         OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints, OutsideOfSections, ModelSpaceBlock, RestUnreadable,
-        RecordMayBeLost, TwoRecords, SectionPassedOver, DamageBesideCurves, ZeroBytes, ZeroScale, WeightsTooUnequal, MisplacedRecord, NameDamaged, MoreThanOneTurn, CurveLost,
+        RecordMayBeLost, TwoRecords, SectionPassedOver, DamageBesideCurves, ZeroBytes, ZeroScale, WeightsTooUnequal, MisplacedRecord, NameDamaged, MoreThanOneTurn, CurveLost, BinaryConverted, AllOnPaper, Dashed,
     ];
 }

@@ -9,7 +9,7 @@ using Engraver.Core.Dxf.Text;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Reads the entities of a block or of model space, each with the records that belong to it, and hands them to a target.</summary>
-internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, LengthCheck lengths, CutChoice cut)
+internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, LengthCheck lengths, LinetypeTable linetypes, CutChoice cut)
 {
     private readonly EntityRecord _record = new();
     private readonly EntityRecord _part = new();
@@ -70,6 +70,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         }
 
         if (lengths.Find(_record, _mapper.Shape) is { } lost) _mapper.Shape.Oddities.Add(lost);
+        if (linetypes.Find(_record) is { } dashed) _mapper.Shape.Oddities.Add(dashed);
         target.AddCurve(_record, _mapper.Shape);
     }
 
@@ -111,6 +112,10 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
                 case RecordKind.Point:
                     target.AddConstruction(_record);
                     if (PlacedPoints.Map(_record) is { } point) target.AddPoint(point);
+                    return;
+                case RecordKind.AttributeDefinition:
+                    target.AddConstruction(_record);
+                    if (texts.MapConstant(_record) is { } constant) target.AddConstant(_record, constant);
                     return;
                 case RecordKind.Construction:
                 case var kind when RecordKinds.IsOutline(kind):

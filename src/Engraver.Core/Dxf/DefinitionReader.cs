@@ -8,7 +8,7 @@ namespace Engraver.Core.Dxf;
 
 /// <summary>Reads what entities refer to: the layers and text styles of TABLES, the blocks of BLOCKS.</summary>
 internal sealed class DefinitionReader(
-    RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, Dictionary<int, BlockDefinition> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
+    RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, LinetypeTable linetypes, Dictionary<int, BlockDefinition> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
 {
     /// <summary>Flags of an external reference (4) or an overlaid one (8): its drawing is another file.</summary>
     private const int ExternalFlags = 4 | 8;
@@ -26,7 +26,7 @@ internal sealed class DefinitionReader(
     public void Take(string section)
     {
         if (records.Next == RecordKind.Block) TakeBlock();
-        else if (records.Next is RecordKind.LayerEntry or RecordKind.StyleEntry) TakeTableEntry();
+        else if (records.Next is RecordKind.LayerEntry or RecordKind.StyleEntry or RecordKind.LinetypeEntry) TakeTableEntry();
         else PassOver(section);
     }
 
@@ -49,6 +49,7 @@ internal sealed class DefinitionReader(
     {
         records.Read(_record);
         if (_record.Kind == RecordKind.StyleEntry) styles.Define(_record);
+        else if (_record.Kind == RecordKind.LinetypeEntry) linetypes.Define(_record);
         else if (_record.Fault is { } fault) log.Add(fault);
         else if (_record.Name >= 0) layers.Define(_record);
     }

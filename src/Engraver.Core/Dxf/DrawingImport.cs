@@ -45,10 +45,11 @@ internal sealed class DrawingImport
         _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, _log, cancellation) { Progress = options.Progress };
         var styles = new StyleTable();
         _layers = new LayerTable(_records.Layers);
-        _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), new LengthCheck(_layers), options.Cut);
+        var linetypes = new LinetypeTable(_records.Linetypes, _layers);
+        _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), new LengthCheck(_layers), linetypes, options.Cut);
         _balance = new BalanceSheet(_log);
         var (blocks, blockCurves) = (new Dictionary<int, BlockDefinition>(), new CurveColumns());
-        _definitions = new DefinitionReader(_records, _content, styles, _layers, blocks, blockCurves, _balance, _log);
+        _definitions = new DefinitionReader(_records, _content, styles, _layers, linetypes, blocks, blockCurves, _balance, _log);
         var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
         _texts = new TextExpander(blocks, _layers, cancellation);
         _points = new PointExpander(blocks, _layers, cancellation);
@@ -88,6 +89,7 @@ internal sealed class DrawingImport
         var unit = Unit();
         if (_texts.LeftOut) _log.Add(DxfRules.TextsLeftOut, 0, _texts.Placed.Count.ToString(CultureInfo.InvariantCulture));
         if (_text.MetForeignBytes) _log.Add(DxfRules.ForeignText, 0, _header.CodePage ?? "UTF-8");
+        if (_modelSpace.OnPaper > 0 && _balance.Taken == 0) _log.Add(DxfRules.AllOnPaper, 0, Wording.Count("Count.Entity", _modelSpace.OnPaper));
         var layers = _layers.ToLayers();
         return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToBalance(layers.Count), _log.ToList())
         {
@@ -221,8 +223,9 @@ internal sealed class DrawingImport
     {
         if (_options.UnitOverride is { } chosen) return chosen with { Source = "option" };
         if (LengthUnits.FromInsUnits(_header.InsUnits ?? 0.0) is { } declared) return declared;
-        _log.Add(DxfRules.UnitsAssumed, 0, Shown(_header.InsUnits), Shown(_header.Measurement));
-        return LengthUnit.AssumedMillimetres;
+        var isInFeet = _header.DisplayUnits is 3.0 or 4.0; // AutoCAD shows such lengths as feet and inches, and a unit of them is an inch
+        _log.Add(DxfRules.UnitsAssumed, 0, Shown(_header.InsUnits), Shown(_header.Measurement), isInFeet ? Wording.Get("DrawingImport.Inches", Shown(_header.DisplayUnits)) : Wording.Get("DrawingImport.Millimetres"));
+        return isInFeet ? LengthUnit.AssumedInches : LengthUnit.AssumedMillimetres;
     }
 
     private static string Shown(double? variable) => variable?.ToString(CultureInfo.InvariantCulture) ?? Wording.Get("DrawingImport.Missing");

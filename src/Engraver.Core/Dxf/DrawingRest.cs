@@ -14,7 +14,7 @@ public static class DrawingRest
         foreach (var (type, count) in drawing.Balance.EntityCounts)
         {
             var kind = RecordKinds.Find(type);
-            if (kind is RecordKind.Construction || (RecordKinds.IsOutline(kind) && !cut.Contains(type))) rest[type] = count;
+            if (kind is RecordKind.Construction or RecordKind.AttributeDefinition || (RecordKinds.IsOutline(kind) && !cut.Contains(type))) rest[type] = count;
         }
 
         if (drawing.Balance.Points - drawing.PointsRead is > 0 and var lost) rest["POINT"] = lost;

@@ -49,6 +49,7 @@ public static class DxfReader
         ReadOnlySpan<byte> bytes = file.Bytes;
         if (bytes.IsEmpty) return Unreadable(fileName, 0, DxfRules.EmptyFile.At(default));
         if (IsDwg(bytes)) return Unreadable(fileName, bytes.Length, DxfRules.DwgFile.At(default, Encoding.ASCII.GetString(bytes[..6]).TrimEnd('\0')));
+        if (BinaryTagSource.IsConverted(bytes)) return Unreadable(fileName, bytes.Length, DxfRules.BinaryConverted.At(default));
         if (ForeignFile.NameOf(bytes) is { } foreign) return Unreadable(fileName, bytes.Length, DxfRules.OtherFormat.At(default, foreign));
         return Read(TagsOf(file), file, fileName, options, cancellation);
     }

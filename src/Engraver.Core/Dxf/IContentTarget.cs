@@ -24,6 +24,9 @@ internal interface IContentTarget
     /// <summary>The content of a text that has already been counted.</summary>
     void AddText(PlacedText text);
 
+    /// <summary>A constant attribute, which every copy of its block shows. In model space, where it is a template, nothing becomes of it.</summary>
+    void AddConstant(EntityRecord record, PlacedText text);
+
     /// <summary>The place of a point that has already been counted.</summary>
     void AddPoint(PlacedPoint point);
 

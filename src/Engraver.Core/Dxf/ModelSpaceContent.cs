@@ -9,7 +9,15 @@ namespace Engraver.Core.Dxf;
 /// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded in their order.</summary>
 internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, PointExpander points, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
 {
-    public bool Takes(EntityRecord record) => !record.InPaperSpace;
+    /// <summary>Records of paper space that would be cut or shown in model space.</summary>
+    public int OnPaper { get; private set; }
+
+    public bool Takes(EntityRecord record)
+    {
+        if (!record.InPaperSpace) return true;
+        if (record.Type != "VIEWPORT") OnPaper++;
+        return false;
+    }
 
     public void AddCurve(EntityRecord record, CurveShape shape)
     {
@@ -29,6 +37,10 @@ internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expa
     }
 
     public void AddText(PlacedText text) => texts.Add(text);
+
+    public void AddConstant(EntityRecord record, PlacedText text)
+    {
+    }
 
     public void AddPoint(PlacedPoint point) => points.Add(point);
 

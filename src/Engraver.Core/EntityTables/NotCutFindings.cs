@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.EntityTables;
 
@@ -55,13 +56,30 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         get
         {
             if (Counts.Count == 0) return "";
-            var texts = Counts.Keys.Count(type => type.Contains("TEXT", StringComparison.Ordinal) || type.StartsWith("ATT", StringComparison.Ordinal));
-            return Wording.Get(texts == Counts.Count ? "NotCutFindings.HowToText" : texts == 0 ? "NotCutFindings.HowToOutline" : "NotCutFindings.HowToBoth");
+            var ways = Counts.Keys.ToLookup(WayOf);
+            var parts = new List<string>();
+            if (ways.Contains("NotCutFindings.Texts")) parts.Add(Wording.Get("NotCutFindings.Texts"));
+            if (ways.Contains("NotCutFindings.Points")) parts.Add(Wording.Get("NotCutFindings.Points"));
+            if (ways.Contains("NotCutFindings.Outlines")) parts.Add(Wording.Get(ways.Count == 1 ? "NotCutFindings.Outline" : "NotCutFindings.Outlines", string.Join(", ", ways["NotCutFindings.Outlines"].Select(ChoiceOf).Distinct())));
+            if (ways.Contains("NotCutFindings.Others")) parts.Add(Wording.Get("NotCutFindings.Others", string.Join(", ", ways["NotCutFindings.Others"])));
+            return Wording.Get("NotCutFindings.HowTo", parts.Count == 1 ? parts[0] : Wording.Get("NotCutFindings.And", string.Join(", ", parts[..^1]), parts[^1]));
         }
     }
 
+    /// <summary>What can be done about a type of entity: not everything can be named in [cut].</summary>
+    private static string WayOf(string type) => type switch
+    {
+        "POINT" => "NotCutFindings.Points",
+        _ when ChoiceOf(type) is not null => "NotCutFindings.Outlines",
+        _ when type.Contains("TEXT", StringComparison.Ordinal) || type.StartsWith("ATT", StringComparison.Ordinal) => "NotCutFindings.Texts",
+        _ => "NotCutFindings.Others",
+    };
+
+    /// <summary>The word of [cut] for a type; null for one that it does not know.</summary>
+    private static string? ChoiceOf(string type) => RecordKinds.ChoiceOf(RecordKinds.Find(type)) is not CutChoice.None and var choice ? choice.ToString().ToLowerInvariant() : null;
+
     /// <summary>The finding about it; null when nothing is left.</summary>
-    public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject, Verb);
+    public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject, Verb) with { Advice = Wording.Get("NotCutFindings.Advice", char.ToUpperInvariant(HowTo[0]) + HowTo[1..]) };
 
     private string Verb => Counts is { Count: 1 } && Counts.Values.First() == 1 ? Wording.Get("NotCutFindings.Is") : Wording.Get("NotCutFindings.Are");
 }

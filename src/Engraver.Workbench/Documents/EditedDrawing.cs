@@ -12,6 +12,9 @@ public static class EditedDrawing
     /// <summary>$INSUNITS of a drawing that was read as millimetres because it did not say.</summary>
     private const int Millimetres = 4;
 
+    /// <summary>The same of one that was read as inches.</summary>
+    private const int Inches = 1;
+
     /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours as they are; behind them the texts and points, where the file had them.</summary>
     /// <param name="hiddenObjects">What the operator hid for the moment: written as visible. All else that is invisible is written so.</param>
     public static DxfSheet SheetOf(Drawing drawing, IReadOnlyList<int> hiddenObjects)
@@ -21,7 +24,7 @@ public static class EditedDrawing
         for (var index = 0; index < drawing.Entities.Count; index++) entities.AddRange(Written(drawing, index, drawing.Entities[index].Hidden && !shown.Contains(index)));
         return new DxfSheet([.. drawing.Layers.Select(LayerOf)], entities)
         {
-            InsUnits = drawing.Unit.Code is > 0 and var code ? code : Millimetres,
+            InsUnits = drawing.Unit.Code is > 0 and var code ? code : drawing.Unit == LengthUnit.AssumedInches ? Inches : Millimetres,
             Texts = [.. drawing.Texts.Select(text => new DxfSheetText(text, drawing.Layers[text.Layer].Name))],
             Points = [.. drawing.Points.Select(point => new DxfSheetPoint(point, drawing.Layers[point.Layer].Name))],
         };

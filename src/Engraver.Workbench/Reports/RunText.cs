@@ -8,6 +8,9 @@ namespace Engraver.Workbench.Reports;
 /// <summary>Reports of a run for people.</summary>
 public static class RunText
 {
+    /// <summary>A shorter length would be shown as none, millimetres.</summary>
+    private const double LeastShown = 0.001;
+
     /// <param name="spell">Names settings as they are given here (<see cref="SettingWording"/>).</param>
     public static string Sentence(PreparedJob job, MachineRunReport report, Func<string, string> spell)
     {
@@ -40,7 +43,8 @@ public static class RunText
         var missing = judgement.MissingLengthMm switch
         {
             null => Wording.Get("RunText.HowMuchMissingNot"),
-            > 0.0 and var length => Wording.Get("RunText.MmDrawingMissing", length),
+            >= LeastShown and var length => Wording.Get("RunText.MmDrawingMissing", length),
+            > 0.0 => Wording.Get("RunText.LittleDrawingMissing", LeastShown),
             _ when leftOut > 0 => Wording.Get("RunText.NothingWhatCouldRead"),
             _ => unseen.Length > 0 ? Wording.Get("RunText.NothingItsCurvesMissing") : Wording.Get("RunText.NothingMissing"),
         };

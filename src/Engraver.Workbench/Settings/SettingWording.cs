@@ -39,8 +39,8 @@ public static partial class SettingWording
     private static Diagnostic Translate(Diagnostic finding, Func<string, string, string> spell)
     {
         ArgumentNullException.ThrowIfNull(finding);
-        var advice = Key().Replace(finding.Rule.Advice, key => spell(key.Groups["sign"].Value, key.Groups["key"].Value));
-        return advice == finding.Rule.Advice ? finding : finding with { Advice = advice };
+        var advice = Key().Replace(finding.Advice, key => spell(key.Groups["sign"].Value, key.Groups["key"].Value));
+        return advice == finding.Advice ? finding : finding with { Advice = advice };
     }
 
     private static string Console(string sign, string key)

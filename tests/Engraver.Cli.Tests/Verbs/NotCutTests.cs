@@ -39,6 +39,39 @@ public sealed class NotCutTests
         Assert.Contains("a DRY RUN, the tool stayed off and nothing was cut; 1 HATCH is visible and NOT CUT: to have it cut, name it with --cut", said.Out, StringComparison.Ordinal);
     }
 
+    /// <summary>--cut takes no dimension and no point: no advice names what is refused.</summary>
+    [Theory]
+    [InlineData("DIMENSION", "To have it cut, explode DIMENSION into lines in the CAD program; put what is not meant")]
+    [InlineData("POINT", "To have it cut, draw a small circle or a short line at each point; put what is not meant")]
+    [InlineData("MLINE", "To have it cut, name it with --cut (mline); put what is not meant")]
+    [InlineData("TRACE", "To have it cut, name it with --cut (solid); put what is not meant")]
+    public async Task What_can_be_done_depends_on_the_type(string type, string advice)
+    {
+        using var folder = new TemporaryFolder();
+        var file = Written(folder, [.. s_line, (0, type), (8, "0"), (10, 0.0), (20, 0.0)]);
+        var run = await CliRun.RunAsync("run", file, "--connect", "sim:", "--journal", folder.PathOf("k"));
+
+        Assert.Contains(advice, run.Error, StringComparison.Ordinal);
+        Assert.Contains(char.ToLowerInvariant(advice[0]) + advice[1..advice.IndexOf(';', StringComparison.Ordinal)], run.Out, StringComparison.Ordinal);
+        Assert.DoesNotContain("--cut " + type, run.Out + run.Error, StringComparison.OrdinalIgnoreCase);
+    }
+
+    [Theory]
+    [InlineData("\"CUT, outer\"", 1)]
+    [InlineData("0,\"CUT, outer\"", 2)]
+    [InlineData(" \"CUT, outer\" , 0", 2)]
+    [InlineData("0", 1)]
+    [InlineData("\"say \"\"x\"\"\"", 1)]
+    public async Task A_layer_with_a_comma_in_its_name_is_named_in_quotes(string layers, int contours)
+    {
+        using var folder = new TemporaryFolder();
+        (int, object)[] On(string layer, double y) => [(0, "LINE"), (8, layer), (10, 0.0), (20, y), (11, 10.0), (21, y)];
+        var run = await CliRun.RunAsync("sequence", Written(folder, [.. On("0", 0.0), .. On("CUT, outer", 20.0), .. On("say \"x\"", 40.0)]), "--layers", layers, "--json");
+
+        Assert.Equal(0, run.ExitCode);
+        Assert.Equal(contours, JsonText.Of(run).GetProperty("contours").GetInt32());
+    }
+
     [Theory]
     [InlineData("info")]
     [InlineData("plan")]

@@ -66,8 +66,46 @@ public class DxfDiagnosticTests
         ["DXF0058"] = Entities([(0, "LIN3"), .. Line[1..]]),
         ["DXF0059"] = Entities((0, "ARC"), (10, 1), (20, 0), (40, 1), (50, 0), (51, 400)),
         ["DXF0060"] = Entities((0, "ELLIPSE"), (10, 1), (20, 0), (11, 1), (21, 0), (40, 0.5), (41, 0), (42, "-6.28318530")),
+        ["DXF0061"] = [.. "AutoCAD Binary DXF\n"u8, 0x1A, 0, 0, (byte)'S', 0],
+        ["DXF0062"] = Entities([.. Line, (67, 1)]),
+        ["DXF0063"] = Dashed("DASHED", "BYLAYER", Line),
         ["DXF0057"] = new DxfText().Header("AC1015", 4).Section("BLOCKS", Line).End().ToAscii(),
     };
+
+    private static byte[] Dashed(string ofLayer, string ofCurve, params (int, object)[] entity) => new DxfText().Header("AC1015", 4)
+        .Section("TABLES", (0, "TABLE"), (2, "LTYPE"), (0, "LTYPE"), (2, "CONTINUOUS"), (70, 0), (72, 65), (73, 0), (40, 0.0), (0, "LTYPE"), (2, "DASHED"), (70, 0), (72, 65), (73, 2), (40, 0.75), (49, 0.5), (49, -0.25), (0, "ENDTAB"),
+            (0, "TABLE"), (2, "LAYER"), (0, "LAYER"), (2, "0"), (70, 0), (62, 7), (6, ofLayer), (0, "LAYER"), (2, "off"), (70, 0), (62, -7), (6, "DASHED"), (0, "ENDTAB"))
+        .Section("ENTITIES", [.. entity, (6, ofCurve)]).End().ToAscii();
+
+    /// <summary>By its own linetype or by its layer's, once however many there are, and not where it is not cut.</summary>
+    [Theory]
+    [InlineData("DASHED", "BYLAYER", "0", 1)]
+    [InlineData("DASHED", "ByLayer", "0", 1)]
+    [InlineData("CONTINUOUS", "dashed", "0", 1)]
+    [InlineData("DASHED", "CONTINUOUS", "0", 0)]
+    [InlineData("CONTINUOUS", "BYLAYER", "off", 0)]
+    public void A_curve_with_gaps_in_its_linetype_says_that_they_are_cut_through(string ofLayer, string ofCurve, string layer, int findings)
+    {
+        var drawing = Reading.Of(Dashed(ofLayer, ofCurve, [(0, "LINE"), (8, layer), (6, ofCurve), (10, 0), (20, 0), (11, 1), (21, 0), (0, "LINE"), (8, layer), (10, 5), (20, 0), (11, 6), (21, 0)]));
+
+        Assert.Equal(2, drawing.Entities.Count);
+        Assert.Equal(findings, drawing.Diagnostics.Count(finding => finding.Id == "DXF0063"));
+    }
+
+    [Theory]
+    [InlineData("\n")]
+    [InlineData("\r\r\n")]
+    [InlineData("\r")]
+    public void A_binary_file_whose_line_ends_were_converted_is_named(string lineEnd) =>
+        Assert.Equal("DXF0061", Assert.Single(Reading.Of([.. "AutoCAD Binary DXF"u8, .. Encoding.ASCII.GetBytes(lineEnd), 0x1A, 0, 0, 0, .. "SECTION"u8, 0]).Diagnostics).Id);
+
+    [Fact]
+    public void Paper_space_is_told_only_where_model_space_is_empty()
+    {
+        Assert.Contains("2 entities", Assert.Single(Reading.Of(Entities([.. Line, (67, 1), .. Line, (67, 1), (0, "VIEWPORT"), (67, 1)])).Diagnostics, finding => finding.Id == "DXF0062").Message, StringComparison.Ordinal);
+        Assert.DoesNotContain(Reading.Of(Entities([.. Line, .. Line, (67, 1)])).Diagnostics, finding => finding.Id == "DXF0062");
+        Assert.DoesNotContain(Reading.Of(Entities((0, "VIEWPORT"), (67, 1))).Diagnostics, finding => finding.Id == "DXF0062");
+    }
 
     public static TheoryData<string> Ids => [.. DxfRules.All.Select(rule => rule.Id)];
 

@@ -37,6 +37,21 @@ public class HeaderAndLayerTests
         Assert.Contains("[units-mm]", message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(0, 3, "in", "LUNITS")]
+    [InlineData(0, 4, "in", "LUNITS")]
+    [InlineData(0, 2, "mm", "assumed")]
+    [InlineData(0, 5, "mm", "assumed")]
+    [InlineData(5, 4, "cm", "INSUNITS")]
+    public void Lengths_shown_in_feet_and_inches_are_inches_where_the_drawing_says_no_unit(int insunits, int lunits, string unit, string source)
+    {
+        var drawing = Reading.Of(new DxfText().Section("HEADER", (9, "$INSUNITS"), (70, insunits), (9, "$LUNITS"), (70, lunits)).End());
+
+        Assert.Equal((unit, source), (drawing.Unit.Name, drawing.Unit.Source));
+        Assert.Equal(insunits == 0 ? ["DXF0003"] : [], Reading.Ids(drawing));
+        if (source == "LUNITS") Assert.Contains($"inches were assumed because $LUNITS is {lunits}", drawing.Diagnostics[0].Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void The_operators_unit_wins_without_a_warning()
     {

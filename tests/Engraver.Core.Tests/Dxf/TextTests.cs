@@ -86,6 +86,20 @@ public class TextTests
         Assert.Equal(1, drawing.Balance.TextCounts["ATTRIB"]);
     }
 
+    /// <summary>A constant attribute has no ATTRIB: every copy shows what is in the block.</summary>
+    [Fact]
+    public void A_constant_attribute_is_a_text_of_every_copy_and_any_other_definition_is_none()
+    {
+        (int, object)[] Definition(string value, int flags) => [(0, "ATTDEF"), (8, "0"), (10, 1), (20, 0), (40, 2), (1, value), (3, ""), (2, "TAG"), (70, flags)];
+        (int, object)[] insert = [(0, "INSERT"), (8, "L"), (2, "B"), (10, 10), (20, 0)];
+        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. Definition("SERIAL-1", 2), .. Definition("hidden", 3), .. Definition("asked", 0), (0, "ENDBLK")])
+            .Section("ENTITIES", [.. insert, .. insert, .. Definition("template", 2)]).End());
+
+        Assert.Equal(["SERIAL-1", "SERIAL-1"], drawing.Texts.Where(text => !text.Hidden).Select(text => text.Content));
+        Assert.Equal(["hidden", "hidden"], drawing.Texts.Where(text => text.Hidden).Select(text => text.Content));
+        Assert.Equal(4, drawing.Balance.TextCounts["ATTDEF"]);
+    }
+
     [Fact]
     public void A_mirrored_text_says_so()
     {

@@ -24,6 +24,12 @@ internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, 
 
     public void AddText(PlacedText text) => block.Texts.Add(text);
 
+    public void AddConstant(EntityRecord record, PlacedText text)
+    {
+        Count(record.Type, 1);
+        AddText(text);
+    }
+
     public void AddPoint(PlacedPoint point) => block.Points.Add(point);
 
     public void Note(in RecordIssue oddity) => block.Issues.Add(oddity);

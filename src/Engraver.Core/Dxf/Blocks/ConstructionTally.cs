@@ -17,9 +17,9 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
     private long _steps;
 
     /// <summary>True for a record that is drawn and counted here.</summary>
-    /// <param name="inBlock">True in a block, where an ATTDEF is not counted: it is a template, and the ATTRIB of each insert is what is seen.</param>
+    /// <param name="inBlock">True in a block, where an ATTDEF is not counted: it is a template, and the ATTRIB of each insert is what is seen; a constant one is a text.</param>
     public static bool Counts(EntityRecord record, bool inBlock) =>
-        !record.Invisible && record.Kind is not (RecordKind.Text or RecordKind.Attribute or RecordKind.Insert) && record.Type != "VIEWPORT" && !(inBlock && record.Type == "ATTDEF");
+        !record.Invisible && record.Kind is not (RecordKind.Text or RecordKind.Attribute or RecordKind.Insert) && record.Type != "VIEWPORT" && !(inBlock && record.Kind == RecordKind.AttributeDefinition);
 
     public static SourceRef SourceOf(EntityRecord record) => new(record.Line, record.Handle == 0 ? null : record.Handle.ToString("X", System.Globalization.CultureInfo.InvariantCulture));
 

@@ -46,6 +46,9 @@ internal sealed class EntityRecord
     /// <summary>Number of the block or layer it names (code 2); -1 without one.</summary>
     public int Name { get; set; }
 
+    /// <summary>Number of its linetype (code 6); -1 where none is named.</summary>
+    public int Linetype { get; set; }
+
     /// <summary>A code that appeared twice, 0 when none did.</summary>
     public int RepeatedCode { get; private set; }
 
@@ -85,6 +88,7 @@ internal sealed class EntityRecord
         Layer = layer;
         Handle = 0;
         Name = -1;
+        Linetype = -1;
         RepeatedCode = 0;
         DoubledCode = 0;
         _counted = 0;

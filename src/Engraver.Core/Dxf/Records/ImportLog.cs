@@ -17,10 +17,10 @@ internal sealed class ImportLog(string placeWord)
         if (Counted(rule)) _diagnostics.Add(rule.At(new SourceRef(line), facts));
     }
 
-    /// <summary>Adds a finding about a record. Ignored widths are reported once, however many polylines have one.</summary>
+    /// <summary>Adds a finding about a record. Ignored widths and dashes are reported once, however many curves have them.</summary>
     public void Add(in RecordIssue issue)
     {
-        if (issue.Rule == DxfRules.WidthIgnored && _counts.ContainsKey(issue.Rule)) return;
+        if ((issue.Rule == DxfRules.WidthIgnored || issue.Rule == DxfRules.Dashed) && _counts.ContainsKey(issue.Rule)) return;
         if (!Counted(issue.Rule)) return;
         var source = new SourceRef(issue.Line, HandleText(issue.Handle));
         _diagnostics.Add(issue.Rule.At(source, issue.Type, Place(issue.Line), issue.Detail));

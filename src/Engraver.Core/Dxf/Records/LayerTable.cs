@@ -16,13 +16,19 @@ internal sealed class LayerTable(NameTable names)
     public void Define(EntityRecord entry)
     {
         Grow();
-        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, (entry.Flags(70) & LockedFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour);
+        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, (entry.Flags(70) & LockedFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour, entry.Linetype);
     }
 
     public bool IsFrozen(int layer) => layer < _states.Count && _states[layer].Frozen;
 
     /// <summary>True for a layer that is frozen or switched off.</summary>
     public bool IsHidden(int layer) => layer < _states.Count && (_states[layer].Frozen || _states[layer].Off);
+
+    /// <summary>True for a layer that is visible and plotted.</summary>
+    public bool IsCut(int layer) => !IsHidden(layer) && !(layer < _states.Count && _states[layer].NotPlotted);
+
+    /// <summary>Number of its linetype; -1 where none is named.</summary>
+    public int LinetypeOf(int layer) => layer < _states.Count ? _states[layer].Linetype : -1;
 
     public DrawingColour ColourOf(int layer) => layer < _states.Count ? _states[layer].Colour.OrForeground() : DrawingColour.Foreground;
 
@@ -34,8 +40,8 @@ internal sealed class LayerTable(NameTable names)
 
     private void Grow()
     {
-        while (_states.Count < names.Count) _states.Add(default);
+        while (_states.Count < names.Count) _states.Add(new LayerState { Linetype = -1 });
     }
 
-    private readonly record struct LayerState(bool Frozen, bool Locked, bool Off, bool NotPlotted, DrawingColour Colour);
+    private readonly record struct LayerState(bool Frozen, bool Locked, bool Off, bool NotPlotted, DrawingColour Colour, int Linetype);
 }

@@ -28,7 +28,11 @@ internal enum RecordKind : byte
 
     /// <summary>SOLID, TRACE, 3DFACE.</summary>
     Face,
+
+    /// <summary>ATTDEF: a template, but for a constant one, which is a text of every copy of its block.</summary>
+    AttributeDefinition,
     LayerEntry,
+    LinetypeEntry,
     StyleEntry,
     Block,
     BlockEnd,

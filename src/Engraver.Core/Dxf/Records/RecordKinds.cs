@@ -12,7 +12,7 @@ internal static class RecordKinds
         "ACAD_PROXY_ENTITY", "PDFUNDERLAY", "DWFUNDERLAY", "DGNUNDERLAY", "POINTCLOUD", "POSITIONMARKER", "CAMERA",
     ];
 
-    private static readonly FrozenSet<string> TableTypes = FrozenSet.Create("TABLE", "ENDTAB", "VPORT", "LTYPE", "VIEW", "UCS", "APPID", "DIMSTYLE", "BLOCK_RECORD");
+    private static readonly FrozenSet<string> TableTypes = FrozenSet.Create("TABLE", "ENDTAB", "VPORT", "VIEW", "UCS", "APPID", "DIMSTYLE", "BLOCK_RECORD");
 
     private static readonly FrozenDictionary<string, RecordKind> Known = Build();
 
@@ -22,17 +22,17 @@ internal static class RecordKinds
         (Wording.Get("RecordKinds.Cut"), TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
         (Wording.Get("RecordKinds.CutWhereCutNames"), TypesOf(IsOutline)),
         (Wording.Get("RecordKinds.TextKeptWithContent"), TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
-        (Wording.Get("RecordKinds.ConstructionDrawnReaderDrawing"), TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point)),
+        (Wording.Get("RecordKinds.ConstructionDrawnReaderDrawing"), TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point or RecordKind.AttributeDefinition)),
     ];
 
     public static RecordKind Find(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);
 
     /// <summary>True when the record's numbers matter. Of the others only visibility and space are read, so that damaged numbers in a dimension do no harm.</summary>
     public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
-        or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.StyleEntry) && !IsOutline(kind);
+        or RecordKind.Attribute or RecordKind.AttributeDefinition or RecordKind.SequenceEnd or RecordKind.StyleEntry or RecordKind.LinetypeEntry) && !IsOutline(kind);
 
     /// <summary>True for known records of ENTITIES or of a block.</summary>
-    public static bool IsEntity(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Text or RecordKind.Point or RecordKind.Construction
+    public static bool IsEntity(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Text or RecordKind.Point or RecordKind.Construction or RecordKind.AttributeDefinition
         || IsOutline(kind);
 
     /// <summary>True for every record that makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
@@ -65,7 +65,7 @@ internal static class RecordKinds
     };
 
     /// <summary>True when the record is kept pair by pair, because its codes repeat and their meaning depends on the order, or because it has text.</summary>
-    public static bool IsCollected(RecordKind kind, CutChoice cut) => kind is RecordKind.Text or RecordKind.Attribute or RecordKind.StyleEntry || (ChoiceOf(kind) & cut) != 0;
+    public static bool IsCollected(RecordKind kind, CutChoice cut) => kind is RecordKind.Text or RecordKind.Attribute or RecordKind.AttributeDefinition or RecordKind.StyleEntry || (ChoiceOf(kind) & cut) != 0;
 
     private static IEnumerable<string> TypesOf(Func<RecordKind, bool> wanted) => Known.Where(pair => wanted(pair.Value)).Select(pair => pair.Key).Order(StringComparer.Ordinal);
 
@@ -87,7 +87,7 @@ internal static class RecordKinds
             ["POINT"] = RecordKind.Point,
             ["TEXT"] = RecordKind.Text,
             ["MTEXT"] = RecordKind.Text,
-            ["ATTDEF"] = RecordKind.Construction,
+            ["ATTDEF"] = RecordKind.AttributeDefinition,
             ["RTEXT"] = RecordKind.Text,
             ["ARCALIGNEDTEXT"] = RecordKind.Text,
             ["HATCH"] = RecordKind.Hatch,
@@ -99,6 +99,7 @@ internal static class RecordKinds
             ["3DFACE"] = RecordKind.Face,
             ["LAYER"] = RecordKind.LayerEntry,
             ["STYLE"] = RecordKind.StyleEntry,
+            ["LTYPE"] = RecordKind.LinetypeEntry,
             ["BLOCK"] = RecordKind.Block,
             ["ENDBLK"] = RecordKind.BlockEnd,
             ["SECTION"] = RecordKind.Section,

@@ -34,6 +34,7 @@ internal sealed class RecordReader
         _cancellation = cancellation;
         Layers = layers;
         Blocks = blocks;
+        Linetypes = new NameTable(bytes => decode(bytes));
         _layerZero = layers.IdOf("0");
         PassOver();
     }
@@ -41,6 +42,8 @@ internal sealed class RecordReader
     public NameTable Layers { get; }
 
     public NameTable Blocks { get; }
+
+    public NameTable Linetypes { get; }
 
     /// <summary>The type names met, by the numbers in the records.</summary>
     public NameTable Types => _types;
@@ -195,6 +198,15 @@ internal sealed class RecordReader
             case 2 when record.Kind is RecordKind.LayerEntry:
                 record.Count(2);
                 record.Name = Layers.IdOf(_tags.Value);
+                break;
+            case 2 when record.Kind is RecordKind.LinetypeEntry:
+                record.Name = Linetypes.IdOf(_tags.Value);
+                break;
+            case 40 when record.Kind is RecordKind.LinetypeEntry:
+                if (_tags.TryNumber(out var pattern)) record.Set(40, pattern);
+                break;
+            case 6 when record.Kind is RecordKind.LayerEntry or (>= RecordKind.Line and <= RecordKind.Polyline):
+                record.Linetype = Linetypes.IdOf(_tags.Value);
                 break;
             default:
                 if (RecordKinds.IsCollected(record.Kind, _cut)) Collect(record);

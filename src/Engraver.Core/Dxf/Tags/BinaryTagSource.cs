@@ -22,6 +22,9 @@ internal sealed class BinaryTagSource : DxfTagSource
     /// <summary>The 22 bytes that open a binary DXF.</summary>
     public static ReadOnlySpan<byte> Sentinel => "AutoCAD Binary DXF\r\n\u001A\0"u8;
 
+    /// <summary>True where the line end in the sentinel is another one than it was written with.</summary>
+    public static bool IsConverted(ReadOnlySpan<byte> file) => file.StartsWith(Sentinel[..^4]) && !file.StartsWith(Sentinel) && file.Length > Sentinel.Length && file[(Sentinel.Length - 4)..].TrimStart("\r\n"u8) is [0x1A, ..];
+
     public override bool IsBinary => true;
 
     private ReadOnlySpan<byte> Rest => Bytes[Position..];

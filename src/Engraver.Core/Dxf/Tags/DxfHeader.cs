@@ -19,6 +19,9 @@ internal sealed class DxfHeader
     /// <summary>$MEASUREMENT as written (0 English, 1 metric); null when missing or not a number. It never scales the drawing.</summary>
     public double? Measurement { get; private set; }
 
+    /// <summary>$LUNITS as written (3 engineering, 4 architectural: feet and inches); null when missing or not a number.</summary>
+    public double? DisplayUnits { get; private set; }
+
     /// <summary>Takes one pair of the section: code 9 names a variable, the pairs after it are its values.</summary>
     public void Take(DxfTagSource tag)
     {
@@ -35,6 +38,9 @@ internal sealed class DxfHeader
                 break;
             case 70 when _variable == "$INSUNITS":
                 InsUnits = tag.TryNumber(out var unit) ? unit : null;
+                break;
+            case 70 when _variable == "$LUNITS":
+                DisplayUnits = tag.TryNumber(out var display) ? display : null;
                 break;
             case 70 when _variable == "$MEASUREMENT":
                 Measurement = tag.TryNumber(out var measurement) ? measurement : null;

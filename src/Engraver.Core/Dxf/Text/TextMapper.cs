@@ -5,12 +5,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>Turns TEXT, MTEXT and ATTRIB into placed texts, in world coordinates (inside a block: the block's).</summary>
+/// <summary>Turns TEXT, MTEXT, ATTRIB and constant ATTDEF into placed texts, in world coordinates (inside a block: the block's).</summary>
 internal sealed class TextMapper(StyleTable styles)
 {
     private const string StandardStyle = "STANDARD";
     private const int BackwardFlag = 2;
     private const int HiddenAttribute = 1;
+    private const int ConstantAttribute = 2;
 
     /// <summary>The text of a record; null when it is empty or out of range.</summary>
     public PlacedText? Map(EntityRecord record)
@@ -18,6 +19,11 @@ internal sealed class TextMapper(StyleTable styles)
         var text = record.Type == "MTEXT" ? MText(record) : Text(record);
         return text.Content.Length > 0 && PlacedTexts.IsInRange(text) ? text : null;
     }
+
+    /// <summary>The text of a constant ATTDEF, which every copy of its block shows; null for any other.</summary>
+    public PlacedText? MapConstant(EntityRecord record) => ((int)record.First(70, 0.0) & ConstantAttribute) != 0 ? Map(record) : null;
+
+    private static bool IsAttribute(EntityRecord record) => record.Kind is RecordKind.Attribute or RecordKind.AttributeDefinition;
 
     private PlacedText MText(EntityRecord record)
     {
@@ -47,7 +53,7 @@ internal sealed class TextMapper(StyleTable styles)
     private PlacedText Text(EntityRecord record)
     {
         var column = (TextColumnAlignment)Math.Clamp((int)record.First(72, 0.0), 0, 5);
-        var row = (TextRowAlignment)Math.Clamp((int)record.First(record.Kind == RecordKind.Attribute ? 74 : 73, 0.0), 0, 3);
+        var row = (TextRowAlignment)Math.Clamp((int)record.First(IsAttribute(record) ? 74 : 73, 0.0), 0, 3);
         var between = column is TextColumnAlignment.Aligned or TextColumnAlignment.Fit;
         var second = record.Has(11) && (column != TextColumnAlignment.Left || row != TextRowAlignment.Baseline);
         var text = Common(record) with
@@ -81,7 +87,7 @@ internal sealed class TextMapper(StyleTable styles)
             Layer = record.Layer,
             Handle = record.Handle,
             SourceLine = record.Line,
-            Hidden = record.Invisible || (record.Kind == RecordKind.Attribute && ((int)record.First(70, 0.0) & HiddenAttribute) != 0),
+            Hidden = record.Invisible || (IsAttribute(record) && ((int)record.First(70, 0.0) & HiddenAttribute) != 0),
         };
     }
 }

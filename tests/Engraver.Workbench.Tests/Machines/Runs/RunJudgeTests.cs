@@ -54,6 +54,29 @@ public class RunJudgeTests
     [InlineData(JobMode.Program)]
     public async Task After_a_lost_link_nobody_says_how_much_is_missing(JobMode mode)
     {
+        var (job, report) = await LostAsync(mode);
+
+        Assert.Equal((JobOutcome.LinkLost, null), (report.Result.Outcome, report.Judgement.MissingLengthMm));
+        Assert.NotNull(report.Judgement.MaxDeviationMm);
+        Assert.Contains("how much of it is missing is not known", RunText.Sentence(job, report, text => text), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(0.0, "nothing of it is missing")]
+    [InlineData(0.0004, "less than 0.001 mm of the drawing is missing")]
+    [InlineData(0.0006, "less than 0.001 mm of the drawing is missing")]
+    [InlineData(0.002, "0.002 mm of the drawing are MISSING")]
+    public async Task A_length_that_is_missing_is_never_told_as_none(double missing, string said)
+    {
+        var (job, report) = await LostAsync(JobMode.Stream);
+        var sentence = RunText.Sentence(job, report with { Judgement = report.Judgement with { MissingLengthMm = missing } }, text => text);
+
+        Assert.Contains(said, sentence, StringComparison.Ordinal);
+        Assert.DoesNotContain(" 0 mm of the drawing", sentence, StringComparison.Ordinal);
+    }
+
+    private static async Task<(PreparedJob Job, MachineRunReport Report)> LostAsync(JobMode mode)
+    {
         var journal = Path.GetTempFileName();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
         var isCut = false;
@@ -63,10 +86,7 @@ public class RunJudgeTests
 
         var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, new JobListener(progress => isCut |= progress.X > 20000), CancellationToken.None);
         File.Delete(journal);
-
-        Assert.Equal((JobOutcome.LinkLost, null), (report.Result.Outcome, report.Judgement.MissingLengthMm));
-        Assert.NotNull(report.Judgement.MaxDeviationMm);
-        Assert.Contains("how much of it is missing is not known", RunText.Sentence(job, report, text => text), StringComparison.Ordinal);
+        return (job, report);
     }
 
     private sealed class CutLink(IControllerLink inner, Func<bool> isCut) : IControllerLink
