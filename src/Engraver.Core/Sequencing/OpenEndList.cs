@@ -14,9 +14,10 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
     private readonly Func<int, int> _entityOf;
     private readonly Drawing? _drawing;
     private readonly double _suspiciousGap;
+    private readonly double _joined;
 
     internal OpenEndList(ChainedTable chained, SequencingOptions options) =>
-        (_ends, _entityOf, _drawing, _suspiciousGap) = (chained.Chain.Discontinuities, EntitiesOf(chained), chained.Drawing, options.SuspiciousGap);
+        (_ends, _entityOf, _drawing, _suspiciousGap, _joined) = (chained.Chain.Discontinuities, EntitiesOf(chained), chained.Drawing, options.SuspiciousGap, options.JoinTolerance);
 
     public int Count => _ends.Count;
 
@@ -26,7 +27,7 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
         {
             var end = _ends[index];
             var nearest = end.NearestRow < 0 ? -1 : _entityOf(end.NearestRow);
-            var rule = end.Gap < _suspiciousGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
+            var rule = end.Gap > _joined && end.Gap < _suspiciousGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
             return new OpenEnd(end.Place, _entityOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
         }
     }
@@ -57,5 +58,5 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
 /// <param name="Gap">Distance to the nearest other open end; null without one.</param>
 /// <param name="NearestEntityIndex">The entity of that other end; -1 without one.</param>
 /// <param name="NearestHandle">Its handle; null without one or when the drawing has none.</param>
-/// <param name="DiagnosticId">SEQ0003 when the gap is suspiciously small, SEQ0002 otherwise.</param>
+/// <param name="DiagnosticId">SEQ0003 when the gap is suspiciously small and wider than the join tolerance, SEQ0002 otherwise.</param>
 public sealed record OpenEnd(Point2D Place, int EntityIndex, double? Gap, int NearestEntityIndex, string? NearestHandle, string DiagnosticId);

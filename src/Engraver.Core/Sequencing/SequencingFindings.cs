@@ -46,7 +46,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, Number(chain.Branches)));
         AddShortSegments(table, segments);
         var ends = chain.Discontinuities;
-        var nearby = ends.FindNearby(options.SuspiciousGap, ShownPerRule);
+        var nearby = ends.FindNearby(options.JoinTolerance, options.SuspiciousGap, ShownPerRule);
         foreach (var end in nearby.Measured) AddSmallGap(end, table);
         if (nearby.Count > nearby.Measured.Count) _counts[SequencingRules.SmallGap] = nearby.Count;
         if (nearby.FirstFar < 0) return;

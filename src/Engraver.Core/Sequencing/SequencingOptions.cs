@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
 using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
@@ -23,7 +24,7 @@ public sealed record SequencingOptions
     public bool CutsHeights { get; init; }
 
     /// <summary>Two open ends nearer to each other than this are reported as a probable drawing mistake.</summary>
-    public double SuspiciousGap { get; init; } = 1.0;
+    public double SuspiciousGap { get; init; } = ContourEnds.WidestGap;
 
     /// <summary>Position of the tool when the job starts.</summary>
     public Point2D ToolStart { get; init; }

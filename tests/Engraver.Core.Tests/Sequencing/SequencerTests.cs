@@ -31,6 +31,44 @@ public class SequencerTests
         }
     }
 
+    /// <summary>What lies between the ends of one line is the line, and no gap.</summary>
+    [Fact]
+    public void The_own_other_end_of_a_short_line_is_no_gap_and_that_of_a_nearly_closed_arc_is()
+    {
+        var short1 = Sequence(new DrawingBuilder().Line(10, 10, 10.5, 10), Nearest);
+        var dots = Sequence(Enumerable.Range(0, 40).Aggregate(new DrawingBuilder(), (drawing, i) => drawing.Line(2 * i, i, (2 * i) + 0.3, i)), Nearest);
+        var near = Sequence(new DrawingBuilder().Line(0, 0, 0.4, 0).Line(0.7, 0, 20, 0), Nearest);
+        var arc = Sequence(new DrawingBuilder().Arc(0, 0, 5, 2, 360), Nearest);
+
+        Assert.DoesNotContain(short1.Diagnostics.Concat(dots.Diagnostics), finding => finding.Id == "SEQ0003");
+        Assert.All(short1.Discontinuities.Concat(dots.Discontinuities), end => Assert.Equal("SEQ0002", end.DiagnosticId));
+        Assert.Equal([0.7, 0.3, 0.3], near.Discontinuities.Where(end => end.DiagnosticId == "SEQ0003").Select(end => Math.Round(end.Gap!.Value, 9)));
+        Assert.Equal(2, arc.Diagnostics.Count(finding => finding.Id == "SEQ0003"));
+    }
+
+    [Fact]
+    public void A_gap_that_the_tolerance_already_joins_is_no_reason_to_raise_it()
+    {
+        var result = Sequence(new DrawingBuilder().Line(0, 0, 10, 0).Line(0, 0.5, 10, 0.5).Line(0, 1, 10, 1).Line(0, 1.5, 10, 1.5).Line(0, 2, 10, 2), Nearest with { JoinTolerance = 0.6 });
+
+        Assert.All(result.Diagnostics.Where(finding => finding.Id == "SEQ0003"), finding => Assert.True(double.Parse(finding.Facts[2], System.Globalization.CultureInfo.InvariantCulture) > 0.6));
+        Assert.All(result.Discontinuities.Where(end => end.DiagnosticId == "SEQ0003"), end => Assert.True(end.Gap > 0.6));
+    }
+
+    [Theory]
+    [InlineData(10, 20, 10, 15)]
+    [InlineData(10, 10.2, 10, 15)] // inside
+    [InlineData(14, 13, 14, 13)]
+    [InlineData(10, 10, 15, 10)] // the middle, from which every point is as far
+    public void A_circle_is_entered_at_its_point_nearest_to_the_place(double x, double y, double startX, double startY)
+    {
+        var stroke = Sequence(new DrawingBuilder().Line(100, 0, 120, 0).Circle(10, 10, 5), Nearest with { Enter = new EnterAt.AtPlace(new Point2D(x, y)) }).Strokes[0];
+
+        Assert.Equal((startX, startY), (Math.Round(stroke.Start.X, 9), Math.Round(stroke.Start.Y, 9)));
+        Assert.Equal(stroke.Start, stroke.End);
+        Assert.Equal(10.0 * Math.PI, stroke.Length, 1e-9);
+    }
+
     [Fact]
     public void A_circle_begun_on_the_left_has_its_row_rewritten()
     {

@@ -7,16 +7,22 @@ namespace Engraver.Core.Sequencing.Chaining;
 /// <summary>The ends of open contours, two for each, start before end, in contour order. The distances of the nearest other ones are not kept until somebody asks for them: of two million a report may show a hundred.</summary>
 public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 {
+    /// <summary>Two ends so far apart are no gap that somebody overlooked, millimetres.</summary>
+    public const double WidestGap = 1.0;
+
     private readonly Point2D[] _places;
     private readonly int[] _rows;
 
     /// <summary>Heights of the ends; empty where all are at one.</summary>
     private readonly double[] _levels;
+
+    /// <summary>By contour: it is one short segment whose ends are not nearly together, so that what lies between them is no gap.</summary>
+    private readonly bool[] _isApart;
     private readonly Lazy<Discontinuity[]> _measured;
 
-    private ContourEnds(Point2D[] places, int[] rows, double[] levels)
+    private ContourEnds(Point2D[] places, int[] rows, double[] levels, bool[] isApart)
     {
-        (_places, _rows, _levels) = (places, rows, levels);
+        (_places, _rows, _levels, _isApart) = (places, rows, levels, isApart);
         _measured = new Lazy<Discontinuity[]>(Measure);
     }
 
@@ -38,6 +44,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
     {
         var count = 2 * contours.Count(contour => !contour.Closed);
         var (places, rows, levels) = (new Point2D[count], new int[count], new double[heights.AreFlat ? 0 : count]);
+        var isApart = new bool[count / 2];
         var end = 0;
         foreach (var contour in contours)
         {
@@ -46,26 +53,28 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
             (places[end], rows[end]) = (pieces[0].StartIn(segments), pieces[0].Row);
             (places[end + 1], rows[end + 1]) = (pieces[^1].EndIn(segments), pieces[^1].Row);
             if (levels.Length > 0) (levels[end], levels[end + 1]) = (heights.HeightOf(pieces[0].StartNumber), heights.HeightOf(pieces[^1].EndNumber));
+            isApart[end / 2] = pieces.Length == 1 && places[end].DistanceTo(places[end + 1]) is < WidestGap and var apart && 2.0 * apart >= segments[rows[end]].Length;
             end += 2;
         }
 
-        return new ContourEnds(places, rows, levels);
+        return new ContourEnds(places, rows, levels, isApart);
     }
 
     /// <summary>Tells apart the ends that have another one nearby.</summary>
+    /// <param name="beyond">Millimetres; an end that is no farther away is none that a tolerance could join.</param>
     /// <param name="within">Millimetres; an end just as far away does not count.</param>
     /// <param name="listed">So many of those that have one are told with their distance.</param>
-    internal NearbyEnds FindNearby(double within, int listed)
+    internal NearbyEnds FindNearby(double beyond, double within, int listed)
     {
         var grid = _levels.Length == 0 ? PlaceGrid.TryBuild(_places) : null;
         var isNear = new bool[Count];
         if (grid is null)
         {
-            for (var i = 0; i < Count; i++) isNear[i] = this[i].Gap < within;
+            for (var i = 0; i < Count; i++) isNear[i] = this[i].Gap is { } gap && gap > beyond && gap < within;
         }
         else
         {
-            foreach (var i in grid.ByCell()) isNear[i] = grid.Nearest(_places[i], i, within, out var gap) >= 0 && gap < within;
+            foreach (var i in grid.ByCell().ToArray()) isNear[i] = NearestIn(grid, i, within, out var gap) >= 0 && gap > beyond && gap < within;
         }
 
         var (count, measured, firstFar) = (0, new List<Discontinuity>(), -1);
@@ -83,7 +92,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
         var ends = new Discontinuity[Count];
         if (_levels.Length == 0 && PlaceGrid.TryBuild(_places) is { } grid)
         {
-            foreach (var i in grid.ByCell()) ends[i] = MeasureIn(grid, i);
+            foreach (var i in grid.ByCell().ToArray()) ends[i] = MeasureIn(grid, i);
             return ends;
         }
 
@@ -91,8 +100,10 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
         foreach (var i in tree.AlongCurve)
         {
             tree.Hide(i);
+            if (_isApart[i / 2]) tree.Hide(OtherEnd(i));
             var other = tree.Nearest(_places[i], (end, place) => DistanceOf(end, i, place), double.PositiveInfinity, out var gap);
             tree.Show(i);
+            if (_isApart[i / 2]) tree.Show(OtherEnd(i));
             ends[i] = End(i, other, gap);
         }
 
@@ -101,9 +112,20 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 
     private Discontinuity MeasureIn(PlaceGrid grid, int index)
     {
-        var other = grid.Nearest(_places[index], index, double.PositiveInfinity, out var gap);
+        var other = NearestIn(grid, index, double.PositiveInfinity, out var gap);
         return End(index, other, gap);
     }
+
+    /// <summary>The nearest end that is not its own contour's, where that is one short segment.</summary>
+    private int NearestIn(PlaceGrid grid, int index, double within, out double gap)
+    {
+        if (_isApart[index / 2]) grid.Hide(OtherEnd(index));
+        var other = grid.Nearest(_places[index], index, within, out gap);
+        if (_isApart[index / 2]) grid.Show(OtherEnd(index));
+        return other;
+    }
+
+    private static int OtherEnd(int index) => index ^ 1;
 
     private double DistanceOf(int end, int from, Point2D place)
     {
@@ -137,7 +159,7 @@ public readonly record struct Discontinuity
     /// <summary>The row that ends here.</summary>
     public int Row { get; }
 
-    /// <summary>Distance to the nearest other open end (it may be the other end of the same contour); null when there is no other.</summary>
+    /// <summary>Distance to the nearest other open end (it may be the other end of the same contour, but not that of a single short segment); null when there is no other.</summary>
     public double? Gap => double.IsNaN(_gap) ? null : _gap;
 
     /// <summary>The row of that other end; -1 without one.</summary>

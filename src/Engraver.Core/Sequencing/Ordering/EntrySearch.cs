@@ -10,7 +10,7 @@ internal static class EntrySearch
     public static StrokeEntry? Find(EnterAt enter, ChainedTable chained, Point2D toolStart) => enter switch
     {
         EnterAt.AtEntity { EntityIndex: var entity } => AtEntity(entity, chained, toolStart),
-        EnterAt.AtPlace { Place: var place } => Nearest(AllEntries(chained), place),
+        EnterAt.AtPlace { Place: var place } => Nearest([.. AllEntries(chained), .. OnCircles(chained, place)], place),
         _ => throw new ArgumentOutOfRangeException(nameof(enter)),
     };
 
@@ -31,6 +31,15 @@ internal static class EntrySearch
         var contours = chained.Chain.Contours;
         for (var i = 0; i < contours.Count; i++) StrokeEntry.AddAll(i, contours[i], chained.Segments.Span, entries);
         return entries;
+    }
+
+    private static IEnumerable<StrokeEntry> OnCircles(ChainedTable chained, Point2D place)
+    {
+        var contours = chained.Chain.Contours;
+        for (var i = 0; i < contours.Count; i++)
+        {
+            if (StrokeEntry.Beside(place, i, contours[i], chained.Segments.Span) is { } entry) yield return entry;
+        }
     }
 
     private static bool Holds(int contour, int entity, ChainedTable chained)
@@ -56,6 +65,6 @@ public abstract record EnterAt
     /// <summary>The stroke that holds this drawing entity, started at the entity where that is possible: at any of a closed stroke's joints, at an open one's ends.</summary>
     public sealed record AtEntity(int EntityIndex) : EnterAt;
 
-    /// <summary>The stroke with the start point nearest to this point (millimetres), started there.</summary>
+    /// <summary>The stroke with the start point nearest to this point (millimetres), started there; a circle may start at any of its points.</summary>
     public sealed record AtPlace(Point2D Place) : EnterAt;
 }

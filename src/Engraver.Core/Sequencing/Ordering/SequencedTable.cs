@@ -19,7 +19,7 @@ internal static class SequencedTable
             {
                 var piece = PieceAt(entry, pieces.Span, step);
                 if (piece.Reversed) reversed++;
-                Append(table, chained.Kept, piece, entry.Kind);
+                Append(table, chained.Kept, piece, entry);
             }
         }
 
@@ -30,11 +30,11 @@ internal static class SequencedTable
         ? pieces[pieces.Length - 1 - step].Turned()
         : pieces[(entry.Piece + step) % pieces.Length];
 
-    private static void Append(EntityTable table, EntityTable from, ContourPiece piece, StrokeEntryKind kind)
+    private static void Append(EntityTable table, EntityTable from, ContourPiece piece, StrokeEntry entry)
     {
         var slots = from.CopySlots(piece.Row);
         if (piece.Reversed) slots.Reverse();
-        if (kind == StrokeEntryKind.LeftQuadrant) slots.StartCircleAt(Angle.FromDegrees(180.0));
+        if (entry.Kind == StrokeEntryKind.OnCircle) slots.StartCircleAt((entry.Place - slots.Centre).Direction);
         slots[EntitySlot.SequenceNumber] = table.Count + 1;
         var curve = from.CurveOf(piece.Row);
         table.Append(slots, from.EntityIndexOf(piece.Row), piece.Reversed ? curve?.Reversed() : curve);

@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>One possible begin of a contour: at the start of one of its pieces, at its far end (reversed), or at a circle's left quadrant point.</summary>
+/// <summary>One possible begin of a contour: at the start of one of its pieces, at its far end (reversed), or at a place of a circle.</summary>
 /// <param name="Contour">Index of the contour.</param>
 /// <param name="Piece">The piece that is cut first.</param>
 /// <param name="Kind">How it is begun.</param>
@@ -39,8 +39,17 @@ public readonly record struct StrokeEntry(int Contour, int Piece, StrokeEntryKin
     public static StrokeEntry AsDrawn(int index, Contour contour, ReadOnlySpan<Segment> segments) =>
         new(index, 0, StrokeEntryKind.Forward, contour.StartIn(segments));
 
+    /// <summary>A circle begun at the point of it that is nearest to a place; null for any other contour, and where every point is as near.</summary>
+    public static StrokeEntry? Beside(Point2D place, int index, Contour contour, ReadOnlySpan<Segment> segments)
+    {
+        if (!contour.Closed || !contour.IsCircleIn(segments)) return null;
+        var circle = segments[contour.Pieces.Span[0].Row].Arc;
+        var spoke = place - circle.Centre;
+        return spoke.Length > 0.0 ? new StrokeEntry(index, 0, StrokeEntryKind.OnCircle, circle.Centre + (spoke * (circle.Radius / spoke.Length))) : null;
+    }
+
     private static StrokeEntry LeftOf(int index, ArcSegment circle) =>
-        new(index, 0, StrokeEntryKind.LeftQuadrant, circle.Centre - new Vector2D(circle.Radius, 0.0));
+        new(index, 0, StrokeEntryKind.OnCircle, circle.Centre - new Vector2D(circle.Radius, 0.0));
 }
 
 /// <summary>Kinds of begin.</summary>
@@ -52,6 +61,6 @@ public enum StrokeEntryKind : byte
     /// <summary>At the end of an open contour, every piece reversed.</summary>
     Turned,
 
-    /// <summary>At a circle's left quadrant point, in the drawn direction.</summary>
-    LeftQuadrant,
+    /// <summary>At a place of a circle, in the drawn direction: the left quadrant point, or the one nearest to where the operator enters.</summary>
+    OnCircle,
 }

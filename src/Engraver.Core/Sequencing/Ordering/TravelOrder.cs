@@ -63,7 +63,7 @@ public static class TravelOrder
     /// <summary>Position of the tool after a contour with this entry.</summary>
     internal static Point2D EndOf(StrokeEntry entry, Contour contour, ReadOnlySpan<Segment> segments) => entry.Kind switch
     {
-        StrokeEntryKind.LeftQuadrant => entry.Place,
+        StrokeEntryKind.OnCircle => entry.Place,
         StrokeEntryKind.Turned => contour.StartIn(segments),
         _ when entry.Piece > 0 => contour.Pieces.Span[entry.Piece - 1].EndIn(segments),
         _ => contour.EndIn(segments),
