@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Posts;

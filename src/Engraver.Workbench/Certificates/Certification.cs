@@ -7,6 +7,7 @@ using Engraver.Core.Posts;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Verification;
 

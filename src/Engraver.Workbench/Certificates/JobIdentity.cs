@@ -1,5 +1,3 @@
-using System.Security.Cryptography;
-using System.Text;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Profiles;
 using Engraver.Core.Posts;
@@ -61,26 +59,4 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
         ArgumentNullException.ThrowIfNull(settings);
         return ContentHash.OfText(string.Concat(settings.OrderBy(one => one.Key, StringComparer.Ordinal).Select(one => $"{one.Key}={one.Value}\n")));
     }
-}
-
-/// <summary>SHA-256 as 64 hexadecimal digits.</summary>
-public static class ContentHash
-{
-    /// <summary>Of the bytes of a file; null when it cannot be read, or is a stream that can be read only once.</summary>
-    public static string? OfFile(string path)
-    {
-        if (FileKind.IsStream(path)) return null;
-        try
-        {
-            using var file = File.OpenRead(path);
-            return Convert.ToHexStringLower(SHA256.HashData(file));
-        }
-        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            return null;
-        }
-    }
-
-    /// <summary>Of a text as it is written to a file: UTF-8.</summary>
-    public static string OfText(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
 }

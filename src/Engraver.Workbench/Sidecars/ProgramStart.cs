@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Text.Json;
 using Engraver.Core.Geometry;
 using Engraver.Core.Posts;
-using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Sidecars;

@@ -4,6 +4,7 @@ using Engraver.TestKit;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Settings;

@@ -3,6 +3,7 @@ using Engraver.TestKit;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Certificates;

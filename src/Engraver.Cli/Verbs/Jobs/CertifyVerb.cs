@@ -7,6 +7,7 @@ using Engraver.Core.Machines;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Verification;

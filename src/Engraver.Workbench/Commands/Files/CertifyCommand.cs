@@ -3,6 +3,7 @@ using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Commands.Files;
 

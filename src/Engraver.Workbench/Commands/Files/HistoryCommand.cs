@@ -1,6 +1,6 @@
-using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;

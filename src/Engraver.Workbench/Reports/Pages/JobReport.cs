@@ -7,6 +7,7 @@ using Engraver.Core.Verification;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
