@@ -50,6 +50,9 @@ public sealed record JobOptions
     /// <summary>Controller counts at the drawing's zero; null: the machine stands at the drawing's start point.</summary>
     public CountsPoint? Frame { get; init; }
 
+    /// <summary>Told what the operator must know while the job runs, on the thread of the job; null: it is among the warnings of the result.</summary>
+    public Action<Diagnostic>? Told { get; init; }
+
     /// <summary>Told every position that was polled and differs from the one before, on the thread of the job, which it must not hold up; null for nobody.</summary>
     public Action<TracePoint>? Polled { get; init; }
 

@@ -52,7 +52,7 @@ internal sealed class Job
         var mark = hand is null ? MachineMemory.NewMark(session.Time.GetUtcNow()) : 0;
         _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), _stop) { Mark = mark };
         _isHandMove = hand is not null;
-        _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
+        _log = new JobLog(_machine, _ledger, journal, progress, session.Time, options.Told);
         _memory = new ProgramMemory(session);
         _machine.Hold.Changed = _log.ControlChanged;
         _machine.Hold.Parted = _log.SequenceDone;

@@ -1,10 +1,12 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Reports the job's progress to the operator and the journal.</summary>
-internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time)
+internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time, Action<Diagnostic>? told)
 {
     /// <summary>Controller seconds between two lines of the journal inside one sequence.</summary>
     private const double JournalSeconds = 0.25;
@@ -14,6 +16,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
 
     private double _reported = double.NegativeInfinity;
     private double _journalled;
+    private bool _isBegun;
 
     /// <param name="program">The fingerprint of the whole program.</param>
     /// <exception cref="IOException">A journal cannot be written, its own or that of the job with which it goes on.</exception>
@@ -21,6 +24,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     public void Begin(JobOptions options, string controller, string program)
     {
         var at = machine.State.Position;
+        journal.BeginJob();
         journal.Write(new JournalHeader(
             options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow())
         {
@@ -36,6 +40,25 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
             FromAlong = options.From.Along,
         });
         TellResumed(options);
+        journal.Keep();
+        _isBegun = true;
+    }
+
+    /// <summary>A job that was begun is not ended because its journal cannot be written: the part would be lost for it.</summary>
+    private void Write<T>(T line)
+    {
+        try
+        {
+            journal.Write(line);
+        }
+        catch (IOException failure) when (_isBegun)
+        {
+            var reason = SystemReason.Of(failure);
+            journal.GiveUp(reason);
+            var finding = PreparationRules.JournalGivenUp.At(default, reason);
+            if (told is null) ledger.Warnings.Add(finding);
+            else told(finding);
+        }
     }
 
     /// <summary>An interrupted job that is gone on with is not gone on with a second time from its own place. A dry run cuts nothing.</summary>
@@ -62,12 +85,12 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     {
         if (machine.Known is null) return;
         var at = machine.State.Position;
-        journal.Write(new JournalControl(machine.Hold.Phase, machine.Hold.Speed.Override, machine.Hold.RapidRatio, at.X, at.Y, machine.Seconds));
+        Write(new JournalControl(machine.Hold.Phase, machine.Hold.Speed.Override, machine.Hold.RapidRatio, at.X, at.Y, machine.Seconds));
         Report();
     }
 
     /// <summary>What the controller counts from now on belongs to this.</summary>
-    public void Opened(int first, IReadOnlyList<int> starts, int calls) => journal.Write(new JournalOpened(first, starts, calls));
+    public void Opened(int first, IReadOnlyList<int> starts, int calls) => Write(new JournalOpened(first, starts, calls));
 
     /// <summary>The present sequence is complete.</summary>
     public void SequenceDone() => WriteProgress();
@@ -88,7 +111,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         var at = machine.State.Position;
         var entity = ledger.Entities.Count == 0 ? -1 : ledger.Entities[^1];
         var place = ledger.Place;
-        journal.Write(new JournalProgress(ledger.Stroke, ledger.Sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds) { Cut = place.Segments, Along = Math.Round(place.Along, 1) });
+        Write(new JournalProgress(ledger.Stroke, ledger.Sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds) { Cut = place.Segments, Along = Math.Round(place.Along, 1) });
     }
 
     private void Report() => progress?.Report(new JobProgress(

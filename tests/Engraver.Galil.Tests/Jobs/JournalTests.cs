@@ -1,6 +1,9 @@
 using System.Text.Json;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Sessions;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -51,6 +54,105 @@ public class JournalTests
         Assert.Contains("The journal cannot be written: the disk is full", result.Sentence, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Status.Outputs);
         Assert.Equal((0, 0), (result.SegmentsSent, bench.Controller.Record.Count));
+    }
+
+    /// <summary>As it was found: the job was ended, and its part lost.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task A_journal_that_can_no_longer_be_written_does_not_end_the_job_and_that_is_told_at_once(JobMode mode)
+    {
+        if (OperatingSystem.IsWindows()) return; // no named pipes in a folder there
+        await using var bench = new SimulatedBench();
+        var folder = Directory.CreateTempSubdirectory();
+        var pipe = NamedPipe.Make(Path.Combine(folder.FullName, "job.jsonl"));
+        var gone = Task.Factory.StartNew(() => { using var reader = new StreamReader(pipe); while (reader.ReadLine() is { } line && !line.Contains("\"kind\":\"job\"", StringComparison.Ordinal)) { } }, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        var told = new List<(string Id, int Outputs)>();
+        var options = SimulatedBench.Job with { Mode = mode, JournalPath = pipe, Polled = point => gone.Wait(point.ToolOn ? Timeout.Infinite : 0), Told = finding => told.Add((finding.Rule.Id, bench.Controller.Status.Outputs)) };
+
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), options);
+        folder.Delete(recursive: true);
+
+        Assert.Equal((JobOutcome.Complete, 1), (result.Outcome, result.SegmentsExecuted));
+        Assert.Equal("JOB0051", Assert.Single(told).Id);
+        Assert.Equal(0, bench.Controller.Status.Outputs);
+    }
+
+    [Fact]
+    public void A_journal_that_was_given_up_keeps_what_was_found_and_says_that_its_job_cannot_be_resumed()
+    {
+        var path = Path.GetTempFileName();
+        using (var disk = new FullDisk(path))
+        using (var journal = new JobJournal(disk))
+        {
+            Begin(journal);
+            while (disk.Room > 0) Progress(journal, disk);
+            journal.GiveUp("the disk is full");
+            Progress(journal, disk);
+            disk.Room = 1000;
+            journal.Write(new JournalEnd(JobOutcome.Complete, "", 4, 0, 0, 9.0, LeftAsFound: true));
+        }
+
+        Assert.Equal(["found", "job", "givenUp", "end"], JobJournal.ReadLines(path).Select(line => JsonSerializer.Deserialize<JsonElement>(line).GetProperty("kind").GetString()));
+        var told = InterruptedJob.Read(path)!;
+        File.Delete(path);
+        Assert.Equal(("the disk is full", "", 0), (told.GivenUp, told.Fault, told.Place.Segments));
+    }
+
+    [Fact]
+    public void A_journal_in_which_not_even_that_has_room_tells_of_no_job()
+    {
+        var path = Path.GetTempFileName();
+        using (var disk = new FullDisk(path))
+        using (var journal = new JobJournal(disk))
+        {
+            Begin(journal);
+            disk.Room = 10;
+            Progress(journal, disk);
+            journal.GiveUp("the disk is full");
+        }
+
+        Assert.Equal(["found"], JobJournal.ReadLines(path).Select(line => JsonSerializer.Deserialize<JsonElement>(line).GetProperty("kind").GetString()));
+        Assert.Null(InterruptedJob.Read(path));
+        File.Delete(path);
+    }
+
+    private static void Begin(JobJournal journal)
+    {
+        journal.Write(new JournalFound("sim:", "DMC2143", 1, new FoundState(new WireState(null, null, null, null, null, null), [], "")));
+        journal.BeginJob();
+        journal.Write(new JournalHeader("part.dxf", "DMC2143", JobMode.Stream, 4, 0, 0, 0, 0, DateTimeOffset.UnixEpoch));
+        journal.Keep();
+    }
+
+    private static void Progress(JobJournal journal, FullDisk disk)
+    {
+        try
+        {
+            journal.Write(new JournalProgress(0, 0, 0, 3, 10, 10, 1.0) { Cut = 3 });
+        }
+        catch (IOException)
+        {
+            disk.Room = 0;
+        }
+    }
+
+    /// <summary>A file on a disk that has room for so many bytes more; what stands there can be written over.</summary>
+    private sealed class FullDisk(string path) : FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0)
+    {
+        public long Room { get; set; } = 2000;
+
+        public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));
+
+        public override void Write(ReadOnlySpan<byte> buffer)
+        {
+            var fits = (int)Math.Min(buffer.Length, Length - Position + Room);
+            var (before, taken) = (Length, buffer[..fits].ToArray());
+            base.Write(taken, 0, taken.Length);
+            Room -= Length - before;
+            if (fits < buffer.Length) throw new IOException("the disk is full");
+        }
     }
 
     private static (int Stroke, int Entity, int Executed) At(JsonElement line) =>

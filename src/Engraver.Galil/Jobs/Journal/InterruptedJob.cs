@@ -22,6 +22,9 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     /// <summary>The journal is of an older version, whose lines have no check sums.</summary>
     public bool IsUnsealed { get; private init; }
 
+    /// <summary>Why the journal could not be written any more while its job went on; empty where it was.</summary>
+    public string GivenUp { get; private init; } = "";
+
     /// <summary>Journal of the job that has gone on with this one; null for none.</summary>
     public string? ResumedBy { get; init; }
 
@@ -52,6 +55,7 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
             {
                 (_, "job") when JobJournal.Read<JournalHeader>(line) is { } header => new InterruptedJob(header, new JobPlace(header.FromSegments, header.FromAlong), null, null),
                 (not null, "resumed") => job with { ResumedBy = JobJournal.Read<JournalResumed>(line)?.By },
+                (not null, "givenUp") when JobJournal.Read<JournalGivenUp>(line) is { } lost => job with { GivenUp = lost.Reason },
                 (not null, "opened") => job with { Opened = JobJournal.Read<JournalOpened>(line) },
                 (not null, "progress") when JobJournal.Read<JournalProgress>(line) is { } now => job.Reached(new JobPlace(now.Cut, now.Along), (now.X, now.Y), isAtFault: false),
                 (not null, "end") when JobJournal.Read<JournalEnd>(line) is { } end => (job with { End = end }).Reached(new JobPlace(end.Cut, end.Along), end is { X: { } x, Y: { } y } ? (x, y) : null, isAtFault: end.Outcome != JobOutcome.Stopped),

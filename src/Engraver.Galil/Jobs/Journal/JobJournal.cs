@@ -1,3 +1,4 @@
+using System.Text;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using Engraver.Core.Machines;
@@ -17,18 +18,77 @@ internal sealed class JobJournal : IDisposable
 
     private readonly StreamWriter? _file;
     private long _number;
+    private (long Length, long Number) _start;
+    private (long Length, long Number) _kept;
 
     /// <param name="path">Appended to; null for no journal.</param>
     public JobJournal(string? path)
     {
         if (path is null) return;
         var isTorn = IsReadable(path) && Continue(path);
-        _file = new StreamWriter(path, append: true) { AutoFlush = true, NewLine = "\n" };
+        _file = Over(new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, FileShare.Read, bufferSize: 0));
         if (isTorn) _file.WriteLine();
     }
 
+    /// <param name="file">Appended to, and owned.</param>
+    internal JobJournal(Stream file) => _file = Over(file);
+
+    private static StreamWriter Over(Stream file)
+    {
+        if (file.CanSeek) file.Seek(0, SeekOrigin.End);
+        return new StreamWriter(file) { AutoFlush = true, NewLine = "\n" };
+    }
+
+    /// <summary>The journal was given up while its job goes on: nothing more is written.</summary>
+    public bool IsGivenUp { get; private set; }
+
+    /// <summary>The lines of a job begin here.</summary>
+    public void BeginJob() => _start = Now;
+
+    /// <summary>What was written so far stays in a journal that is given up.</summary>
+    public void Keep() => _kept = Now;
+
+    /// <summary>The journal cannot be written any more (a full disk), and its job goes on: the last place that it tells would soon be wrong. Puts a line that says so in place of everything behind <see cref="Keep"/>, which needs no more room on the disk,
+    /// and where even that fails takes the job out of the journal.</summary>
+    public void GiveUp(string reason)
+    {
+        IsGivenUp = true;
+        if (_file?.BaseStream is not { CanSeek: true } file) return; // a pipe: what was written was read
+        try
+        {
+            _number = _kept.Number;
+            file.Seek(_kept.Length, SeekOrigin.Begin);
+            file.Write(Encoding.UTF8.GetBytes(Sealed(new JournalGivenUp(reason)) + "\n"));
+            file.SetLength(file.Position);
+        }
+        catch (IOException)
+        {
+            CutBack(file);
+        }
+    }
+
+    private void CutBack(Stream file)
+    {
+        try
+        {
+            file.SetLength(_start.Length);
+            file.Seek(0, SeekOrigin.End);
+        }
+        catch (IOException)
+        {
+            // The medium takes nothing at all: what stands there cannot be changed.
+        }
+    }
+
+    private (long Length, long Number) Now => (_file?.BaseStream is { CanSeek: true } file ? file.Length : 0, _number);
+
     /// <summary>False for a pipe: it cannot be read again, and opening it would wait for ever. Like an empty file it has no length.</summary>
-    public static bool IsReadable(string journal) => new FileInfo(journal) is { Exists: true, Length: > 0 };
+    public static bool IsReadable(string journal)
+    {
+        var named = new FileInfo(journal);
+        var file = named.LinkTarget is null ? named : named.ResolveLinkTarget(returnFinalTarget: true) as FileInfo; // the length of a link is that of its name
+        return file is { Exists: true, Length: > 0 };
+    }
 
     /// <summary>Goes on with the running number of the lines that stand there.</summary>
     /// <returns>Whether the last one is half a line.</returns>
@@ -49,7 +109,27 @@ internal sealed class JobJournal : IDisposable
 
     public static T? Read<T>(string line) => JsonSerializer.Deserialize<T>(line, Json);
 
-    public void Write<T>(T line) => _file?.WriteLine(JournalSeal.Put(JsonSerializer.Serialize(line, Json), ++_number));
+    /// <exception cref="IOException">It cannot be written.</exception>
+    public void Write<T>(T line)
+    {
+        if (!IsGivenUp) _file?.WriteLine(Sealed(line));
+    }
+
+    /// <summary>The last line of a job; where the journal was given up it is written if there is room again.</summary>
+    /// <exception cref="IOException">It cannot be written.</exception>
+    public void Write(JournalEnd end)
+    {
+        try
+        {
+            _file?.WriteLine(Sealed(end));
+        }
+        catch (IOException) when (IsGivenUp)
+        {
+            // That was told.
+        }
+    }
+
+    private string Sealed<T>(T line) => JournalSeal.Put(JsonSerializer.Serialize(line, Json), ++_number);
 
     /// <summary>Every line was flushed when it was written, so an error of the disk now was there before and has been reported.</summary>
     public void Dispose()
@@ -104,6 +184,12 @@ public sealed record JournalResumed(string By)
     public string Kind { get; } = "resumed";
 }
 
+/// <summary>The journal could not be written any more while its job went on: how far the job was cut is not told, and it cannot be resumed.</summary>
+public sealed record JournalGivenUp(string Reason)
+{
+    public string Kind { get; } = "givenUp";
+}
+
 /// <summary>The operator held the job or let it go on, or changed an override.</summary>
 /// <param name="Feed">Factor of the programmed feed.</param>
 /// <param name="Rapid">Factor of the rapid speed.</param>
@@ -122,6 +208,7 @@ public sealed record JournalControl(JobPhase Phase, double Feed, double Rapid, l
 [JsonSerializable(typeof(JournalFound))]
 [JsonSerializable(typeof(JournalGivenBack))]
 [JsonSerializable(typeof(JournalResumed))]
+[JsonSerializable(typeof(JournalGivenUp))]
 [JsonSerializable(typeof(JournalControl))]
 [JsonSerializable(typeof(JournalOpened))]
 internal sealed partial class JournalJson : JsonSerializerContext;
