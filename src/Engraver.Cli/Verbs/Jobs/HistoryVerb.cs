@@ -3,6 +3,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Cli.Output.Jobs;
 using Engraver.Workbench.Histories;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs.Jobs;
@@ -14,18 +15,26 @@ internal static class HistoryVerb
     {
         var search = new Option<string?>("--search") { HelpName = "TEXT", Description = Wording.Get("History.Search") };
         var last = new Option<double?>("--last") { HelpName = "N", Description = Wording.Get("History.Last"), CustomParser = result => OptionValue.WholeNumberFromOne(result) };
+        var budget = new Option<double?>("--budget") { HelpName = "MB", Description = Wording.Get("History.Budget"), CustomParser = result => OptionValue.WholeNumberFromOne(result) };
         var json = JsonOption.New();
         var command = new Command("history", Wording.Get("History.Summary"));
-        foreach (var option in (Option[])[search, last, json]) command.Options.Add(option);
+        foreach (var option in (Option[])[search, last, budget, json]) command.Options.Add(option);
         command.SetAction(parsed =>
         {
+            if (parsed.GetValue(budget) is { } megabytes && RunBudget.Set((int)megabytes) is { } failure) throw new UsageException(Wording.Get("History.BudgetNotKept", failure));
             var reading = new JobHistory(JobHistory.FolderIn(null)).Look();
             var numbered = reading.Entries.Select((entry, index) => (Number: index + 1, Entry: entry)).Where(one => parsed.GetValue(search) is not { } word || one.Entry.Holds(word)).Take((int)(parsed.GetValue(last) ?? int.MaxValue)).ToList();
             foreach (var finding in reading.Findings) host.Error.WriteLine(finding);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, HistoryJson.From(numbered.Select(one => one.Entry), reading.Findings), ContractJson.Default.HistoryJson);
-            else HistoryText.Write(host.Out, numbered, TimeZoneInfo.Local);
+            else WriteText(host, numbered);
             return ExitCode.Done;
         });
         return command;
+    }
+
+    private static void WriteText(VerbHost host, IReadOnlyList<(int Number, HistoryEntry Entry)> entries)
+    {
+        HistoryText.Write(host.Out, entries, TimeZoneInfo.Local);
+        host.Out.WriteLine(Wording.Get("History.Kept", RunBudget.UsedMegabytes, RunBudget.Megabytes));
     }
 }

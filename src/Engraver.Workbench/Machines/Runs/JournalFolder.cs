@@ -21,6 +21,7 @@ public static class JournalFolder
         folder ??= Usual;
         Directory.CreateDirectory(folder);
         KeptConversation.MakeRoom(folder);
+        RunBudget.MakeRoom(folder, RunBudget.Megabytes);
         var name = string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileNameWithoutExtension(drawing)}-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}-{Environment.ProcessId}.jsonl");
         return Path.Combine(folder, name);
     }

@@ -1,0 +1,111 @@
+using System.Globalization;
+using Engraver.Core.Languages;
+using Engraver.Core.Machines;
+using Engraver.Galil.Jobs.Journal;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>How much room on the disk the runs may take whose journals nobody named: when a run begins, the oldest ones are deleted beyond that, each with the files beside its journal. One that is under way, that did not end properly or that can be resumed is never deleted.</summary>
+public static class RunBudget
+{
+    /// <summary>Where the operator has set nothing.</summary>
+    public const int UsualMegabytes = 1000;
+
+    private const long Megabyte = 1_000_000;
+    private const string Ending = ".jsonl";
+
+    private static string SettingFile => Path.Combine(UserFiles.Folder, "runs-megabytes.txt");
+
+    /// <summary>The operator's setting.</summary>
+    public static int Megabytes
+    {
+        get
+        {
+            try
+            {
+                return File.Exists(SettingFile) && int.TryParse(File.ReadAllText(SettingFile), NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture, out var set) && set > 0 ? set : UsualMegabytes;
+            }
+            catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+            {
+                return UsualMegabytes;
+            }
+        }
+    }
+
+    /// <summary>Changes the setting.</summary>
+    /// <returns>Why that failed, without a full stop; null when it is kept.</returns>
+    public static string? Set(int megabytes)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(megabytes);
+        try
+        {
+            Directory.CreateDirectory(UserFiles.Folder);
+            OutputFile.Write(SettingFile, output => output.WriteLine(megabytes.ToString(CultureInfo.InvariantCulture)));
+            return null;
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            return SystemReason.Of(unwritable);
+        }
+    }
+
+    /// <summary>What the kept runs take, in megabytes.</summary>
+    public static double UsedMegabytes => UsedIn(JournalFolder.Usual);
+
+    /// <summary>The same of another folder.</summary>
+    public static double UsedIn(string folder)
+    {
+        try
+        {
+            return Runs(folder).Sum(static run => run.Size) / (double)Megabyte;
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            return 0.0;
+        }
+    }
+
+    /// <summary>Deletes the oldest runs of a folder until those that are left take no more than so much, or none may be deleted.</summary>
+    public static void MakeRoom(string folder, int megabytes)
+    {
+        try
+        {
+            var runs = Runs(folder);
+            var size = runs.Sum(static run => run.Size);
+            foreach (var run in runs.OrderBy(static run => run.Written))
+            {
+                if (size <= megabytes * Megabyte) return;
+                if (!MayGo(run.Journal)) continue;
+                foreach (var file in run.Files) file.Delete();
+                size -= run.Size;
+            }
+        }
+        catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
+        {
+            // Somebody reads one of them: the next run tries again.
+        }
+    }
+
+    /// <summary>Only a run of which the journal tells that nothing is left to do: it ended, the controller was left as it was found, and it cannot be resumed.</summary>
+    private static bool MayGo(string journal)
+    {
+        if (!File.Exists(journal)) return true; // what is left of one that was deleted
+        if (InterruptedJob.Read(journal) is not { End: { LeftAsFound: true } end } job) return false;
+        return end.Outcome is JobOutcome.Complete or JobOutcome.Deviated || job.Header.DryRun || job.GivenUp.Length > 0 || job.ResumedBy is not null;
+    }
+
+    private static List<Run> Runs(string folder) => !Directory.Exists(folder) ? [] :
+    [
+        .. new DirectoryInfo(folder).EnumerateFiles("*" + Ending + "*")
+            .GroupBy(static file => file.FullName[..(file.FullName.LastIndexOf(Ending, StringComparison.Ordinal) + Ending.Length)])
+            .Select(static files => new Run(files.Key, [.. files])),
+    ];
+
+    private sealed record Run(string Journal, IReadOnlyList<FileInfo> Files)
+    {
+        public long Size { get; } = Files.Sum(static file => file.Length);
+
+        public DateTime Written { get; } = Files.Max(static file => file.LastWriteTimeUtc);
+    }
+}
