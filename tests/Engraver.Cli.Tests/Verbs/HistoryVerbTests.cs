@@ -40,9 +40,24 @@ public class HistoryVerbTests
         var last = await CliRun.RunAsync("history", "--search", "history-lines", "--last", "1");
         var bad = await CliRun.RunAsync("history", "--last", "0");
 
-        Assert.Equal(2, all.Out.TrimEnd().Split('\n').Length);
-        Assert.EndsWith("history-lines.dxf  post cldata  written", Assert.Single(last.Out.TrimEnd().Split('\n')), StringComparison.Ordinal);
+        Assert.Equal(3, all.Out.TrimEnd().Split('\n').Length);
+        var lines = last.Out.TrimEnd().Split('\n');
+        Assert.EndsWith("history-lines.dxf  post cldata  written", lines[0], StringComparison.Ordinal);
+        Assert.Matches("^Files of the runs: [0-9.]+ MB of at most [0-9]+ MB \\(--budget\\)$", Assert.Single(lines[1..]));
         Assert.Equal(ExitCode.Usage, bad.ExitCode);
+    }
+
+    [Fact]
+    public async Task The_budget_of_the_runs_is_set_and_told()
+    {
+        var set = await CliRun.RunAsync("history", "--budget", "750");
+        var told = await CliRun.RunAsync("history");
+        var back = await CliRun.RunAsync("history", "--budget", "1000");
+        var none = await CliRun.RunAsync("history", "--budget", "0");
+
+        Assert.All([set, told], run => Assert.EndsWith(" MB of at most 750 MB (--budget)", run.Out.TrimEnd(), StringComparison.Ordinal));
+        Assert.EndsWith(" MB of at most 1000 MB (--budget)", back.Out.TrimEnd(), StringComparison.Ordinal);
+        Assert.Equal(ExitCode.Usage, none.ExitCode);
     }
 
     private static string? Word(JsonElement entry, string field) => entry.GetProperty(field).GetString();
