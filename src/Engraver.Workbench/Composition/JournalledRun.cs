@@ -10,16 +10,22 @@ namespace Engraver.Workbench.Composition;
 /// <param name="Program">By what its motion program is known again (<see cref="ProgramFingerprint"/>); empty in older journals.</param>
 public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double? Seconds, JobMode Mode, bool IsDryRun, string Program)
 {
+    /// <summary>Nothing is left to do: it ended, the controller was left as it was found, and it cannot be resumed.</summary>
+    public bool IsSettled { get; private init; }
+
     /// <returns>Null where the file tells of no job, or cannot be read.</returns>
     public static JournalledRun? Read(string journal)
     {
         try
         {
-            return InterruptedJob.Read(journal) is { } told ? new JournalledRun(told.End?.Outcome, told.End?.Sentence ?? "", told.End?.Time, told.Header.Mode, told.Header.DryRun, told.Header.Program) : null;
+            return InterruptedJob.Read(journal) is { } told ? new JournalledRun(told.End?.Outcome, told.End?.Sentence ?? "", told.End?.Time, told.Header.Mode, told.Header.DryRun, told.Header.Program) { IsSettled = Settled(told) } : null;
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
             return null;
         }
     }
+
+    private static bool Settled(InterruptedJob job) =>
+        job.End is { LeftAsFound: true } end && (end.Outcome is JobOutcome.Complete or JobOutcome.Deviated || job.Header.DryRun || job.GivenUp.Length > 0 || job.ResumedBy is not null);
 }

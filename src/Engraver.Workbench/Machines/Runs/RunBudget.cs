@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Languages;
-using Engraver.Core.Machines;
-using Engraver.Galil.Jobs.Journal;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -87,22 +86,17 @@ public static class RunBudget
         }
     }
 
-    /// <summary>Only a run of which the journal tells that nothing is left to do: it ended, the controller was left as it was found, and it cannot be resumed.</summary>
-    private static bool MayGo(string journal)
-    {
-        if (!File.Exists(journal)) return true; // what is left of one that was deleted
-        if (InterruptedJob.Read(journal) is not { End: { LeftAsFound: true } end } job) return false;
-        return end.Outcome is JobOutcome.Complete or JobOutcome.Deviated || job.Header.DryRun || job.GivenUp.Length > 0 || job.ResumedBy is not null;
-    }
+    /// <summary>What is left of a run whose journal was deleted may go too.</summary>
+    private static bool MayGo(string journal) => !File.Exists(journal) || JournalledRun.Read(journal) is { IsSettled: true };
 
-    private static List<Run> Runs(string folder) => !Directory.Exists(folder) ? [] :
+    private static List<RunFiles> Runs(string folder) => !Directory.Exists(folder) ? [] :
     [
         .. new DirectoryInfo(folder).EnumerateFiles("*" + Ending + "*")
             .GroupBy(static file => file.FullName[..(file.FullName.LastIndexOf(Ending, StringComparison.Ordinal) + Ending.Length)])
-            .Select(static files => new Run(files.Key, [.. files])),
+            .Select(static files => new RunFiles(files.Key, [.. files])),
     ];
 
-    private sealed record Run(string Journal, IReadOnlyList<FileInfo> Files)
+    private sealed record RunFiles(string Journal, IReadOnlyList<FileInfo> Files)
     {
         public long Size { get; } = Files.Sum(static file => file.Length);
 
