@@ -49,6 +49,23 @@ public class XpsFileTests
         Assert.InRange(file.VerifiedBound, 0.0, 1e-8);
     }
 
+    /// <summary>Near its inflection a long spline has arcs of many kilometres: a rounded angle of nine decimals moved their ends by a micrometre, and no file was written.</summary>
+    [Theory]
+    [InlineData(TrajectoryFormat.XpsLineArc, 1_800.0)]
+    [InlineData(TrajectoryFormat.XpsLineArc, 18_000.0)]
+    [InlineData(TrajectoryFormat.XpsLineArc, 180_000.0)]
+    [InlineData(TrajectoryFormat.XpsSpline, 180_000.0)]
+    public void A_spline_of_many_metres_keeps_its_error(TrajectoryFormat format, double length)
+    {
+        var spline = Segment.FromCurve(new RationalCurve(SegmentKind.Spline, [new BezierSpan([0.0, 0.0, 0.0, 1.0, length / 3.0, length / 2.0, 0.0, 1.0, 2.0 * length / 3.0, -length / 2.0, 0.0, 1.0, length, 0.0, 0.0, 1.0])]));
+
+        var file = Assert.Single(TrajectoryFiles.Write([spline], closed: false, new TrajectoryOptions(0.001), format, s_motion).Files);
+
+        Assert.InRange(file.VerifiedBound, 1e-6, 0.001);
+        Assert.InRange(file.SampledError, 0.25 * file.VerifiedBound, file.VerifiedBound);
+        Assert.InRange(file.Points, 50, 2_000);
+    }
+
     [Theory]
     [InlineData(TrajectoryFormat.XpsLineArc)]
     [InlineData(TrajectoryFormat.XpsPvt)]
