@@ -38,17 +38,18 @@ internal sealed class Rig : IAsyncDisposable
         while (true)
         {
             using var cancellation = new CancellationTokenSource();
-            var reading = connection.ReadAsync(buffer, cancellation.Token);
-            if (!reading.IsCompleted)
+            var reading = connection.ReadAsync(buffer, cancellation.Token).AsTask();
+            if (!reading.IsCompleted) cancellation.Cancel();
+            try
             {
-                cancellation.Cancel();
+                var count = reading.GetAwaiter().GetResult(); // behind it nobody waits for bytes any more
+                if (count == 0) return reply.ToString();
+                reply.Append(Encoding.Latin1.GetString(buffer, 0, count));
+            }
+            catch (OperationCanceledException)
+            {
                 return reply.ToString();
             }
-
-            var count = reading.Result;
-            if (count == 0) return reply.ToString();
-
-            reply.Append(Encoding.Latin1.GetString(buffer, 0, count));
         }
     }
 
