@@ -26,6 +26,5 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
         }
     }
 
-    private static bool Settled(InterruptedJob job) =>
-        job.End is { LeftAsFound: true } end && (end.Outcome is JobOutcome.Complete or JobOutcome.Deviated || job.Header.DryRun || job.GivenUp.Length > 0 || job.ResumedBy is not null);
+    private static bool Settled(InterruptedJob job) => job.End is { LeftAsFound: true } && job.IsOver;
 }

@@ -21,7 +21,7 @@ public sealed record MachineMemory
     /// <summary>A number to leave in a controller: from 1, and another one each millisecond, so that no two sessions leave the same; a whole number that the controller keeps exactly.</summary>
     public static int NewMark(DateTimeOffset now) => (int)(now.ToUnixTimeMilliseconds() % 1_999_999_999) + 1;
 
-    /// <summary>Where it came to rest last; null before the first motion, and while nobody knows (a job under way, a lost link).</summary>
+    /// <summary>Where it came to rest last; null before the first motion, and where nobody knows (a lost link).</summary>
     public CountsPoint? Rest { get; init; }
 
     /// <summary>A motion was begun, and nobody has heard yet where it ended.</summary>
@@ -36,7 +36,7 @@ public sealed record MachineMemory
         ArgumentNullException.ThrowIfNull(place);
         if (!IsMoving && Rest is null) return "";
         var (then, now) = (Counts(Rest ?? default), Counts(place.Position));
-        var axes = string.Concat("XYZ".Zip(place.Letters).Where((axis, i) => stoppedHard.Contains(axis.Second, StringComparison.Ordinal) && place.Uncounted.Contains(axis.Second, StringComparison.Ordinal) && (IsMoving || then[i] != now[i])).Select(axis => axis.First));
+        var axes = string.Concat("XYZ".Zip(place.Letters).Where((axis, i) => stoppedHard.Contains(axis.Second, StringComparison.Ordinal) && place.Uncounted.Contains(axis.Second, StringComparison.Ordinal) && (Rest is null || then[i] != now[i])).Select(axis => axis.First));
         return axes.Length == 0 ? "" : Wording.Get("Origins.StepperStoppedHard", axes);
     }
 

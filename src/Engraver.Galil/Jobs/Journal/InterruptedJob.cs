@@ -25,6 +25,9 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     /// <summary>Why the journal could not be written any more while its job went on; empty where it was.</summary>
     public string GivenUp { get; private init; } = "";
 
+    /// <summary>Nothing of it is left to cut, or it can never be resumed: whatever else a resume asks for.</summary>
+    public bool IsOver => Header.DryRun || GivenUp.Length > 0 || (ResumedBy is { } later && File.Exists(later)) || End is { Outcome: JobOutcome.Complete } || End?.Cut >= Header.SegmentCount;
+
     /// <summary>Journal of the job that has gone on with this one; null for none.</summary>
     public string? ResumedBy { get; init; }
 

@@ -55,14 +55,14 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     {
         var (start, segment) = Of(place) is var (from, next, _) ? (from, next) : (program.SegmentBehind(place.Segments - 1)!.Value.Segment.End, default);
         var there = segment.Length > 0.0 ? new SegmentCourse(start, segment).At(place.Along) : new Point2D(start.X, start.Y);
-        var allowed = Reach(place) + (program.Profile.FollowingErrorAt(program.Profile.FastestMmPerSecond) * program.Profile.Scale.Largest);
+        var allowed = Reach + (program.Profile.FollowingErrorAt(program.Profile.FastestMmPerSecond) * program.Profile.Scale.Largest);
         return there.DistanceTo(here) <= allowed || IsAhead(place, here);
     }
 
     /// <summary>Whether the machine is at the place, or a little ahead of it on its path or on its way to the next stroke.</summary>
     private bool IsAhead(JobPlace place, Point2D here)
     {
-        var (reach, slack) = (Reach(place), Slack(place));
+        var (reach, slack) = (Reach, Slack);
         var before = place is { Segments: > 0, Along: 0.0 } ? Of(place with { Segments = place.Segments - 1 }) : null;
         var along = place.Along;
         for (var i = place.Segments; reach >= 0.0; i++)
@@ -89,10 +89,10 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
 
     private (CountsPoint Start, VectorSegment Segment, int Stroke)? Of(JobPlace place) => program.SegmentBehind(place.Segments);
 
-    private double Slack(JobPlace place) => OnPath + (ReadingSeconds * Speed(place));
+    private double Slack => OnPath + (ReadingSeconds * Speed);
 
-    private double Reach(JobPlace place) => (LaterSeconds * Speed(place)) + (Speed(place) * Speed(place) / (2.0 * program.Profile.AccelerationCounts));
+    private double Reach => (LaterSeconds * Speed) + (Speed * Speed / (2.0 * program.Profile.AccelerationCounts));
 
-    /// <summary>The fastest that the path may be there, counts/s.</summary>
-    private double Speed(JobPlace place) => program.SpeedBehind(Math.Min(place.Segments, program.SegmentCount - 1)) * JobControl.FeedRange.Fastest;
+    /// <summary>The fastest that the path may be anywhere, counts/s: the machine may already be in a faster sequence.</summary>
+    private double Speed { get; } = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * JobControl.FeedRange.Fastest;
 }

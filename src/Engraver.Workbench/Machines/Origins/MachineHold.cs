@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using System.Text.Json.Serialization;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
@@ -31,7 +32,7 @@ public sealed class MachineHold : IDisposable
         (_path, _name, _lock) = (path, name, taken);
         try
         {
-            if (File.Exists(path)) _memory = (JsonSerializer.Deserialize(File.ReadAllText(path), MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.HoldsNull"))).Checked().ToMemory();
+            if (File.Exists(path)) _memory = MachineMemoryDocument.Read(File.ReadAllText(path)).ToMemory();
         }
         catch (Exception unusable) when (unusable is JsonException or InvalidDataException or IOException or UnauthorizedAccessException)
         {
@@ -152,7 +153,7 @@ public sealed class MachineHold : IDisposable
     {
         var memory = Memory;
         if (!KnowsZero || (moves ? memory.IsMoving : !memory.IsMoving && memory.Rest == at)) return;
-        Keep(before => before with { IsMoving = moves, Rest = moves ? null : at });
+        Keep(before => before with { IsMoving = moves, Rest = moves ? before.Rest : at });
     }
 
     /// <summary>Notes the end of a motion of this program. Where its end is not known, the controller must be asked again before anything is kept with its zero; where it ended before anything was sent, nothing has changed.</summary>
@@ -205,15 +206,25 @@ internal sealed record MachineMemoryDocument
     public string? Sum { get; set; }
 
     /// <summary>The same with its check sum.</summary>
-    public MachineMemoryDocument Sealed() => this with { Sum = SumOf(this) };
+    public MachineMemoryDocument Sealed() => this with { Sum = SumOf((this with { Sum = null }).ToJson()) };
 
-    /// <summary>The same, after its check sum was compared.</summary>
+    /// <exception cref="JsonException">It is no such document.</exception>
     /// <exception cref="InvalidDataException">It is not as it was written.</exception>
-    public MachineMemoryDocument Checked() => Sum is null || Sum == SumOf(this) ? this : throw new InvalidDataException(Wording.Get("Origins.SumDiffers"));
+    public static MachineMemoryDocument Read(string text)
+    {
+        var document = JsonSerializer.Deserialize(text, MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.HoldsNull"));
+        return document.Sum is null || document.Sum == SumOf(text) ? document : throw new InvalidDataException(Wording.Get("Origins.SumDiffers"));
+    }
 
     public string ToJson() => JsonSerializer.Serialize(this, MachineMemoryJson.Default.MachineMemoryDocument);
 
-    private static string SumOf(MachineMemoryDocument document) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes((document with { Sum = null }).ToJson())))[..16];
+    /// <summary>Over every member but the sum itself, also of a version that knows more; blanks do not matter.</summary>
+    private static string SumOf(string json)
+    {
+        var members = JsonNode.Parse(json)!.AsObject();
+        members.Remove("sum");
+        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(members.ToJsonString())))[..16];
+    }
 
     public static MachineMemoryDocument From(string machine, MachineMemory memory) => new()
     {

@@ -14,6 +14,9 @@ public static class RunBudget
     private const long Megabyte = 1_000_000;
     private const string Ending = ".jsonl";
 
+    /// <summary>A journal and what is written beside it.</summary>
+    private static readonly string[] s_besides = ["", ".wire", ".trace.csv", ".program.dmc"];
+
     private static string SettingFile => Path.Combine(UserFiles.Folder, "runs-megabytes.txt");
 
     /// <summary>The operator's setting.</summary>
@@ -86,15 +89,21 @@ public static class RunBudget
         }
     }
 
-    /// <summary>What is left of a run whose journal was deleted may go too.</summary>
-    private static bool MayGo(string journal) => !File.Exists(journal) || JournalledRun.Read(journal) is { IsSettled: true };
+    /// <summary>A file without a journal may be of a run that begins just now, or nobody's.</summary>
+    private static bool MayGo(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsSettled: true };
 
     private static List<RunFiles> Runs(string folder) => !Directory.Exists(folder) ? [] :
     [
         .. new DirectoryInfo(folder).EnumerateFiles("*" + Ending + "*")
-            .GroupBy(static file => file.FullName[..(file.FullName.LastIndexOf(Ending, StringComparison.Ordinal) + Ending.Length)])
+            .Select(static file => (File: file, Journal: JournalOf(file.FullName)))
+            .Where(static pair => pair.Journal is not null)
+            .GroupBy(static pair => pair.Journal!, static pair => pair.File)
             .Select(static files => new RunFiles(files.Key, [.. files])),
     ];
+
+    /// <summary>Null for a file that no run has written.</summary>
+    private static string? JournalOf(string path) =>
+        s_besides.FirstOrDefault(ending => path.EndsWith(Ending + ending, StringComparison.Ordinal)) is { } beside ? path[..^beside.Length] : null;
 
     private sealed record RunFiles(string Journal, IReadOnlyList<FileInfo> Files)
     {

@@ -9,7 +9,7 @@ public sealed class RunBudgetTests : IDisposable
     private const string Job = """{"kind":"job","drawing":"part.dxf","controller":"DMC2143","mode":"stream","segmentCount":4,"startX":0,"startY":0,"frameX":0,"frameY":0,"startedAt":"2026-01-01T00:00:00+00:00","dryRun":false}""";
     private const string Complete = """{"kind":"end","outcome":"complete","sentence":"","segmentsExecuted":4,"x":0,"y":0,"time":1,"leftAsFound":true,"cut":4,"along":0}""";
     private const string Stopped = """{"kind":"end","outcome":"stopped","sentence":"","segmentsExecuted":2,"x":0,"y":0,"time":1,"leftAsFound":true,"cut":2,"along":0}""";
-    private const string Resumed = """{"kind":"resumed","by":"/later.jsonl"}""";
+    private const string Deviated = """{"kind":"end","outcome":"deviated","sentence":"","segmentsExecuted":2,"x":0,"y":0,"time":1,"leftAsFound":true,"cut":2,"along":0}""";
 
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-runs-");
     private int _day;
@@ -35,12 +35,17 @@ public sealed class RunBudgetTests : IDisposable
         Keep("underway", Found, Job);
         Keep("stopped", Found, Job, Stopped);
         Keep("unknown", "no journal");
-        Keep("resumed", Found, Job, Stopped, Resumed);
+        Keep("deviated", Found, Job, Deviated);
+        Keep("later-gone", Found, Job, Stopped, ResumedBy("gone.jsonl"));
         Keep("complete", Found, Job, Complete);
+        Keep("resumed", Found, Job, Stopped, ResumedBy("stopped.jsonl"));
+        File.WriteAllBytes(Path.Combine(_folder.FullName, "notes.jsonl.bak"), new byte[1_000_000]);
+        File.WriteAllBytes(Path.Combine(_folder.FullName, "beginning.jsonl.wire"), new byte[1_000_000]);
 
         RunBudget.MakeRoom(_folder.FullName, 1);
 
-        Assert.Equal(["stopped.jsonl", "underway.jsonl", "unknown.jsonl"], _folder.GetFiles("*.jsonl").Select(file => file.Name).Order(StringComparer.Ordinal));
+        Assert.Equal(["deviated.jsonl", "later-gone.jsonl", "stopped.jsonl", "underway.jsonl", "unknown.jsonl"], _folder.GetFiles("*.jsonl").Select(file => file.Name).Order(StringComparer.Ordinal));
+        Assert.True(File.Exists(Path.Combine(_folder.FullName, "notes.jsonl.bak")) && File.Exists(Path.Combine(_folder.FullName, "beginning.jsonl.wire")));
     }
 
     [Fact]
@@ -51,6 +56,8 @@ public sealed class RunBudgetTests : IDisposable
 
         Assert.Equal(0.0, RunBudget.UsedIn(gone));
     }
+
+    private string ResumedBy(string name) => $$"""{"kind":"resumed","by":"{{Path.Combine(_folder.FullName, name)}}"}""";
 
     private void Keep(string name, params string[] lines)
     {
