@@ -29,12 +29,12 @@ public static class KeptConversation
         }
     }
 
-    /// <summary>Deletes the oldest of a folder, so that there is room for one more.</summary>
+    /// <summary>Deletes the oldest of a folder, so that there is room for one more; never one of a run that can be resumed.</summary>
     internal static void MakeRoom(string folder)
     {
         try
         {
-            foreach (var old in new DirectoryInfo(folder).EnumerateFiles("*.jsonl" + Ending).OrderByDescending(file => file.LastWriteTimeUtc).Skip(MostKept - 1)) old.Delete();
+            foreach (var old in new DirectoryInfo(folder).EnumerateFiles("*.jsonl" + Ending).OrderByDescending(file => file.LastWriteTimeUtc).Skip(MostKept - 1).Where(file => RunBudget.MayGo(file.FullName[..^Ending.Length]))) old.Delete();
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {

@@ -90,7 +90,7 @@ public static class RunBudget
     }
 
     /// <summary>A file without a journal may be of a run that begins just now, or nobody's.</summary>
-    private static bool MayGo(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsSettled: true };
+    internal static bool MayGo(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsSettled: true };
 
     private static List<RunFiles> Runs(string folder) => !Directory.Exists(folder) ? [] :
     [
