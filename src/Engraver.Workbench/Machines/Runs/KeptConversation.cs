@@ -34,7 +34,7 @@ public static class KeptConversation
     {
         try
         {
-            foreach (var old in new DirectoryInfo(folder).EnumerateFiles("*.jsonl" + Ending).OrderByDescending(file => file.LastWriteTimeUtc).Skip(MostKept - 1).Where(file => RunBudget.MayGo(file.FullName[..^Ending.Length]))) old.Delete();
+            foreach (var old in new DirectoryInfo(folder).EnumerateFiles("*.jsonl" + Ending).OrderByDescending(file => file.LastWriteTimeUtc).Skip(MostKept - 1).Where(file => file.FullName[..^Ending.Length] is var journal && (!File.Exists(journal) || RunBudget.MayGo(journal)))) old.Delete();
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
