@@ -315,6 +315,7 @@ internal sealed class Job
         {
             await _machine.EndWatchAsync().ConfigureAwait(false);
             var refused = await _memory.GiveBackAsync(CancellationToken.None).ConfigureAwait(false);
+            await _session.LeaveToOthersAsync(_machine.Feed.SetByOthers).ConfigureAwait(false);
             var settings = await _session.RestoreAsync(CancellationToken.None).ConfigureAwait(false);
             if (refused is not null) return [refused.Explain(), .. settings];
             if (settings.Count == 0) _found.GivenBack();

@@ -13,6 +13,9 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
     /// <summary>Nothing is left to do: it ended, the controller was left as it was found, and it cannot be resumed.</summary>
     public bool IsSettled { get; private init; }
 
+    /// <summary>The copy of the program that was in the controller, beside a journal.</summary>
+    public static string ProgramCopyOf(string journal) => InterruptedJob.ProgramCopyOf(journal);
+
     /// <returns>Null where the file tells of no job, or cannot be read.</returns>
     public static JournalledRun? Read(string journal)
     {
@@ -26,5 +29,5 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
         }
     }
 
-    private static bool Settled(InterruptedJob job) => job.End is { LeftAsFound: true } && job.IsOver;
+    private static bool Settled(InterruptedJob job) => job is { End.LeftAsFound: true, WhyOver.Length: > 0 };
 }

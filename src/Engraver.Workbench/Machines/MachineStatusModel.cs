@@ -146,7 +146,7 @@ internal sealed class MachineStatusModel : IDisposable
 
     /// <param name="isHomed">Null for a machine that is not homed at all.</param>
     /// <param name="isAssumed">It is simulated, and nobody homed it.</param>
-    public void HomedIs(bool? isHomed, bool isAssumed = false) => Change(facts => facts with { IsHomed = isHomed, HomingIsAssumed = isAssumed });
+    public void HomedIs(bool? isHomed, bool isAssumed) => Change(facts => facts with { IsHomed = isHomed, HomingIsAssumed = isAssumed });
 
     private void Begins(Func<MachineFacts, MachineFacts> also)
     {

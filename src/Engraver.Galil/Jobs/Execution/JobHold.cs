@@ -21,7 +21,6 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     /// <summary>Polls in which a sequence that was given up may still be reported as running before AB 1 ends it.</summary>
     private const int PatiencePolls = 50;
 
-    private double _ratio = 1.0;
     private double _rapidRatio = 1.0;
     private bool _isAttending;
     private bool _isOnTheWayBack;
@@ -50,7 +49,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     public Func<ValueTask<JobStep>>? AwaitIdle { get; set; }
 
     /// <summary>VR as it was sent last.</summary>
-    public double Ratio => _ratio;
+    public double Ratio { get; private set; } = 1.0;
 
     /// <summary>The rapid override.</summary>
     public double RapidRatio => control.RapidRatio;
@@ -59,7 +58,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     public int Holds { get; private set; }
 
     /// <summary>The operator wants something that is not in force yet.</summary>
-    public bool IsAsked => !_isAttending && (Speed.Wanted != _ratio || control.RapidRatio != _rapidRatio);
+    public bool IsAsked => !_isAttending && (Speed.Wanted != Ratio || control.RapidRatio != _rapidRatio);
 
     /// <summary>A path that still runs this long after VR 0 does not obey it: twice the longest ramp, and two seconds.</summary>
     private double SamplesToBrake => 1000.0 * (2.0 + (2.0 * JobControl.FeedRange.Fastest * machine.Profile.VectorSpeed() / machine.Profile.AccelerationCounts));
@@ -123,13 +122,13 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     {
         var ratio = Speed.Wanted;
         if (await machine.SendAsync(SpeedRatio.Command(ratio)).ConfigureAwait(false) is { Ends: true } refused) return refused;
-        _ratio = ratio;
+        Ratio = ratio;
         return await SettingCheck.ReadBackAsync(machine, ("_VRS", ratio, SettingCheck.Exact)).ConfigureAwait(false);
     }
 
     private async ValueTask<JobStep> AdjustAsync()
     {
-        if (Speed.Wanted != _ratio && await SendRatioAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (Speed.Wanted != Ratio && await SendRatioAsync().ConfigureAwait(false) is { Ends: true } end) return end;
 
         // SP acts in motion too. A program sets it in its first lines, before its first motion: only behind those it stays as it is sent here.
         var isSettingUp = HasProgramEnded is not null && !machine.State.AxesRunning && machine.State.Calls == 0;

@@ -148,16 +148,17 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     {
         var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
         if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
-        if (_sequences.Count > 0) machine.Feed.Planned = Planned;
+        if (_sequences.Count > 0) machine.Feed.Planned = PlannedSpeeds();
         var end = await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
         return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here with { Z = chunk.Parts[^1].Sequences[^1].End.Z }); // a tool that an axis holds is up again by now
     }
 
     /// <summary>Over a network the speed belongs to seq, which is read with it; on a serial line seq is read earlier, and the speed may be that of any sequence of the chunk.</summary>
-    private PlannedSpeed? Planned(MachineState state)
+    private Func<MachineState, PlannedSpeed?> PlannedSpeeds()
     {
-        if (machine.Line is not null) return new PlannedSpeed(_sequences.Min(sequence => sequence.Speed), _sequences.Max(sequence => sequence.Speed));
-        return IsCutting(state) && state.Calls / 2 < _sequences.Count ? PlannedSpeed.Of(_sequences[state.Calls / 2].Speed) : null;
+        if (machine.Line is null) return state => IsCutting(state) && state.Calls / 2 < _sequences.Count ? PlannedSpeed.Of(_sequences[state.Calls / 2].Speed) : null;
+        var any = new PlannedSpeed(_sequences.Min(sequence => sequence.Speed), _sequences.Max(sequence => sequence.Speed));
+        return _ => any;
     }
 
     /// <summary>The controller is at this sequence: it and those that may come before the next look must bear the override.</summary>

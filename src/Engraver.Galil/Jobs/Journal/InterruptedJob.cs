@@ -25,8 +25,19 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     /// <summary>Why the journal could not be written any more while its job went on; empty where it was.</summary>
     public string GivenUp { get; private init; } = "";
 
-    /// <summary>Nothing of it is left to cut, or it can never be resumed: whatever else a resume asks for.</summary>
-    public bool IsOver => Header.DryRun || GivenUp.Length > 0 || (ResumedBy is { } later && File.Exists(later)) || End is { Outcome: JobOutcome.Complete } || End?.Cut >= Header.SegmentCount;
+    /// <summary>Why it is not resumed, whatever else a resume asks for: nothing of it is left to cut, or how far it was cut is not known. Empty where it may be.</summary>
+    public string WhyOver => this switch
+    {
+        { GivenUp: { Length: > 0 } reason } => Wording.Get("Resume.GivenUp", reason),
+        { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
+        { ResumedBy: { } later } when File.Exists(later) => Wording.Get("Resume.GoneOn", later),
+        { End.Outcome: JobOutcome.Complete } => Wording.Get("Resume.Complete"),
+        { End: { } end } when end.Cut >= Header.SegmentCount => Wording.Get("Resume.Complete"),
+        _ => "",
+    };
+
+    /// <summary>A copy of the program that was in the controller, beside a journal.</summary>
+    public static string ProgramCopyOf(string journal) => CrashRecovery.CopyOf(journal);
 
     /// <summary>Journal of the job that has gone on with this one; null for none.</summary>
     public string? ResumedBy { get; init; }

@@ -53,7 +53,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     /// <summary>Where a fault ended the job, its axes may stand beside the path by the position error that they are allowed.</summary>
     private bool IsNear(JobPlace place, Point2D here)
     {
-        var (start, segment) = Of(place) is var (from, next, _) ? (from, next) : (program.SegmentBehind(place.Segments - 1)!.Value.Segment.End, default);
+        var (start, segment) = program.SegmentBehind(place.Segments) is var (from, next, _) ? (from, next) : (program.SegmentBehind(place.Segments - 1)!.Value.Segment.End, default);
         var there = segment.Length > 0.0 ? new SegmentCourse(start, segment).At(place.Along) : new Point2D(start.X, start.Y);
         var allowed = Reach + (program.Profile.FollowingErrorAt(program.Profile.FastestMmPerSecond) * program.Profile.Scale.Largest);
         return there.DistanceTo(here) <= allowed || IsAhead(place, here);
@@ -63,11 +63,11 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     private bool IsAhead(JobPlace place, Point2D here)
     {
         var (reach, slack) = (Reach, Slack);
-        var before = place is { Segments: > 0, Along: 0.0 } ? Of(place with { Segments = place.Segments - 1 }) : null;
+        var before = place is { Segments: > 0, Along: 0.0 } ? program.SegmentBehind(place.Segments - 1) : null;
         var along = place.Along;
         for (var i = place.Segments; reach >= 0.0; i++)
         {
-            var next = Of(new JobPlace(i, 0.0));
+            var next = program.SegmentBehind(i);
             var from = next?.Start ?? program.Finish;
             if (before is var (_, ended, stroke) && (next?.Stroke != stroke) && IsBetween(ended.End, from ?? ended.End, here, slack)) return true;
             if (next is not var (start, segment, _)) return false;
@@ -86,8 +86,6 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
         here.X >= Math.Min(one.X, other.X) - slack && here.X <= Math.Max(one.X, other.X) + slack && here.Y >= Math.Min(one.Y, other.Y) - slack && here.Y <= Math.Max(one.Y, other.Y) + slack;
 
     private static bool IsUpright(CountsPoint start, in VectorSegment segment) => (start.X, start.Y) == (segment.End.X, segment.End.Y) && segment.Kind == VectorSegmentKind.Line;
-
-    private (CountsPoint Start, VectorSegment Segment, int Stroke)? Of(JobPlace place) => program.SegmentBehind(place.Segments);
 
     private double Slack => OnPath + (ReadingSeconds * Speed);
 

@@ -85,10 +85,7 @@ internal static class ResumeFinder
     private static string Unfit(InterruptedJob job, JobMode mode) => job switch
     {
         { Fault: { Length: > 0 } fault } => fault,
-        { GivenUp: { Length: > 0 } reason } => Wording.Get("Resume.GivenUp", reason),
-        { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
-        { ResumedBy: { } later } when File.Exists(later) => Wording.Get("Resume.GoneOn", later),
-        { End.Outcome: JobOutcome.Complete } => Wording.Get("Resume.Complete"),
+        { WhyOver: { Length: > 0 } over } => over,
         { Header.Mode: var other } when other != mode => Wording.Get("Resume.OtherMode", Word(other), Word(mode)),
         _ => "",
     };

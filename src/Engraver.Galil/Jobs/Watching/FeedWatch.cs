@@ -41,6 +41,9 @@ internal sealed class FeedWatch(JobMachine machine)
     /// <summary>The speeds of the sequence that a polled state may be in; null while none is planned.</summary>
     public Func<MachineState, PlannedSpeed?>? Planned { get; set; }
 
+    /// <summary>Operands of settings that another host or program has changed: they are left as they are.</summary>
+    public IReadOnlyList<string> SetByOthers { get; set; } = [];
+
     /// <summary>Call with each poll.</summary>
     /// <returns>Whether the speed of the path cannot be the job's own.</returns>
     public bool IsForeign()

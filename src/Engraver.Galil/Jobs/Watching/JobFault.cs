@@ -24,29 +24,22 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         return JobStep.Broken(Wording.Get("JobFault.NothingHasMovedOr", machine.StandstillSeconds, Place, why));
     }
 
-    /// <summary>The path does not have the speed that the job set: another host or program changed VS, VR or VA. What it set is left as it is.</summary>
+    /// <summary>The path does not have the speed that the job set: another host or program changed VS, VR or VA. What it set is left as it is. The tool is still on: the controller is asked once.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask<JobStep> FeedChangedAsync()
     {
-        var planned = machine.Feed.Planned!(machine.State)!.Value;
-        var (seen, ratio) = (machine.State.PathSpeed, machine.Hold.Ratio);
+        var (planned, ratio, acceleration) = (machine.Feed.Planned!(machine.State)!.Value, machine.Hold.Ratio, machine.Profile.AccelerationCounts);
         (string Operand, double Lowest, double Highest, double Step)[] set =
         [
             ("_VSS", planned.Lowest, planned.Highest, SettingCheck.Speed),
             ("_VRS", ratio, ratio, SettingCheck.Exact),
-            ("_VAS", machine.Profile.AccelerationCounts, machine.Profile.AccelerationCounts, SettingCheck.Acceleration),
-            ("_VDS", machine.Profile.AccelerationCounts, machine.Profile.AccelerationCounts, SettingCheck.Acceleration),
+            ("_VAS", acceleration, acceleration, SettingCheck.Acceleration),
+            ("_VDS", acceleration, acceleration, SettingCheck.Acceleration),
         ];
-        var (changed, held) = (new List<string>(), new List<string>());
-        foreach (var (operand, lowest, highest, step) in set)
-        {
-            if (await machine.AskAtRestAsync(operand + Decimals).ConfigureAwait(false) is not { } value) continue;
-            held.Add(Text($"{operand} {value}"));
-            if (value < lowest - step || value > highest + step) changed.Add(operand);
-        }
-
-        await machine.Session.LeaveToOthersAsync(changed).ConfigureAwait(false);
-        return JobStep.Broken(Wording.Get("JobFault.FeedChanged", seen, Place, planned.Highest * ratio, string.Join(", ", held)));
+        var (values, end) = await machine.AskAllAsync(string.Join(',', set.Select(one => one.Operand + Decimals))).ConfigureAwait(false);
+        if (end.Ends) return end;
+        machine.Feed.SetByOthers = [.. set.Zip(values).Where(pair => pair.Second < pair.First.Lowest - pair.First.Step || pair.Second > pair.First.Highest + pair.First.Step).Select(pair => pair.First.Operand)];
+        return JobStep.Broken(Wording.Get("JobFault.FeedChanged", machine.State.PathSpeed, Place, planned.Highest * ratio, string.Join(", ", set.Zip(values, (one, value) => Text($"{one.Operand} {value}")))));
     }
 
     /// <summary>The watchdog in the controller saw the tool on at standstill before this program did.</summary>

@@ -1,5 +1,3 @@
-using System.Security.Cryptography;
-using System.Text;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using System.Text.Json.Serialization;
@@ -223,7 +221,7 @@ internal sealed record MachineMemoryDocument
     {
         var members = JsonNode.Parse(json)!.AsObject();
         members.Remove("sum");
-        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(members.ToJsonString())))[..16];
+        return ContentHash.OfText(members.ToJsonString())[..16];
     }
 
     public static MachineMemoryDocument From(string machine, MachineMemory memory) => new()

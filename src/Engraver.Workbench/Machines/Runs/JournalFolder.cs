@@ -20,7 +20,6 @@ public static class JournalFolder
     {
         folder ??= Usual;
         Directory.CreateDirectory(folder);
-        KeptConversation.MakeRoom(folder);
         RunBudget.MakeRoom(folder, RunBudget.Megabytes);
         var name = string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileNameWithoutExtension(drawing)}-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}-{Environment.ProcessId}.jsonl");
         return Path.Combine(folder, name);

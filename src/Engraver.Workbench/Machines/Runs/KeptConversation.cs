@@ -8,9 +8,6 @@ public static class KeptConversation
 {
     private const string Ending = ".wire";
 
-    /// <summary>Runs whose conversations are kept in the operator's own folder; that of a long job is tens of megabytes.</summary>
-    private const int MostKept = 20;
-
     /// <summary>The file of a journal.</summary>
     public static string PathOf(string journal) => journal + Ending;
 
@@ -26,19 +23,6 @@ public static class KeptConversation
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
             return (null, SystemReason.Of(unwritable));
-        }
-    }
-
-    /// <summary>Deletes the oldest of a folder, so that there is room for one more; never one of a run that can be resumed.</summary>
-    internal static void MakeRoom(string folder)
-    {
-        try
-        {
-            foreach (var old in new DirectoryInfo(folder).EnumerateFiles("*.jsonl" + Ending).OrderByDescending(file => file.LastWriteTimeUtc).Skip(MostKept - 1).Where(file => file.FullName[..^Ending.Length] is var journal && (!File.Exists(journal) || RunBudget.MayGo(journal)))) old.Delete();
-        }
-        catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
-        {
-            // Somebody reads it: the next run tries again.
         }
     }
 }

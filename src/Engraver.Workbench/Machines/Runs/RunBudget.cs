@@ -15,7 +15,7 @@ public static class RunBudget
     private const string Ending = ".jsonl";
 
     /// <summary>A journal and what is written beside it.</summary>
-    private static readonly string[] s_besides = ["", ".wire", ".trace.csv", ".program.dmc"];
+    private static readonly string[] s_besides = ["", KeptConversation.PathOf(""), KeptTrace.PathOf(""), JournalledRun.ProgramCopyOf("")];
 
     private static string SettingFile => Path.Combine(UserFiles.Folder, "runs-megabytes.txt");
 
@@ -90,7 +90,7 @@ public static class RunBudget
     }
 
     /// <summary>A file without a journal may be of a run that begins just now, or nobody's.</summary>
-    internal static bool MayGo(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsSettled: true };
+    private static bool MayGo(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsSettled: true };
 
     private static List<RunFiles> Runs(string folder) => !Directory.Exists(folder) ? [] :
     [

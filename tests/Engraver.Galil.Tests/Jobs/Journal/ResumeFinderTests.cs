@@ -14,7 +14,7 @@ public sealed class ResumeFinderTests : IDisposable
     [Theory]
     [InlineData(0, 0, "")]
     [InlineData(90000, 90000, "but the controller counted 0 segments and")]
-    [InlineData(90000, 0, "the position in that line")]
+    [InlineData(90000, 0, "the position in the same line")]
     public async Task A_last_place_that_the_controller_contradicts_is_refused_with_both(int along, int x, string reason)
     {
         await using var bench = new SimulatedBench();

@@ -55,7 +55,7 @@ internal sealed class OperatorsView(MachineProfile profile) : IDisposable
     public void Sees(MachineReading reading, MachineHold hold, ControllerPlace place)
     {
         hold.Recognise(place);
-        _model.HomedIs(profile.HasHoming ? hold.IsHomed(profile) : null);
+        _model.HomedIs(profile.HasHoming ? hold.IsHomed(profile) : null, hold.Memory.HomingIsAssumed);
         _model.OriginIs(WorkPlacement.Find(hold.Memory, place, new OriginRequest.Work(), profile, default).Refusal);
         _model.Seen(reading);
     }

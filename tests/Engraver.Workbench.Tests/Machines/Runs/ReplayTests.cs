@@ -163,14 +163,6 @@ public sealed class ReplayTests : IDisposable
         Assert.NotNull(gone);
     }
 
-    [Fact]
-    public void Only_the_last_conversations_are_kept_beside_journals_that_nobody_named()
-    {
-        for (var run = 0; run < 25; run++) File.WriteAllText(KeptConversation.PathOf(JournalFolder.NewJournal(string.Create(CultureInfo.InvariantCulture, $"part{run}"), _folder.FullName, TimeProvider.System)), "");
-
-        Assert.Equal(20, Directory.EnumerateFiles(_folder.FullName, "*.wire").Count());
-    }
-
     private static MachineConnection Simulated() => MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
 
     private static long SampleOf(string row) => row.Length == 0 ? long.MaxValue : (long)Math.Round(double.Parse(row.Split(',')[0], CultureInfo.InvariantCulture) * 1000.0);
