@@ -94,7 +94,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Rest();
         Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
         Assert.Equal(0, here.Window.Canvas.EngravedMoves);
-        Assert.Contains(here.History, line => line.Contains("segments gone through", StringComparison.Ordinal) && line.Contains("nothing was cut", StringComparison.Ordinal));
+        Assert.Contains(here.History, line => line.Contains("segments traversed", StringComparison.Ordinal) && line.Contains("nothing was cut", StringComparison.Ordinal));
     });
 
     [Fact]

@@ -68,7 +68,7 @@ public class SampleRunTests
         using var folder = new TemporaryFolder();
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--journal", folder.PathOf("run.jsonl"));
 
-        Assert.Matches(@"^complete: 4 of 4 segments cut in [0-9.]+ s of machine time; the simulated motors were at worst 0\.00[0-9]+ mm from the drawing and nothing of it is missing\.\n$", run.Out);
+        Assert.Matches(@"^complete: 4 of 4 segments cut in [0-9.]+ s of machine time; maximum deviation of the simulated motors 0\.00[0-9]+ mm; the whole drawing was cut\.\n$", run.Out);
     }
 
     [Fact]
@@ -158,8 +158,8 @@ public class SampleRunTests
 
         Assert.Equal((1, System.Text.Json.JsonValueKind.Null), (leftOut.GetProperty("count").GetInt32(), leftOut.GetProperty("length").ValueKind));
         Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError), (json.ExitCode, told.ExitCode));
-        Assert.Contains("1 of its entities could not be read and is LEFT OUT", told.Out, StringComparison.Ordinal);
-        Assert.DoesNotContain("nothing of it is missing", told.Out, StringComparison.Ordinal);
+        Assert.Contains("1 entity could not be read and was LEFT OUT", told.Out, StringComparison.Ordinal);
+        Assert.DoesNotContain("the whole drawing was cut", told.Out, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -24,8 +24,8 @@ public class StepperRunTests
 
         Assert.True(told.ExitCode == ExitCode.Done, told.Error);
         Assert.Equal(0, controller.MotorPlace(0));
-        Assert.Contains("the commanded positions were at worst 0.00", told.Out, StringComparison.Ordinal);
-        Assert.Contains("nothing of it is missing, if the motors followed: those of X, Y are steppers (open loop), and nothing tells whether they lost steps.", told.Out, StringComparison.Ordinal);
+        Assert.Contains("maximum deviation of the commanded positions 0.00", told.Out, StringComparison.Ordinal);
+        Assert.Contains("the whole drawing was cut; the motors of X, Y are steppers without feedback, lost steps are not detected.", told.Out, StringComparison.Ordinal);
         Assert.EndsWith(" mm as commanded, if the motors followed (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')[..^1]), StringComparison.Ordinal); // behind it the line of the budget
         Assert.Equal(["X", "Y"], JsonText.Of(await CliRun.RunAsync("history", "--search", drawing, "--json")).GetProperty("entries")[0].GetProperty("openLoop").EnumerateArray().Select(axis => axis.GetString()));
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("page.html"));
@@ -50,7 +50,7 @@ public class StepperRunTests
         var told = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--journal", folder.PathOf("run.jsonl"));
 
         Assert.True(told.ExitCode == ExitCode.Done, set.Out + set.Error + told.Error);
-        Assert.Contains("if the motors followed: those of X, Y are steppers", told.Out, StringComparison.Ordinal);
+        Assert.Contains("the motors of X, Y are steppers without feedback, lost steps are not detected", told.Out, StringComparison.Ordinal);
     }
 
     /// <summary>The simulator's own record is no witness of what was commanded but of where the shafts were.</summary>

@@ -16,7 +16,7 @@ public class ScriptVerbTests
         Assert.Contains("0 errors, ", run.Out, StringComparison.Ordinal);
         Assert.Contains("1 contour (1 closed, 0 open) of ", run.Out, StringComparison.Ordinal);
         Assert.Contains("#JOB", run.Out, StringComparison.Ordinal);
-        Assert.Matches(@"\ncomplete: .* nothing of it is missing\.\n$", run.Out);
+        Assert.Matches(@"\ncomplete: .* the whole drawing was cut\.\n$", run.Out);
     }
 
     [Theory]

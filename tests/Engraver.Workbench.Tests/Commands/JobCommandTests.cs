@@ -26,7 +26,7 @@ public class JobCommandTests
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
         Assert.Matches("^complete: 4 of 4 segments", talk.Said.Split('\n')[^1]);
-        Assert.Contains("nothing of it is missing", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("the whole drawing was cut", talk.Said, StringComparison.Ordinal);
         Assert.InRange(talk.Session.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.0035);
     }
 

@@ -58,14 +58,14 @@ public class RunJudgeTests
 
         Assert.Equal((JobOutcome.LinkLost, null), (report.Result.Outcome, report.Judgement.MissingLengthMm));
         Assert.NotNull(report.Judgement.MaxDeviationMm);
-        Assert.Contains("how much of it is missing is not known", RunText.Sentence(job, report, text => text), StringComparison.Ordinal);
+        Assert.Contains("the length that was not cut is unknown", RunText.Sentence(job, report, text => text), StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData(0.0, "nothing of it is missing")]
-    [InlineData(0.0004, "less than 0.001 mm of the drawing is missing")]
-    [InlineData(0.0006, "less than 0.001 mm of the drawing is missing")]
-    [InlineData(0.002, "0.002 mm of the drawing are MISSING")]
+    [InlineData(0.0, "the whole drawing was cut")]
+    [InlineData(0.0004, "less than 0.001 mm of the drawing was not cut")]
+    [InlineData(0.0006, "less than 0.001 mm of the drawing was not cut")]
+    [InlineData(0.002, "0.002 mm of the drawing were NOT CUT")]
     public async Task A_length_that_is_missing_is_never_told_as_none(double missing, string said)
     {
         var (job, report) = await LostAsync(JobMode.Stream);
