@@ -34,6 +34,18 @@ public sealed partial class HelpTests
         Assert.Empty(unknown);
     }
 
+    [Fact]
+    public void The_page_of_verbs_is_the_command_line() => GoldenFile.Check(Path.Combine(RepositoryFolder.Root, "docs", "verbs.md"), VerbPage.Of(Root()));
+
+    [Fact]
+    public void The_page_of_exit_codes_has_every_code()
+    {
+        var codes = typeof(ExitCode).GetFields().Where(field => field.IsLiteral).Select(field => (int)field.GetRawConstantValue()!);
+        var page = File.ReadAllLines(Path.Combine(RepositoryFolder.Root, "docs", "exit-codes.md"));
+
+        Assert.Equal(codes.Append(6).Order(), page.Select(line => Regex.Match(line, @"^\| (\d+) \|")).Where(row => row.Success).Select(row => int.Parse(row.Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture)));
+    }
+
     [Theory]
     [InlineData("--cut")]
     [InlineData("--order")]
