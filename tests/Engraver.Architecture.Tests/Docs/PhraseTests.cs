@@ -1,0 +1,81 @@
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using Engraver.Architecture.Tests.Sources;
+
+namespace Engraver.Architecture.Tests.Docs;
+
+/// <summary>Texts and pages use none of the phrases of CONTRIBUTING.md, and prose is short enough to read beside code.</summary>
+public partial class PhraseTests
+{
+    private const int LongestLine = 160;
+    private const string Example = "# Page\n\n" + UnusedPhrases.Heading + "\n\n| Not | But | Allowed |\n|---|---|---|\n| goes on, gone on | continues | goes on and off |\n| of ours | internal | |\n\n## Next\n\nText.";
+
+    [Fact]
+    public void No_text_has_a_phrase_that_is_not_used()
+    {
+        var phrases = UnusedPhrases.Read();
+        Assert.InRange(phrases.Count, 30, 1000);
+
+        var wrong = from file in SourceFile.Under("src", ".resx").Concat(SourceFile.Under("tools", ".resx"))
+                    from data in XDocument.Parse(file.Text).Root!.Elements("data")
+                    from found in phrases.Find(Code().Replace(data.Element("value")!.Value, ""))
+                    select $"{file.Name}: {data.Attribute("name")!.Value}: '{found.Words}', write: {found.Instead}";
+
+        AssertNone(wrong);
+    }
+
+    [Fact]
+    public void No_page_has_a_phrase_that_is_not_used()
+    {
+        var phrases = UnusedPhrases.Read();
+        var wrong = from page in Pages()
+                    from found in phrases.Find(Prose(page.Text))
+                    select $"{page.Name}({page.LineOf(found.Index)}): '{found.Words}', write: {found.Instead}";
+
+        AssertNone(wrong);
+    }
+
+    [Fact]
+    public void No_line_of_prose_is_too_long()
+    {
+        var wrong = from page in Pages()
+                    from line in Prose(page.Text).Split('\n').Index()
+                    where line.Item.TrimEnd().Length > LongestLine && !line.Item.StartsWith('|')
+                    select $"{page.Name}({line.Index + 1}): {line.Item.TrimEnd().Length} characters";
+
+        AssertNone(wrong);
+    }
+
+    [Theory]
+    [InlineData("The job goes on.", "goes on")]
+    [InlineData("It was Gone\non with.", "Gone\non")]
+    [InlineData("a bug of ours", "of ours")]
+    public void A_phrase_is_noticed(string text, string words) => Assert.Equal([words], UnusedPhrases.Parse(Example).Find(text).Select(found => found.Words));
+
+    [Theory]
+    [InlineData("The lamp goes on and off.")]
+    [InlineData("The cargoes on board.")]
+    [InlineData("of ours-like")]
+    public void What_is_allowed_or_another_word_is_not(string text) => Assert.Empty(UnusedPhrases.Parse(Example).Find(text));
+
+    [Fact]
+    public void The_table_itself_is_not_searched() => Assert.Empty(UnusedPhrases.Parse(Example).Find(UnusedPhrases.WithoutTable(Example)));
+
+    /// <summary>Every page for readers; what the code cites is quoted from its sources and is left as it is.</summary>
+    private static IEnumerable<SourceFile> Pages() => SourceFile.Under("", ".md").Where(page => !page.Name.StartsWith("docs/reference/", StringComparison.Ordinal) && !page.Name.StartsWith("tests/", StringComparison.Ordinal));
+
+    /// <summary>The page without code and without the addresses of links; every character and line stays at its place.</summary>
+    private static string Prose(string page) => Code().Replace(UnusedPhrases.WithoutTable(page), code => NotLineEnd().Replace(code.Value, " "));
+
+    private static void AssertNone(IEnumerable<string> wrong)
+    {
+        var all = wrong.ToList();
+        Assert.True(all.Count == 0, $"{all.Count} (the phrases and what to write instead: CONTRIBUTING.md):\n" + string.Join('\n', all.Take(400)));
+    }
+
+    [GeneratedRegex(@"^```.*?^```|`[^`\n]*`|\]\([^)\n]*\)", RegexOptions.Singleline | RegexOptions.Multiline)]
+    private static partial Regex Code();
+
+    [GeneratedRegex(@"[^\n]")]
+    private static partial Regex NotLineEnd();
+}
