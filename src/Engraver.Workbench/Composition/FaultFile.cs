@@ -47,11 +47,11 @@ public static class FaultFile
 
     private static string Reason(FaultFlaw flaw, string? kind) => flaw.Reason switch
     {
-        FlawReason.Moments => Wording.Get("FaultFile.Moments"),
+        FlawReason.Moments => Wording.Get("FaultFile.OneMoment"),
         FlawReason.NoAxis => Wording.Get("FaultFile.NoAxis", kind),
         FlawReason.HasNoAxis => Wording.Get("FaultFile.HasNoAxis", kind),
-        FlawReason.OtherAxis => Wording.Get("FaultFile.OtherAxis"),
-        FlawReason.NeverEnds => Wording.Get("FaultFile.NeverEnds", kind),
+        FlawReason.OtherAxis => Wording.Get("FaultFile.InvalidAxis"),
+        FlawReason.NeverEnds => Wording.Get("FaultFile.NoDuration", kind),
         FlawReason.NotAboveZero => Wording.Get("FaultFile.NotAboveZero", flaw.Field),
         FlawReason.BelowOne => Wording.Get("FaultFile.BelowOne", flaw.Field),
         _ => Wording.Get("FaultFile.BelowZero", flaw.Field),

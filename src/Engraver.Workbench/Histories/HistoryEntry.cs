@@ -97,7 +97,7 @@ public sealed record HistoryEntry
     public DrawingSettings ToSettings()
     {
         var machine = Profile.ValueKind != JsonValueKind.Object ? MachineProfile.Default
-            : MachineProfileFile.Read(Profile.GetRawText(), MachineFamilies.Driver.Limits) is { Profile: { } read } ? read : throw new FormatException(Wording.Get("History.NoProfile"));
+            : MachineProfileFile.Read(Profile.GetRawText(), MachineFamilies.Driver.Limits) is { Profile: { } read } ? read : throw new FormatException(Wording.Get("History.InvalidProfile"));
         return SettingWords.Read(Settings, machine);
     }
 
@@ -133,7 +133,7 @@ public sealed record HistoryEntry
     }
 
     /// <summary>A run that begins now.</summary>
-    public static HistoryEntry OfBegun(PreparedJob job, MachineRunOptions options, DateTimeOffset date, bool simulated) => Begun(job, options, JobOutcome.LinkLost, date, simulated, checks: null) with { Outcome = "begun", Sentence = Wording.Get("History.Begun") };
+    public static HistoryEntry OfBegun(PreparedJob job, MachineRunOptions options, DateTimeOffset date, bool simulated) => Begun(job, options, JobOutcome.LinkLost, date, simulated, checks: null) with { Outcome = "begun", Sentence = Wording.Get("History.Unfinished") };
 
     /// <summary>A run that never got hold of the machine.</summary>
     public static HistoryEntry OfLost(PreparedJob job, MachineRunOptions options, string sentence, DateTimeOffset date) => Begun(job, options, JobOutcome.LinkLost, date, simulated: false, checks: null) with { Sentence = sentence };

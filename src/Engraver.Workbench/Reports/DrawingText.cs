@@ -12,24 +12,24 @@ public static class DrawingText
     {
         if (IsUnusable(drawing))
         {
-            output.WriteLine(Wording.Get("DrawingText.NothingCouldRead", drawing.FileName, Bytes(drawing)));
+            output.WriteLine(Wording.Get("DrawingText.Head", drawing.FileName, List(Bytes(drawing), Wording.Get("DrawingText.NothingRead"))));
             return;
         }
 
         var balance = drawing.Balance;
-        output.WriteLine(Wording.Get("DrawingText.Head", drawing.FileName, Version(drawing), Bytes(drawing), Unit(drawing.Unit)));
-        output.WriteLine(Wording.Get("DrawingText.ReadCutConstructionRefused", CountText.Format(balance.Read, "Entity"), balance.Cut, balance.Construction, balance.Refused.Count, balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})"));
-        if (summary.Leaf.Count > 0) output.WriteLine(Wording.Get("DrawingText.CurvesBlocksExpandedLength", Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value)), summary.Length.Total, drawing.Unit.Name));
+        output.WriteLine(Wording.Get("DrawingText.Head", drawing.FileName, List(Version(drawing), Bytes(drawing), Unit(drawing.Unit))));
+        output.WriteLine(Wording.Get("DrawingText.Balance", CountText.Format(balance.Read, "Entity"), balance.Cut, balance.Construction, balance.Refused.Count, balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})"));
+        if (summary.Leaf.Count > 0) output.WriteLine(Wording.Get("DrawingText.Curves", Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value)), summary.Length.Total, drawing.Unit.Name));
         output.WriteLine(Size(summary.Bounds, drawing.Unit));
         foreach (var (layer, index) in drawing.Layers.Select((layer, index) => (layer, index)))
         {
-            var switches = (layer.On ? "" : Wording.Get("DrawingText.Off")) + (layer.Frozen ? Wording.Get("DrawingText.Frozen") : "") + (layer.Plot ? "" : Wording.Get("DrawingText.NotPlotted"));
-            output.WriteLine(Wording.Get("DrawingText.Layer", layer.Name, CountText.Format(Records(balance, index), "Entity"), switches));
+            var switches = List(layer.On ? "" : Wording.Get("DrawingText.Off"), layer.Frozen ? Wording.Get("DrawingText.Frozen") : "", layer.Plot ? "" : Wording.Get("DrawingText.NotPlotted"));
+            output.WriteLine(Wording.Get("DrawingText.Layer", layer.Name, List(CountText.Format(Records(balance, index), "Entity"), switches)));
         }
 
         foreach (var refused in balance.Refused.Concat(balance.RefusedInBlocks))
         {
-            output.WriteLine(Wording.Get("DrawingText.NotReadLine", refused.Type, refused.Handle is { } handle ? $" {handle}" : "", refused.Line, refused.Reason, refused.DiagnosticId));
+            output.WriteLine(Wording.Get("DrawingText.NotRead", $"{refused.Type} {refused.Handle}".TrimEnd(), refused.Line, refused.Reason, refused.DiagnosticId));
         }
     }
 
@@ -40,13 +40,18 @@ public static class DrawingText
 
     private static int Records(DrawingBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
 
-    private static string Version(Drawing drawing) => drawing.DxfVersion.Length == 0 ? Wording.Get("DrawingText.Dxf", drawing.Encoding) : Wording.Get("DrawingText.Dxf2", drawing.Encoding, drawing.DxfVersion);
+    private static string Version(Drawing drawing) => drawing.DxfVersion.Length == 0 ? Wording.Get("DrawingText.Dxf", drawing.Encoding) : Wording.Get("DrawingText.DxfVersion", drawing.Encoding, drawing.DxfVersion);
 
-    private static string Unit(LengthUnit unit) => Wording.Get("DrawingText.Unit", unit.Name, unit.Source, unit.ToMillimetres == 1.0 ? "" : Wording.Get("DrawingText.Mm", unit.ToMillimetres));
+    private static string Unit(LengthUnit unit) => unit.ToMillimetres == 1.0
+        ? Wording.Get("DrawingText.Unit", unit.Name, unit.Source)
+        : Wording.Get("DrawingText.UnitInMillimetres", unit.Name, unit.Source, unit.ToMillimetres);
 
     private static string Size(Bounds2D? bounds, LengthUnit unit) => bounds is { } box
-        ? Wording.Get("DrawingText.SizeXFrom", box.Width, box.Height, unit.Name, box.MinX, box.MinY, box.MaxX, box.MaxY)
+        ? Wording.Get("DrawingText.Size", box.Width, box.Height, unit.Name, box.MinX, box.MinY, box.MaxX, box.MaxY)
         : Wording.Get("DrawingText.NoCurve");
+
+    /// <summary>Those that are not empty, separated by commas.</summary>
+    private static string List(params IEnumerable<string> parts) => string.Join(", ", parts.Where(part => part.Length > 0));
 
     private static string Counts(IReadOnlyDictionary<string, int> counts) => string.Join(", ", counts.OrderByDescending(pair => pair.Value).Select(pair => Invariant($"{pair.Value} {pair.Key}")));
 

@@ -14,8 +14,12 @@ public static class EntityText
         foreach (var index in entities)
         {
             var entity = drawing.Entities[index];
-            var handle = drawing.SourceOf(index).Handle is { } name ? Wording.Get("EntityText.Handle", name) : "";
-            output.WriteLine(Wording.Get("EntityText.LayerLength", entity.Type.ToDxfName(), handle, drawing.Layers[entity.Layer].Name, entity.Closed ? Wording.Get("EntityText.Closed") : "", figures.Length(LengthOf(drawing, index))));
+            List<string> facts = [entity.Type.ToDxfName()];
+            if (drawing.SourceOf(index).Handle is { } handle) facts.Add(Wording.Get("EntityText.Handle", handle));
+            facts.Add(Wording.Get("EntityText.Layer", drawing.Layers[entity.Layer].Name));
+            if (entity.Closed) facts.Add(Wording.Get("EntityText.Closed"));
+            facts.Add(Wording.Get("EntityText.EntityLength", figures.Length(LengthOf(drawing, index))));
+            output.WriteLine(string.Join(", ", facts));
             foreach (var segment in DrawingPick.Segments(drawing, index)) output.WriteLine("    " + Describe(segment, figures));
         }
     }
@@ -25,25 +29,26 @@ public static class EntityText
     {
         var types = entities.GroupBy(index => drawing.Entities[index].Type).Select(group => Invariant($"{group.Count()} {group.Key.ToDxfName()}"));
         var layers = entities.Select(index => drawing.Layers[drawing.Entities[index].Layer].Name).Distinct().Order(StringComparer.Ordinal);
-        output.WriteLine(Wording.Get("EntityText.Objects", entities.Count, string.Join(", ", types)));
+        output.WriteLine(Wording.Get("EntityText.Objects", CountText.Format(entities.Count, "Object"), string.Join(", ", types)));
         output.WriteLine(Wording.Get("EntityText.Layers", string.Join(", ", layers)));
-        output.WriteLine(Wording.Get("EntityText.Length", figures.Length(entities.Sum(index => LengthOf(drawing, index))), drawing.Unit.Name));
+        output.WriteLine(Wording.Get("EntityText.TotalLength", figures.Length(entities.Sum(index => LengthOf(drawing, index))), drawing.Unit.Name));
         var box = DrawingPick.BoundsOf(drawing, entities);
-        if (!box.IsEmpty) output.WriteLine(From(new Point2D(box.MinX, box.MinY), new Point2D(box.MaxX, box.MaxY), figures));
+        if (!box.IsEmpty) output.WriteLine(Wording.Get("EntityText.Extents", figures.Length(box.MinX), figures.Length(box.MinY), figures.Length(box.MaxX), figures.Length(box.MaxY)));
     }
 
     private static double LengthOf(Drawing drawing, int index) => DrawingPick.Segments(drawing, index).Sum(segment => segment.Length);
 
-    private static string From(Point2D start, Point2D end, Figures figures) => Wording.Get("EntityText.From", figures.Length(start.X), figures.Length(start.Y), figures.Length(end.X), figures.Length(end.Y));
-
     private static string Describe(Segment segment, Figures figures)
     {
-        var ends = From(segment.Start, segment.End, figures);
-        if (segment.IsFreeCurve) return Wording.Get("EntityText.SpansLength", segment.Kind == SegmentKind.Ellipse ? Wording.Get("EntityText.Ellipse") : Wording.Get("EntityText.Spline"), ends, segment.Curve.Spans.Length, figures.Length(segment.Length));
-        return segment.Kind == SegmentKind.Line
-            ? Wording.Get("EntityText.Line", ends)
-            : Wording.Get("EntityText.CentreRadiusSweep", segment.Kind == SegmentKind.Circle ? Wording.Get("EntityText.Circle") : Wording.Get("EntityText.Arc"), ends, figures.Length(segment.Arc.Centre.X), figures.Length(segment.Arc.Centre.Y), figures.Length(segment.Arc.Radius), figures.Degrees(segment.Arc.Sweep));
+        var (from, to) = (segment.Start, segment.End);
+        string[] ends = [figures.Length(from.X), figures.Length(from.Y), figures.Length(to.X), figures.Length(to.Y)];
+        if (segment.IsFreeCurve) return Facts(segment.Kind == SegmentKind.Ellipse ? "EntityText.Ellipse" : "EntityText.Spline", [.. ends, Invariant($"{segment.Curve.Spans.Length}"), figures.Length(segment.Length)]);
+        if (segment.Kind == SegmentKind.Line) return Facts("EntityText.Line", ends);
+        var arc = segment.Arc;
+        return Facts(segment.Kind == SegmentKind.Circle ? "EntityText.Circle" : "EntityText.Arc", [.. ends, figures.Length(arc.Centre.X), figures.Length(arc.Centre.Y), figures.Length(arc.Radius), figures.Degrees(arc.Sweep)]);
     }
+
+    private static string Facts(string name, string[] facts) => Wording.Get(name, [.. facts]);
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

@@ -24,6 +24,6 @@ public static class ForecastText
         ArgumentNullException.ThrowIfNull(forecast);
         output.WriteLine(Wording.Get("ForecastText.Start", forecast.Start.X, forecast.Start.Y));
         output.WriteLine(Wording.Get("ForecastText.Sum", forecast.Blocks.Count, forecast.Blocks[^1].Part, forecast.MaxError));
-        if (forecast.MaxClosure is { } closure) output.WriteLine(Wording.Get("ForecastText.WorstClosure", closure));
+        if (forecast.MaxClosure is { } closure) output.WriteLine(Wording.Get("ForecastText.MaximumClosure", closure));
     }
 }

@@ -44,7 +44,7 @@ public static class HistoryText
     public static string OpenLoop(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
-        return entry.OpenLoop is { Count: > 0 } axes ? Wording.Get("History.IfTheMotorsFollowed", string.Join(", ", axes)) : "";
+        return entry.OpenLoop is { Count: > 0 } axes ? Wording.Get("History.CommandedOnly", string.Join(", ", axes)) : "";
     }
 
     private static string Figures(HistoryEntry entry) => string.Create(CultureInfo.InvariantCulture, $"{(entry.Seconds is { } seconds ? $"{seconds:0.0} s" : "")}{(entry.MaxDeviation is { } deviation ? $"  {deviation:0.0000} mm {OpenLoop(entry)}" : "")}").Trim();

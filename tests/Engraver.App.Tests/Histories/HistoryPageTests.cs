@@ -38,7 +38,7 @@ public sealed class HistoryPageTests(DesktopFixture fixture)
         HistoryRow Row(HistoryEntry entry) => new(entry, TimeZoneInfo.Utc);
 
         Assert.Equal(("0.1000", "/part.dxf"), (Row(run).Deviation, Row(run).Tip));
-        Assert.Equal(("0.1000 cmd", "as commanded, if the motors followed (steppers: X, Y)\n/part.dxf"), (Row(run with { OpenLoop = ['X', 'Y'] }).Deviation, Row(run with { OpenLoop = ['X', 'Y'] }).Tip));
+        Assert.Equal(("0.1000 cmd", "commanded; lost steps are not detected (steppers: X, Y)\n/part.dxf"), (Row(run with { OpenLoop = ['X', 'Y'] }).Deviation, Row(run with { OpenLoop = ['X', 'Y'] }).Tip));
     }
 
     [Fact]

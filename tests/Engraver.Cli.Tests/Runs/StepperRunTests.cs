@@ -26,13 +26,13 @@ public class StepperRunTests
         Assert.Equal(0, controller.MotorPlace(0));
         Assert.Contains("maximum deviation of the commanded positions 0.00", told.Out, StringComparison.Ordinal);
         Assert.Contains("the whole drawing was cut; the motors of X, Y are steppers without feedback, lost steps are not detected.", told.Out, StringComparison.Ordinal);
-        Assert.EndsWith(" mm as commanded, if the motors followed (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')[..^1]), StringComparison.Ordinal); // behind it the line of the budget
+        Assert.EndsWith(" mm commanded; lost steps are not detected (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')[..^1]), StringComparison.Ordinal); // behind it the line of the budget
         Assert.Equal(["X", "Y"], JsonText.Of(await CliRun.RunAsync("history", "--search", drawing, "--json")).GetProperty("entries")[0].GetProperty("openLoop").EnumerateArray().Select(axis => axis.GetString()));
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("page.html"));
         var page = await File.ReadAllTextAsync(folder.PathOf("page.html"));
         Assert.Equal(3, page.Split("The deviation is that of the commanded positions: the motors of X, Y are steppers, and nothing tells whether they lost steps.").Length); // below the picture and above the figures
         Assert.Contains("Largest deviation of the commanded positions, mm", page, StringComparison.Ordinal);
-        Assert.EndsWith(" mm wie befohlen, wenn die Motoren folgten (Schrittmotoren: X, Y)", (await CliRun.RunAsync("history", "--search", drawing, "--culture", "de")).Out.TrimEnd().Split('\n')[^2], StringComparison.Ordinal);
+        Assert.EndsWith(" mm Sollwert; verlorene Schritte werden nicht erkannt (Schrittmotoren: X, Y)", (await CliRun.RunAsync("history", "--search", drawing, "--culture", "de")).Out.TrimEnd().Split('\n')[^2], StringComparison.Ordinal);
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("seite.html"), "--culture", "de");
         Assert.Contains("Die Abweichung ist die der Sollpositionen: Die Motoren von X, Y sind Schrittmotoren, und nichts sagt, ob sie Schritte verloren.", await File.ReadAllTextAsync(folder.PathOf("seite.html")), StringComparison.Ordinal);
     }

@@ -133,12 +133,12 @@ public class SimulateVerbTests
     [InlineData("{\n  \"faults\": [\n    { \"kind\": \"jam\", \"atsecond\": 1 }\n  ]\n}", 3, "FLT0002", "the field faults[0].atsecond, which does not exist; the nearest known name is atSeconds")]
     [InlineData("{\n  \"faults\": [\n    { \"kind\": \"limitswitch2\", \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0003", "powerCycle; the nearest known name is limitSwitch")]
     [InlineData("{\n  \"faults\": [\n    { \"kind\": \"jam\",\n      \"atSeconds\": \"soon\" }\n  ]\n}", 4, "FLT0003", "faults[0].atSeconds in the faults file cannot be used: it must be a number")]
-    [InlineData("{\n  \"faults\": [\n    { \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0004", "faults[0] cannot happen: it has no kind")]
-    [InlineData("{\n  \"faults\": [\n    { \"kind\": \"jam\",\n      \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0004", "a fault of the kind jam needs an axis")]
+    [InlineData("{\n  \"faults\": [\n    { \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0004", "faults[0] cannot happen: kind is missing")]
+    [InlineData("{\n  \"faults\": [\n    { \"kind\": \"jam\",\n      \"atSeconds\": 1 }\n  ]\n}", 3, "FLT0004", "a fault of kind jam needs an axis")]
     [InlineData("{\n  \"replyDelay\": 50\n}", 2, "FLT0003", "replyDelay in the faults file cannot be used: it must be a time as text")]
-    [InlineData("no JSON", 1, "FLT0001", "no JSON")]
-    [InlineData("null", 1, "FLT0001", "no JSON object")]
-    [InlineData("[1]", 1, "FLT0001", "no JSON object")]
+    [InlineData("no JSON", 1, "FLT0001", "not valid JSON")]
+    [InlineData("null", 1, "FLT0001", "not a JSON object")]
+    [InlineData("[1]", 1, "FLT0001", "not a JSON object")]
     public async Task What_is_wrong_in_a_faults_file_is_told_with_its_line_and_what_was_meant(string content, int line, string id, string sentence)
     {
         using var folder = new TemporaryFolder();

@@ -98,7 +98,7 @@ public class PointAimTests
     [Fact]
     public async Task Leaving_a_drawing_whose_edits_are_in_no_file_is_told()
     {
-        const string Warning = "gasket.dxf was edited and is not saved; UNDO brings it back.";
+        const string Warning = "gasket.dxf has unsaved changes. UNDO returns to it.";
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "OPEN", CommandTalk.Sample("gasket.dxf"), "CLOSE");
         Assert.DoesNotContain(Warning, talk.Said, StringComparison.Ordinal);

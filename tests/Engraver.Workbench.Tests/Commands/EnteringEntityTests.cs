@@ -15,7 +15,7 @@ public class EnteringEntityTests
         await talk.TypeAsync("ENTER", "Handle", "A4", "JOIN", "ALL", "");
 
         Assert.Equal(talk.State.Drawing!.Entities.Count - 1, talk.State.Drawing.IndexOfHandle(Entered(talk)!));
-        Assert.Contains($"The entering entity A4 is {Entered(talk)} now; cutting begins there.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains($"The entering entity A4 was replaced by {Entered(talk)}. Cutting begins there.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("AUTOSEQUENCE", ""));
     }
 
@@ -46,7 +46,7 @@ public class EnteringEntityTests
         await talk.TypeAsync("ENTER", "Handle", "A2", "ERASE", "H", "A2", "");
 
         Assert.Null(talk.State.Settings.Enter);
-        Assert.Contains("The entering entity A2 is gone; the order is free again.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The entering entity A2 was removed. The first stroke is chosen automatically.", talk.Said, StringComparison.Ordinal);
     }
 
     private static CommandTalk Talk(DrawingBuilder drawing)

@@ -124,14 +124,14 @@ public class GripEditTests
     {
         await using var talk = await SelectedAsync("A1");
         await talk.TypeAsync("GRIPEDIT", "10,0", "0,0");
-        Assert.Contains("Nothing would be left", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("would vanish or be out of range", talk.Said, StringComparison.Ordinal);
         Assert.Equal((new Point2D(0, 0), new Point2D(10, 0)), Ends(talk, 0));
         Assert.Equal("GRIPEDIT", talk.Session.Prompt.Command);
         await talk.TypeAsync("X");
 
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("GRIPEDIT", "3,3"));
         await talk.Session.CancelAsync();
-        Assert.Contains("Select between one and", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("GRIPEDIT")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("Select 1 to", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("GRIPEDIT")).Sentence, StringComparison.Ordinal);
     }
 
     /// <summary>Esc, a base point elsewhere, and the ghost that shows what a click would give.</summary>

@@ -126,7 +126,7 @@ public class JobCommandTests
         var job = talk.TypeAsync("Yes");
         await UntilAsync(talk, () => talk.Session.Machine.Progress is not null, limit.Token);
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCJOG 1,0")).Why);
-        Assert.Contains("hold the job (CNCHOLD)", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Hold the job (CNCHOLD)", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCHOLD");
         await UntilAsync(talk, () => talk.Session.Machine.Status.State == MachineState.Held, limit.Token);
         var held = talk.Session.Machine.Status.MachinePosition!.Value;

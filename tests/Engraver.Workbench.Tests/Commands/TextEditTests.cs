@@ -25,7 +25,7 @@ public class TextEditTests
         Assert.Equal((7.0, 8.0, 3.0), Place(talk, 0));
         Assert.Equal((11.0, 8.0), (talk.State.Drawing!.Texts[0].End!.Value.X, talk.State.Drawing.Texts[0].End!.Value.Y));
         Assert.Equal((6.0, 11.0, 0.0), Place(talk, 1));
-        Assert.DoesNotContain("left as before", talk.Said, StringComparison.Ordinal);
+        Assert.DoesNotContain("not changed", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("U");
         Assert.Same(before, talk.State.Drawing!.Texts);
     }

@@ -162,7 +162,7 @@ public sealed class JobHistoryTests : IDisposable
     {
         new JobHistory(Index).Add(Entry("a.dxf", s_now) with { Drawing = "" });
 
-        Assert.Contains("names no drawing", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
+        Assert.Contains("does not name a drawing", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -26,7 +26,7 @@ internal static class DrawingChange
     public static Drawing Mapped(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool takesLocked = false)
     {
         var drawing = context.Drawing;
-        if (!DrawingEdit.TryTransform(drawing, selected, map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
+        if (!DrawingEdit.TryTransform(drawing, selected, map, out var edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
         return Along(context, selected, takesLocked: takesLocked).Moved(edited, map);
     }
 
@@ -38,7 +38,7 @@ internal static class DrawingChange
         var edited = context.Drawing;
         foreach (var map in maps)
         {
-            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
+            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.OutOfRange"));
         }
 
         return Along(context, selected, tells, takesLocked: true).Copied(edited, maps);
@@ -70,8 +70,8 @@ internal static class DrawingChange
     public static EditedAnnotations Along(CommandContext context, IReadOnlyList<int> selected, bool tells = true, bool takesLocked = false)
     {
         var along = EditedAnnotations.Along(context.Drawing, selected, takesLocked);
-        if (tells && along.TextsLeft > 0) context.Say(Wording.Get("DrawingChange.LeftBeforeTextsGo", CountText.Format(along.TextsLeft, "Text")));
-        if (tells && along.PointsLeft > 0) context.Say(Wording.Get("DrawingChange.LeftBeforePointsGo", CountText.Format(along.PointsLeft, "PointObject")));
+        if (tells && along.TextsLeft > 0) context.Say(Wording.Get("DrawingChange.TextsUnchanged", CountText.Format(along.TextsLeft, "Text")));
+        if (tells && along.PointsLeft > 0) context.Say(Wording.Get("DrawingChange.PointsUnchanged", CountText.Format(along.PointsLeft, "PointObject")));
         return along;
     }
 
@@ -96,11 +96,11 @@ internal static class DrawingChange
         if (place is not EnteringPlace.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
         if (EnteringSubstitute.HandleOf(context.Drawing, handle, edited, substitutes) is { } other)
         {
-            context.Say(Wording.Get("DrawingChange.EnteringEntityNowCutting", handle, other));
+            context.Say(Wording.Get("DrawingChange.EnteringEntityReplaced", handle, other));
             return new EnteringPlace.ByHandle(other);
         }
 
-        context.Say(Wording.Get("DrawingChange.EnteringEntityGoneOrder", handle));
+        context.Say(Wording.Get("DrawingChange.EnteringEntityRemoved", handle));
         return null;
     }
 }

@@ -12,8 +12,8 @@ internal sealed class ExplodeCommand : ICommand
     {
         var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
         var (rebuilt, parts, count) = PolylineEdit.Explode(context.Drawing, selected);
-        if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Explode.ThereNoPolylineAmong"));
+        if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Explode.NoPolyline"));
         DrawingChange.Take(context, rebuilt, parts);
-        context.Say(Wording.Get("Editing.Became", CountText.Format(count, "Polyline"), CountText.Format(parts.Count, "Object")));
+        context.Say(Wording.Get("Editing.Converted", CountText.Format(count, "Polyline"), CountText.Format(parts.Count, "Object")));
     }
 }

@@ -10,7 +10,7 @@ internal sealed class HideObjectsCommand : ICommand
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
         var state = context.Document.Current;
         context.Take(state with { Drawing = DrawingChange.WithHidden(context.Drawing, selected, hidden: true), Edition = state.Edition, HiddenObjects = [.. state.HiddenObjects, .. selected], Selection = [], Previous = [] });
-        context.Say(Wording.Get("HideObjects.HiddenTheyNotCut", selected.Count));
+        context.Say(Wording.Get("HideObjects.Hidden", selected.Count));
     }
 }
 

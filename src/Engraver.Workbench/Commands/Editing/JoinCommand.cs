@@ -16,6 +16,6 @@ internal sealed class JoinCommand : ICommand
         var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
         if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Join.NoTwoTheseObjects"));
         DrawingChange.Take(context, rebuilt, joined);
-        context.Say(Wording.Get("Editing.Became", CountText.Format(count, "Object"), CountText.Format(joined.Count, "Polyline")));
+        context.Say(Wording.Get("Editing.Converted", CountText.Format(count, "Object"), CountText.Format(joined.Count, "Polyline")));
     }
 }

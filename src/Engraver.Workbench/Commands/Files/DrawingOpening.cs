@@ -25,7 +25,7 @@ internal static class DrawingOpening
         context.Document.MarkOpened();
         context.Settings.Change(kept => kept.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
-        context.Say(Wording.Get("DrawingOpening.OnUnit", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
+        context.Say(Wording.Get("DrawingOpening.Contents", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
         if (sidecar.Trajectories.All.Count is > 0 and var count) context.Say(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
     }
 
@@ -33,7 +33,7 @@ internal static class DrawingOpening
     public static void Leave(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;
-        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.EditedNotSavedUndo", Path.GetFileName(context.Document.FilePath)), MessageKind.Warning);
+        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.UnsavedChanges", Path.GetFileName(context.Document.FilePath)), MessageKind.Warning);
         var path = Path.GetFullPath(drawing.FileName);
         if (!context.Settings.Current.RecentFiles.Contains(path)) return;
         var view = context.View.Current;

@@ -22,7 +22,7 @@ internal sealed class ExportCommand : ICommand
     {
         var drawing = context.Drawing;
         var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings)), new FileWanted("export", true, s_endings) { Suggested = context.BesideDrawing(s_endings[0]) }).ConfigureAwait(false);
-        var (write, forecast) = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
+        var (write, forecast) = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.UnknownExtension", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
         ProgramStart.Keep(context.FileToWrite(name), forecast);
         if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, PostedProgram.NoOptions, context.FileToWrite(name), context.Time.GetUtcNow()));

@@ -50,7 +50,7 @@ internal sealed class HistoryCommand : ICommand
         context.RefuseBeside();
         DrawingOpening.Open(context, entry.Drawing, entry.Drawing, cancellation, settings);
         if (entry.DrawingSha256 is { } then && ContentHash.OfFile(entry.Drawing) != then) context.Say(Wording.Get("History.DrawingChanged", Path.GetFileName(entry.Drawing)), MessageKind.Warning);
-        if (settings is not null) context.Say(Wording.Get("History.SettingsTaken", HistoryText.Date(entry, context.Time.LocalTimeZone)));
+        if (settings is not null) context.Say(Wording.Get("History.SettingsRestored", HistoryText.Date(entry, context.Time.LocalTimeZone)));
         if (entry.RanTrajectories) context.Say(Wording.Get("History.RanTrajectories"), MessageKind.Warning);
     }
 
@@ -70,7 +70,7 @@ internal sealed class HistoryCommand : ICommand
         }
         catch (FormatException unfit)
         {
-            throw new CommandException(CommandFailure.Usage, Wording.Get("History.SettingsUnfit", unfit.Message));
+            throw new CommandException(CommandFailure.Usage, Wording.Get("History.SettingsInvalid", unfit.Message));
         }
     }
 }

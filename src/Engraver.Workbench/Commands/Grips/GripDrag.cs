@@ -65,7 +65,7 @@ internal sealed class GripDrag
         if (edit.Map is { } map) return Take(IsCopying ? DrawingChange.Copied(_context, _selected, [map], tells: Count == 0) : DrawingChange.Mapped(_context, _selected, map));
         var (source, hot) = IsCopying ? Copied(drawing) : (drawing, _hot);
         if (edit.To is { } to && GripStretch.Changes(source, hot, to) is { } changes) return Take(ChangedPart.Apply(source, changes));
-        _context.Say(Wording.Get("GripEdit.NothingLeft"), MessageKind.Warning);
+        _context.Say(Wording.Get("GripEdit.InvalidResult"), MessageKind.Warning);
         return false;
     }
 

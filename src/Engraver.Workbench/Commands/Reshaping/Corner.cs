@@ -31,7 +31,7 @@ internal sealed class Corner
     /// <summary>Name of the sentence for two that cannot be joined.</summary>
     public static string WhyNot(Drawing drawing, CornerSide first, CornerSide second)
     {
-        if (first.Entity == second.Entity && first.Part == second.Part) return "Fillet.SameObject";
+        if (first.Entity == second.Entity && first.Part == second.Part) return "Fillet.SamePart";
         return AreJoinable(drawing, first, second) ? "Fillet.DoesNotFit" : "Fillet.WrongKind";
     }
 

@@ -9,10 +9,10 @@ internal sealed class HelpCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var answer = await context.AskAsync(new TextPrompt(Wording.Get("Help.EnterCommandNameOr")) { EnterEnds = true }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new TextPrompt(Wording.Get("Help.EnterCommandName")) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is not Answer<string>.Value { Of: var name }) context.SayResult(output => WriteAll(context, output));
         else if (context.Catalog.Find(CommandWord.Bare(name)) is { } command) context.SayResult(output => WriteOne(context, command.Info, output));
-        else throw new CommandException(CommandFailure.Usage, Wording.Get("Help.ThereNoCommand", name));
+        else throw new CommandException(CommandFailure.Usage, Wording.Get("Help.UnknownCommand", name));
     }
 
     private static void WriteAll(CommandContext context, TextWriter output)
@@ -28,7 +28,7 @@ internal sealed class HelpCommand : ICommand
     {
         output.WriteLine(Wording.Get("Help.One", info.Name, info.Summary));
         var aliases = context.Aliases.Commands.Where(pair => pair.Value == info.Name).Select(pair => pair.Key).Order(StringComparer.Ordinal).ToList();
-        if (aliases.Count > 0) output.WriteLine(Wording.Get("Help.Short", string.Join(", ", aliases)));
-        if (info.Transparent) output.WriteLine(Wording.Get("Help.CanUsedInsideAnother", info.Name));
+        if (aliases.Count > 0) output.WriteLine(Wording.Get("Help.Aliases", string.Join(", ", aliases)));
+        if (info.Transparent) output.WriteLine(Wording.Get("Help.Transparent", info.Name));
     }
 }

@@ -33,7 +33,7 @@ public class CircleCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("C", "0,0", "3", "C", "24,0", "3", "C", "TTR", "0,3", "24,3", "5");
-        Assert.Contains("Nothing can be drawn", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("cannot be drawn", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("10");
 
         Assert.Equal("Circle (12,5 r10)", DrawnText.Of(talk.State.Drawing)[^1]);

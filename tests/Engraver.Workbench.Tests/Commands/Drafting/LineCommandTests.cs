@@ -33,7 +33,7 @@ public class LineCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("LINE", "0,50", "1,50", "U", "U");
-        Assert.Contains("undone already", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("already undone", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("");
 
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
@@ -71,7 +71,7 @@ public class LineCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("L", "1,1", "1,1");
-        Assert.Contains("Nothing can be drawn", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("cannot be drawn", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("2,2", "");
 
         Assert.Equal(["Line (1,1 2,2)"], DrawnText.Of(talk.State.Drawing));
@@ -82,7 +82,7 @@ public class LineCommandTests
     {
         await using var talk = new CommandTalk();
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("L", ""));
-        Assert.Contains("no line or arc to continue", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No line or arc to continue", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("L", "0,0", "10,0", "", "L", "", "10,5", "", "ARC", "", "0,5", "LINE", "", "7", "");
 
         Assert.Equal(["Line (0,0 10,0)", "Line (10,0 10,5)", "Arc (5,5 r5 from 0 by 180)", "Line (0,5 0,-2)"], DrawnText.Of(talk.State.Drawing));

@@ -23,7 +23,7 @@ public class NewCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("L", "0,50", "1,50", "", "NEW");
-        Assert.Contains("not saved", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("unsaved changes", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("U");
 
         Assert.Equal(5, talk.State.Drawing!.Entities.Count);

@@ -43,7 +43,7 @@ public class OutlineCommandTests
         await talk.TypeAsync("POLYGON", "4", "1e8,1e8", "I", "1e-9");
 
         Assert.Equal("POLYGON", talk.Session.Prompt.Command);
-        Assert.Contains("Nothing can be drawn with that", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("cannot be drawn with this input", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -51,7 +51,7 @@ public class OutlineCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("REC", "0,0", "5,0");
-        Assert.Contains("Nothing can be drawn", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("cannot be drawn", talk.Said, StringComparison.Ordinal);
 
         Assert.Equal(4, talk.Session.Prompt.Aim!.Ghost!(new(3, 3)).Count);
         Assert.Empty(talk.Session.Prompt.Aim!.Ghost!(new(3, 0)));
@@ -118,7 +118,7 @@ public class OutlineCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("EL", "-10,0", "10,0", "0.000001");
-        Assert.Contains("Nothing can be drawn", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("cannot be drawn", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("5", "U");
 
         Assert.Empty(DrawnText.Of(talk.State.Drawing));

@@ -93,7 +93,7 @@ public class PolylineCommandTests
         await using var talk = new CommandTalk();
         await talk.TypeAsync("PL", "0,0", "A", "5,0");
 
-        Assert.Contains("Nothing can be drawn", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("cannot be drawn", talk.Said, StringComparison.Ordinal);
         Assert.Empty(DrawnText.Of(talk.State.Drawing));
     }
 }

@@ -70,7 +70,7 @@ public class FilletCommandTests
         await talk.TypeAsync("FILLET", "R", "2", "P", "5,0");
 
         Assert.Equal("LwPolyline closed: 2,0>8,0 | 8,2 r2 270+90 | 10,2>10,8 | 8,8 r2 0+90 | 8,10>2,10 | 2,8 r2 90+90 | 0,8>0,2 | 2,2 r2 180+90", Shape.All(talk)[0]);
-        Assert.Contains("4 corners were rounded, 0 were left", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("4 corners rounded, 0 left unchanged", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -79,7 +79,7 @@ public class FilletCommandTests
         await using var talk = Shape.Talk(new DrawingBuilder().Square(0, 0, 10));
         await talk.TypeAsync("FILLET", "R", "6", "P", "5,0");
 
-        Assert.Contains("2 corners were rounded, 2 were left", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("2 corners rounded, 2 left unchanged", talk.Said, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -117,8 +117,8 @@ public class FilletCommandTests
         await using var talk = Shape.Talk(Angle().Square(40, 0, 8).Free(FreeCurves.Ellipse(80, 0, 10, 0.5, 0, 0, 360).ToCurve()));
         await talk.TypeAsync("FILLET", "R", "30", "10,0", "0,10", "10,0", "12,0", "10,0", "44,0", "10,0", "90,0", "200,200");
 
-        Assert.Contains("does not fit", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("same part", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("corner cannot be made", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("same segment", talk.Said, StringComparison.Ordinal);
         Assert.Contains("EXPLODE", talk.Said, StringComparison.Ordinal);
         Assert.Contains("no object here", talk.Said, StringComparison.Ordinal);
         Assert.Equal("Line: 0,0>20,0", Shape.All(talk)[0]);

@@ -114,7 +114,7 @@ public class PolylineFilletTests
         await using var talk = Shape.Talk(Polyline(new(0, 0), new(10, 0), new(10, 5), new(15, 5), new(15, 20), new(40, 20)));
         await talk.TypeAsync("FILLET", "R", "1", "5,0", "15,10");
 
-        Assert.Contains("two lines with one part between them", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("two lines with one segment between them", talk.Said, StringComparison.Ordinal);
         await talk.Session.CancelAsync();
     }
 

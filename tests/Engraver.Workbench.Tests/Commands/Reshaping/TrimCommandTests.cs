@@ -77,7 +77,7 @@ public class TrimCommandTests
         await talk.TypeAsync("2.9,2", "", "EXTEND", "", "0,2", "");
 
         Assert.Equal("Line: 0,2>7,2", Shape.All(talk)[3]);
-        Assert.Contains("No edge lies ahead", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("does not reach any boundary edge", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
