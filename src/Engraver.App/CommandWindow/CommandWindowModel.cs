@@ -152,9 +152,9 @@ public sealed class CommandWindowModel : Observable, ISeen
     /// <summary>What is at work while nothing is asked, and what ends it: Esc holds a job that runs, and does nothing to one that brakes or is held.</summary>
     private static string Work(MachineState state) => state switch
     {
-        MachineState.Running or MachineState.DryRun => "JobRuns",
+        MachineState.Running or MachineState.DryRun => "JobRunning",
         MachineState.Held => "JobHeld",
-        MachineState.Holding or MachineState.Stopping => "JobBrakes",
+        MachineState.Holding or MachineState.Stopping => "JobStopping",
         _ => "Working",
     };
 

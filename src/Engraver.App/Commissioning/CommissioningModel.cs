@@ -81,9 +81,9 @@ public sealed record CommissioningRow(string Title, string State, bool IsNow)
         ArgumentNullException.ThrowIfNull(step);
         var state = step.State switch
         {
-            CommissioningState.Now => Text.Get("Commissioning.Now"),
-            CommissioningState.Through => Text.Get("Commissioning.Through"),
-            CommissioningState.LeftOut => Text.Get("Commissioning.LeftOut"),
+            CommissioningState.Now => Text.Get("Commissioning.InProgress"),
+            CommissioningState.Through => Text.Get("Commissioning.Done"),
+            CommissioningState.LeftOut => Text.Get("Commissioning.Skipped"),
             CommissioningState.Unfinished => Text.Get("Commissioning.Unfinished"),
             _ => "",
         };

@@ -108,7 +108,7 @@ public sealed class ConnectModel : Observable
     };
 
     /// <summary>The line that would be typed at the command line, or what is missing.</summary>
-    public string Typed => IsAddress ? Text.Get("Connect.Typed", Address) : Text.Get("Connect.Missing");
+    public string Typed => IsAddress ? Text.Get("Connect.CommandLine", Address) : Text.Get("Connect.AddressInvalid");
 
     private bool IsAddress => ControllerAddress.TryParse(Address, out _);
 

@@ -143,7 +143,7 @@ public sealed class DesktopModel : IAsyncDisposable
             return Task.FromResult<InputResult>(new InputResult.NotUnderstood(refused));
         }
 
-        Tell(MessageKind.Note, Texts.Text.Get("Command.Kept", input.Trim()));
+        Tell(MessageKind.Note, Texts.Text.Get("Command.Queued", input.Trim()));
         var (before, typedAt) = (_feeding, Session.Ahead.Flushed);
         _kept++;
         return Enqueue(() => KeptAsync(input, typedAt, before));
@@ -211,7 +211,7 @@ public sealed class DesktopModel : IAsyncDisposable
     public Task CancelAsync()
     {
         Session.Ahead.Flush();
-        if (!IsBusy && Session.Prompt.Command is null && Session.Document.Current.Selection.Count == 0 && Session.Derivation.GiveUp()) Tell(MessageKind.Warning, Texts.Text.Get("Derivation.GivenUp"));
+        if (!IsBusy && Session.Prompt.Command is null && Session.Document.Current.Selection.Count == 0 && Session.Derivation.GiveUp()) Tell(MessageKind.Warning, Texts.Text.Get("Derivation.PlanningCancelled"));
         return Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
     }
 

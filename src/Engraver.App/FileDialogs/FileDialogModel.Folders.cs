@@ -26,7 +26,7 @@ public sealed partial class FileDialogModel
         if (_name.Trim().Length == 0)
         {
             if (wanted.MayShow) Answered?.Invoke(null);
-            else Finding = Text.Get("Files.NoName");
+            else Finding = Text.Get("Files.NameMissing");
             return;
         }
 

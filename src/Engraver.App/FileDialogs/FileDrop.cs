@@ -48,11 +48,11 @@ internal sealed class FileDrop
         var path = paths.FirstOrDefault(IsDrawing) ?? paths[0];
         if (_desk.IsBusy)
         {
-            _desk.Tell(MessageKind.Warning, Text.Get("Files.DropLater", Path.GetFileName(path)));
+            _desk.Tell(MessageKind.Warning, Text.Get("Files.DropWhileBusy", Path.GetFileName(path)));
             return;
         }
 
-        if (paths.Count > 1) _desk.Tell(MessageKind.Note, Text.Get("Files.DropOne", Path.GetFileName(path)));
+        if (paths.Count > 1) _desk.Tell(MessageKind.Note, Text.Get("Files.DropOneOnly", Path.GetFileName(path)));
         _ = IsDrawing(path) ? _files.OpenAsync(path) : _files.RunScriptAsync(path);
     }
 }

@@ -31,7 +31,7 @@ internal sealed record FilePreview(Picture? Picture, string Lines, string Captio
     /// <exception cref="OperationCanceledException">It took too long, or another file is looked at.</exception>
     public static FilePreview Create(FileRow file, DrawingSettings settings, CanvasTheme theme, PixelSize size, CancellationToken stop)
     {
-        if (file.Bytes > MostBytes) return new FilePreview(null, "", Text.Get("Files.PreviewTooLong", file.Size));
+        if (file.Bytes > MostBytes) return new FilePreview(null, "", Text.Get("Files.PreviewTooLarge", file.Size));
         if (FileKind.IsStream(file.Path)) return new FilePreview(null, "", "");
         try
         {

@@ -160,7 +160,7 @@ public sealed class FileQuestions : Observable
     private async Task<bool?> AskAboutEditsAsync(string question, string without)
     {
         if (!_desk.Session.Document.IsEdited) return false;
-        var answer = await Question.AskAsync(Text.Get(question, Path.GetFileName(_desk.Session.Document.FilePath)), "Files.SaveFirst", without, "Files.Stay");
-        return answer is null or "Files.Stay" ? null : answer == "Files.SaveFirst";
+        var answer = await Question.AskAsync(Text.Get(question, Path.GetFileName(_desk.Session.Document.FilePath)), "Files.SaveFirst", without, "Files.CancelQuestion");
+        return answer is null or "Files.CancelQuestion" ? null : answer == "Files.SaveFirst";
     }
 }

@@ -28,7 +28,7 @@ internal abstract record FileTarget
     public static FileTarget Find(string typed, string shown, string working, FileWanted wanted, string? ending, FileRow? jumped)
     {
         var name = TypedFileName.Read(typed);
-        if (name.Contains('\0', StringComparison.Ordinal)) return new Nothing(Text.Get("Files.NoSuchName", name.Replace('\0', '?')));
+        if (name.Contains('\0', StringComparison.Ordinal)) return new Nothing(Text.Get("Files.NameInvalid", name.Replace('\0', '?')));
         return wanted.Writes ? ToWrite(name, shown, wanted, ending) : ToRead(name, [shown, working], wanted, jumped);
     }
 
@@ -36,8 +36,8 @@ internal abstract record FileTarget
     {
         var path = Path.GetFullPath(Path.Combine(shown, name));
         if (Directory.Exists(path)) return new Folder(path);
-        if (Path.GetDirectoryName(path) is not { } parent || Path.EndsInDirectorySeparator(name)) return new Nothing(Text.Get("Files.NoFolder", path));
-        if (!Directory.Exists(parent)) return new Nothing(Text.Get("Files.NoFolder", parent));
+        if (Path.GetDirectoryName(path) is not { } parent || Path.EndsInDirectorySeparator(name)) return new Nothing(Text.Get("Files.FolderNotFound", path));
+        if (!Directory.Exists(parent)) return new Nothing(Text.Get("Files.FolderNotFound", parent));
         path = (ending is null ? wanted : wanted with { Endings = [ending, .. wanted.Endings] }).WithEnding(path);
         return Directory.Exists(path) ? new Folder(path) : new Chosen(path, File.Exists(path));
     }
@@ -51,6 +51,6 @@ internal abstract record FileTarget
         }
 
         if (jumped is not null) return jumped.IsFolder ? new Folder(jumped.Path) : new Chosen(jumped.Path, true);
-        return new Nothing(Text.Get("Files.NotThere", name));
+        return new Nothing(Text.Get("Files.NotFound", name));
     }
 }

@@ -201,7 +201,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         try
         {
             var result = await ended;
-            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Tell(MessageKind.Warning, Text.Get("Pad.Late"));
+            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Tell(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
             if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Tell(MessageKind.Error, result.Sentence);
             foreach (var left in result.NotRestored) _desk.Tell(MessageKind.Warning, left);
         }

@@ -76,7 +76,7 @@ public sealed record CheckLine(ArmingCheck Check)
     public string Mark => Check switch { { IsNote: true } => "–", { IsAsked: false } => "?", { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
 
     /// <summary>The sentence of the check; a warning says in words, too, that it is one.</summary>
-    public string Sentence => Check.IsWarning ? Text.Get("Job.Look", Check.Sentence) : Check.Sentence;
+    public string Sentence => Check.IsWarning ? Text.Get("Job.Warning", Check.Sentence) : Check.Sentence;
 
     /// <summary>True when the check has not passed, or is a warning.</summary>
     public bool IsUnusual => !Check.Passed || Check.IsWarning;

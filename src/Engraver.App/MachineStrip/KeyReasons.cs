@@ -32,12 +32,12 @@ internal static class KeyReasons
     /// <summary>What stands against both.</summary>
     private static string? Standing(MachineStatus status) => status.State switch
     {
-        MachineState.Offline => "NoLink",
+        MachineState.Offline => "NoController",
         MachineState.Connected => "Connecting",
-        MachineState.Moving or MachineState.Busy => "Moves",
+        MachineState.Moving or MachineState.Busy => "Moving",
         MachineState.Fault => "Fault",
-        MachineState.EmergencyStopOpen => "StopOpen",
-        var state when state.IsJob() => "JobRuns",
+        MachineState.EmergencyStopOpen => "EmergencyStopOpen",
+        var state when state.IsJob() => "JobRunning",
         _ => null,
     };
 }

@@ -54,13 +54,13 @@ public sealed class MachineStripModel : Observable
 
     public string HoldTip => KeyReasons.TipOf(KeyReasons.Hold(_status), "Machine.HoldTip", _status);
 
-    public string FasterTip => Text.Get(_status.FeedRatio < JobControl.FeedRange.Fastest ? "Machine.FasterTip" : "Machine.WhyNoFaster");
+    public string FasterTip => Text.Get(_status.FeedRatio < JobControl.FeedRange.Fastest ? "Machine.FasterTip" : "Machine.OverrideAtMaximum");
 
-    public string SlowerTip => Text.Get(_status.FeedRatio > JobControl.FeedRange.Slowest ? "Machine.SlowerTip" : "Machine.WhyNoSlower");
+    public string SlowerTip => Text.Get(_status.FeedRatio > JobControl.FeedRange.Slowest ? "Machine.SlowerTip" : "Machine.OverrideAtMinimum");
 
-    public string RapidsFasterTip => Text.Get(_status.RapidRatio < JobControl.RapidRange.Fastest ? "Machine.RapidsFasterTip" : "Machine.WhyNoFaster");
+    public string RapidsFasterTip => Text.Get(_status.RapidRatio < JobControl.RapidRange.Fastest ? "Machine.RapidsFasterTip" : "Machine.OverrideAtMaximum");
 
-    public string RapidsSlowerTip => Text.Get(_status.RapidRatio > JobControl.RapidRange.Slowest ? "Machine.RapidsSlowerTip" : "Machine.WhyNoSlower");
+    public string RapidsSlowerTip => Text.Get(_status.RapidRatio > JobControl.RapidRange.Slowest ? "Machine.RapidsSlowerTip" : "Machine.OverrideAtMinimum");
 
     public Act Hold { get; }
 
@@ -123,7 +123,7 @@ public sealed class MachineStripModel : Observable
 
     public string MachineHeight => _status.MachineHeight is { } height ? Text.Get("Machine.Height", Figure(height)) : "";
 
-    public string MachinePlace => _status.MachinePosition is { } place ? Text.Get("Machine.Place", Figure(place.X), Figure(place.Y)) : "";
+    public string MachinePlace => _status.MachinePosition is { } place ? Text.Get("Machine.MachinePosition", Figure(place.X), Figure(place.Y)) : "";
 
     /// <summary>Speed along the path, mm/min: while a job runs by the positions that the controller reports (<see cref="ToldSpeed"/>), else the controller's own speed.</summary>
     public string Feed => (_status.Speed ?? _told.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;

@@ -15,7 +15,7 @@ public sealed class FailureGuard(Action stop, AlarmLog alarms, FailureReports re
         ArgumentNullException.ThrowIfNull(failure);
         stop();
         var file = reports.Write(failure);
-        alarms.Raise(AlarmCause.InternalError, Text.Get("Failure.What", failure.Message.TrimEnd('.')), Text.Get("Failure.Where"), file is null ? Text.Get("Failure.ToDo") : Text.Get("Failure.ToDoWithReport", file));
+        alarms.Raise(AlarmCause.InternalError, Text.Get("Failure.InternalError", failure.Message.TrimEnd('.')), Text.Get("Failure.ThisProgram"), file is null ? Text.Get("Failure.Advice") : Text.Get("Failure.AdviceWithReport", file));
         return file;
     }
 }

@@ -56,8 +56,8 @@ public sealed class DesktopSession : IAsyncDisposable
         var moved = DesktopModel.Moves(_session.Machine);
         var what = Text.Get(moved ? "Failure.DisplayLostInMotion" : "Failure.DisplayLost");
         _session.Machine.Stop(what);
-        _session.Machine.Alarms.Raise(AlarmCause.DisplayLost, what, Text.Get("Failure.Display"), Text.Get("Failure.DisplayToDo"));
-        return moved ? $"{what} {Text.Get("Failure.DisplayToDo")}" : what;
+        _session.Machine.Alarms.Raise(AlarmCause.DisplayLost, what, Text.Get("Failure.Display"), Text.Get("Failure.DisplayAdvice"));
+        return moved ? $"{what} {Text.Get("Failure.DisplayAdvice")}" : what;
     }
 
     /// <summary>What cannot be held, as a move by hand, is stopped.</summary>

@@ -36,7 +36,7 @@ internal sealed class ClosingGuard
         _warnedOfJob = _desk.IsMoving;
         if (warnsOfJob)
         {
-            _desk.Tell(MessageKind.Warning, Text.Get("Window.JobRuns"));
+            _desk.Tell(MessageKind.Warning, Text.Get("Window.CloseWhileMoving"));
             return true;
         }
 

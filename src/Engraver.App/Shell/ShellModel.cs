@@ -119,7 +119,7 @@ public sealed class ShellModel : Observable
     {
         var derivation = Desk.Session.Derivation;
         if (page is not ("Contours" or "Job" or "Program" or "Plots" or "Table") || Desk.Session.Document.Current.Drawing is null || derivation.IsCurrent) return "";
-        return derivation.IsGivenUp ? Text.Get("Tabs.GivenUp") : Status.IsWorking && derivation.Progress.Stage is { } stage ? Text.Get("Tabs.Planning", stage.Name) : "";
+        return derivation.IsGivenUp ? Text.Get("Tabs.PlanningCancelled") : Status.IsWorking && derivation.Progress.Stage is { } stage ? Text.Get("Tabs.Planning", stage.Name) : "";
     }
 
     private void Look()

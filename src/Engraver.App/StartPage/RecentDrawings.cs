@@ -84,7 +84,7 @@ public sealed record RecentDrawing(string Path, DateTime? Changed, bool IsGone)
     public bool IsThere => !IsGone;
 
     /// <summary>When it was changed, or that it is gone.</summary>
-    public string Date => IsGone ? Text.Get("StartPage.Gone") : Changed is { } date ? Text.Get("Files.Date", date) : "";
+    public string Date => IsGone ? Text.Get("StartPage.NotFound") : Changed is { } date ? Text.Get("Files.Date", date) : "";
 
     /// <summary>As its file is now; for a thread of the pool.</summary>
     public static RecentDrawing Of(string path)

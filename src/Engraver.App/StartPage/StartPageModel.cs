@@ -58,7 +58,7 @@ public sealed class StartPageModel : Observable
     {
         if (drawing.IsGone)
         {
-            _desk.Tell(MessageKind.Warning, Text.Get("StartPage.IsGone", drawing.Path));
+            _desk.Tell(MessageKind.Warning, Text.Get("StartPage.NotFoundAdvice", drawing.Path));
             return;
         }
 

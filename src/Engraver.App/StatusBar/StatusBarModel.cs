@@ -46,11 +46,11 @@ public sealed class StatusBarModel : Observable
 
     public string JoinTolerance => Text.Get("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
 
-    public string MaxError => Text.Get("Status.MaxError", _desk.Session.Document.Current.Settings.MaxErrorMm);
+    public string MaxError => Text.Get("Status.MaxDeviation", _desk.Session.Document.Current.Settings.MaxErrorMm);
 
     public string Profile => _desk.Session.Settings.Current.LastProfile is { } file ? Path.GetFileNameWithoutExtension(file) : Text.Get("Status.DefaultProfile");
 
-    public string Link => _desk.Session.Machine.Description ?? Text.Get("Status.NoLink");
+    public string Link => _desk.Session.Machine.Description ?? Text.Get("Status.NotConnected");
 
     /// <summary>The cursor stands at a place of the drawing.</summary>
     public void Point(Point2D place)

@@ -67,7 +67,7 @@ public sealed class BesideTests(DesktopFixture fixture)
     public Task Objects_can_be_selected_and_asked_about_while_a_job_runs() => fixture.WithOperator(here =>
     {
         Start(here);
-        Assert.Equal("The job runs ... (Esc holds it)", here.Window.Model.Command.Instruction);
+        Assert.Equal("Job running ... (Esc holds it)", here.Window.Model.Command.Instruction);
         _ = here.Desk.SelectAsync(_ => [1], remove: false);
         here.Until(() => here.Commands.Document.Current.Selection.Count == 1);
         Type(here, "list");
@@ -129,7 +129,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Held && here.Desk.Prompt.Command is null);
         Assert.True(here.Commands.IsBusy);
-        here.Until(() => here.Window.Model.Command.Instruction == "The job is held ... (RESUME goes on, STOP ends it)"); // and not that Esc ends it, which it does not
+        here.Until(() => here.Window.Model.Command.Instruction == "Job held (RESUME continues, STOP ends it)"); // and not that Esc ends it, which it does not
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
         End(here);

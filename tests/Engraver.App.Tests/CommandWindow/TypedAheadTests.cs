@@ -12,7 +12,7 @@ public sealed class TypedAheadTests(DesktopFixture fixture)
     {
         using var pipe = new SlowDrawing(here);
         Type(here, "erase", "all", "cncconnect", "");
-        Assert.Contains("A command is at work; erase is run when it has ended.", here.History);
+        Assert.Contains("A command is running; erase starts when it has ended.", here.History);
         Assert.Contains(here.History, line => line.StartsWith("CNCCONNECT acts on the machine", StringComparison.Ordinal));
         Assert.Contains(here.History, line => line.Contains("Enter alone is not kept", StringComparison.Ordinal));
         Assert.DoesNotContain(here.History, line => line.EndsWith(" erase", StringComparison.Ordinal));

@@ -20,7 +20,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
     [Fact]
     public Task A_press_moves_and_the_release_stops() => WithPad(here =>
     {
-        Choose(here, "Hold");
+        Choose(here, "Continuous");
         here.Until(() => here.Commands.Machine.IsKeptReady);
         Assert.Equal("READY", here.Find<TextBlock>("StateText").Text);
         here.Hands.PressButton(Cell(here, "X+"));
@@ -41,7 +41,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
     [InlineData("closes")]
     public Task Whatever_takes_the_hand_away_stops_it(string what) => WithPad(here =>
     {
-        Choose(here, "Hold");
+        Choose(here, "Continuous");
         here.Hands.PressButton(Cell(here, "Y+"));
         here.Until(() => Y(here) > 1.0);
 
@@ -92,7 +92,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Hands.LoseFocus();
         var asked = here.Desk.EnterAsync("Continuous");
         here.Until(() => asked.IsCompleted);
-        here.Until(() => here.History.Any(line => line.Contains("did not answer in time", StringComparison.Ordinal)) && !here.Commands.Machine.IsRunning);
+        here.Until(() => here.History.Any(line => line.Contains("did not respond in time", StringComparison.Ordinal)) && !here.Commands.Machine.IsRunning);
 
         Assert.InRange(X(here), 0.0, 40.0);
         here.Hands.Press(Key.Escape);
@@ -101,7 +101,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
     [Fact]
     public Task Keys_jog_only_while_the_pad_has_the_focus_and_a_second_control_makes_them_fast() => WithPad(here =>
     {
-        Choose(here, "Hold");
+        Choose(here, "Continuous");
         here.Hands.Press(Key.Right);
         here.Step();
         Assert.Equal(0.0, X(here));
@@ -134,7 +134,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Open("paper-001.dxf");
         here.Enter("CNCARM", "Stream");
         here.Show("Machine");
-        Choose(here, "Hold");
+        Choose(here, "Continuous");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status is { State: Workbench.Machines.MachineState.Running, ToolCommanded: true } && Y(here) > 49.0);
         Assert.Contains("off", here.Find<JogPad>("Pad").Classes);
@@ -167,7 +167,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Until(() => here.Commands.Machine.Status is { State: Workbench.Machines.MachineState.Running, ToolCommanded: true } && Y(here) > 49.0);
         here.Hands.Click(Cell(here, "Y+"));
         here.Step();
-        Assert.Contains("A job or a move is under way.", here.History);
+        Assert.Contains("A job or a move is running.", here.History);
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Commands.Machine.Status.State == Workbench.Machines.MachineState.Held);
         here.Step();
@@ -195,7 +195,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         return WithPad(
             here =>
             {
-                Choose(here, "Hold");
+                Choose(here, "Continuous");
                 here.Find<JogPad>("Pad").Focus();
                 if (!byShift) here.Hands.PressButton(here.MiddleOf(here.Find<Button>("FastKey")));
                 var pressed = clock.GetTimestamp();
@@ -287,10 +287,10 @@ public sealed class JogPadTests(DesktopFixture fixture)
     public Task What_cannot_jog_says_why_and_moves_nothing() => fixture.WithOperator(here =>
     {
         here.Show("Machine");
-        Choose(here, "Hold");
+        Choose(here, "Continuous");
         here.Hands.Click(Cell(here, "X+"));
         here.Step();
-        Assert.Contains("No controller is connected.", here.History);
+        Assert.Contains("No controller is connected. Connect one with CNCCONNECT.", here.History);
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCMOTORS", "OFF");
         here.Hands.Click(Cell(here, "X+"));
         here.Step();
@@ -348,7 +348,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
     private static double Y(Operator here) => here.Commands.Machine.Status.MachinePosition!.Value.Y;
 
     /// <summary>Where nobody released the jog, the window's silence ends it 0.3 s later and says so.</summary>
-    private static void NobodyWasLate(Operator here) => Assert.DoesNotContain(Engraver.App.Texts.Text.Get("Pad.Late"), here.History);
+    private static void NobodyWasLate(Operator here) => Assert.DoesNotContain(Engraver.App.Texts.Text.Get("Pad.WindowTooSlow"), here.History);
 
     private static void Stands(Operator here)
     {

@@ -53,7 +53,7 @@ public sealed class JobTests(DesktopFixture fixture)
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
         var warning = Assert.Single(Lines(here), line => line.Mark == "▲");
-        Assert.StartsWith("LOOK: The last job on this machine ended early", warning.Sentence, StringComparison.Ordinal);
+        Assert.StartsWith("WARNING: The last job on this machine ended early", warning.Sentence, StringComparison.Ordinal);
         Assert.True(warning.MarkIsColoured && warning.SentenceIsColoured);
         Assert.All(Lines(here).Where(line => line.Mark == "✓"), line => Assert.False(line.MarkIsColoured || line.SentenceIsColoured));
     });

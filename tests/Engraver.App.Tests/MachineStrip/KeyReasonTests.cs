@@ -14,8 +14,8 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
     [Fact]
     public Task ARM_and_START_say_why_they_do_not_work_as_the_machine_goes_through_its_states() => fixture.WithOperator(here =>
     {
-        Says(here, "ArmKey", "no machine", "No controller is connected");
-        Says(here, "StartKey", "no machine", "No controller is connected");
+        Says(here, "ArmKey", "no controller", "No controller is connected");
+        Says(here, "StartKey", "no controller", "No controller is connected");
         here.Open("gasket.dxf");
         here.Enter("CNCCONNECT", SlowMachine.Address);
         here.Rest();
@@ -24,12 +24,12 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
         here.Enter("CNCARM", "Stream");
         Says(here, "ArmKey", "armed", "The job is armed");
         Says(here, "StartKey", null, "Starts the armed job");
-        Says(here, "HoldKey", null, "HOLD works while a job runs");
+        Says(here, "HoldKey", null, "HOLD works only while a job is running");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });
         here.Step();
-        Says(here, "ArmKey", "job runs", "A job is under way");
-        Says(here, "StartKey", "job runs", "A job is under way");
+        Says(here, "ArmKey", "job running", "A job is running");
+        Says(here, "StartKey", "job running", "A job is running");
         here.Hands.Press(Avalonia.Input.Key.Pause);
         here.Until(() => here.Commands.Machine.LastRun is not null);
         here.Rest();

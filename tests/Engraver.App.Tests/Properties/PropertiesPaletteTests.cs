@@ -59,7 +59,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
         Type(here, "Radius", "7", Key.Enter);
 
         Assert.Equal(20.0, Radius(here, 0));
-        Assert.Contains(here.History, line => line.StartsWith("Radius was not changed: DIST asks.", StringComparison.Ordinal));
+        Assert.Contains(here.History, line => line.StartsWith("Radius was not changed because DIST is waiting for input.", StringComparison.Ordinal));
     });
 
     [Fact]

@@ -10,7 +10,7 @@ public sealed class LostDisplayTests
 {
     private const string Drawing = "paper-001.dxf";
     private const byte ToolOn = 1;
-    private const string Why = "The display was lost while the machine moved: the machine was stopped.";
+    private const string Why = "The connection to the display was lost while the machine was moving. The machine was stopped.";
 
     [XServerFact]
     public async Task The_machine_stops_and_standard_error_and_the_journal_say_why()
@@ -47,6 +47,6 @@ public sealed class LostDisplayTests
         desktop.LoseDisplay();
 
         Assert.Equal(1, desktop.WaitForExit());
-        Assert.Contains(desktop.Heard, line => line.EndsWith("engraver-desktop: The display was lost, so the desktop ends. Nothing moved.", StringComparison.Ordinal));
+        Assert.Contains(desktop.Heard, line => line.EndsWith("engraver-desktop: The connection to the display was lost; the program ends. No machine was moving.", StringComparison.Ordinal));
     }
 }

@@ -90,7 +90,7 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
 
         Assert.True(here.Window.IsVisible);
         Assert.True(here.Commands.Machine.IsRunning);
-        Assert.Contains("close once more", here.History.Last(), StringComparison.Ordinal);
+        Assert.Contains("Close the window again", here.History.Last(), StringComparison.Ordinal);
 
         here.Hands.Press(Key.Pause);
         here.Until(() => !here.Desk.IsMoving && !here.Commands.Machine.IsRunning);

@@ -152,8 +152,8 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Open("gasket.dxf");
         here.Enter("ERASE", "L", "");
         here.Hands.AskToClose();
-        Assert.Equal(["Save", "Do not save", "Cancel"], Question(here).Answers.Select(answer => answer.Words));
-        Assert.Equal("gasket.dxf has edits that are in no file. Save them before the window closes?", here.Find<TextBlock>("QuestionText").Text);
+        Assert.Equal(["Save", "Don't save", "Cancel"], Question(here).Answers.Select(answer => answer.Words));
+        Assert.Equal("gasket.dxf has unsaved changes. Save them before closing the window?", here.Find<TextBlock>("QuestionText").Text);
         for (var i = 0; i < 3; i++) here.Hands.AskToClose();
 
         Assert.True(here.Window.IsVisible && Question(here).IsOpen);
@@ -170,7 +170,7 @@ public sealed class ShellTests(DesktopFixture fixture)
 
     [Theory]
     [InlineData("Save", true)]
-    [InlineData("Do not save", false)]
+    [InlineData("Don't save", false)]
     public Task The_answer_closes_the_window_and_decides_about_the_file(string answer, bool saved)
     {
         var folder = Directory.CreateTempSubdirectory("closing-").FullName;

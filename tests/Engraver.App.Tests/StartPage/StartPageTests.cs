@@ -49,10 +49,10 @@ public sealed class StartPageTests(DesktopFixture fixture) : IDisposable
         File.Delete(path);
         here.Window.Model.Recent.Refresh();
         Settle(here);
-        Assert.Contains(Entry(here, "plate.dxf").GetVisualDescendants().OfType<TextBlock>(), text => text.Text == "not there any more");
+        Assert.Contains(Entry(here, "plate.dxf").GetVisualDescendants().OfType<TextBlock>(), text => text.Text == "not found");
 
         here.Click(Entry(here, "plate.dxf"));
-        Assert.Contains(here.History, line => line.Contains("plate.dxf is not there any more", StringComparison.Ordinal));
+        Assert.Contains(here.History, line => line.Contains("plate.dxf was not found", StringComparison.Ordinal));
         here.Click(here.Find<ItemsControl>("RecentList").GetVisualDescendants().OfType<Button>().First(button => button.Tag is "plate.dxf"));
         Settle(here);
         Assert.Empty(here.Commands.Settings.Current.RecentFiles);
@@ -83,7 +83,7 @@ public sealed class StartPageTests(DesktopFixture fixture) : IDisposable
         here.Window.Model.Recent.Refresh();
         Settle(here);
         var entries = recent.Items.OfType<MenuItem>().ToList();
-        Assert.Equal(["1  paper-001.dxf", "2  gasket.dxf", "3  my__plate.dxf (not there any more)", "List in the command window"], entries.Select(entry => entry.Header));
+        Assert.Equal(["1  paper-001.dxf", "2  gasket.dxf", "3  my__plate.dxf (not found)", "List in the command window"], entries.Select(entry => entry.Header));
         Assert.Equal([true, true, false, true], entries.Select(entry => entry.IsEnabled));
 
         here.Hands.Click(here.MiddleOf(recent));

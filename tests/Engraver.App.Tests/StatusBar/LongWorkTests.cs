@@ -24,9 +24,9 @@ public sealed class LongWorkTests(DesktopFixture fixture)
             here.Hands.Press(Key.Enter);
             var text = here.Find<TextBlock>("WorkText");
             here.Until(() => text.IsEffectivelyVisible);
-            Assert.Equal("planning: contours and their order, 10 %, Esc ends it", text.Text);
+            Assert.Equal("Planning: contours and their order, 10 % (Esc cancels)", text.Text);
             here.Show("Job");
-            Assert.Contains(Hints(here), hint => hint.Text == "The job is being planned: contours and their order.");
+            Assert.Contains(Hints(here), hint => hint.Text == "Planning the job: contours and their order.");
             var before = here.Commands.Document.Current;
             here.Hands.Press(Key.Escape);
             here.Until(() => !text.IsEffectivelyVisible);
@@ -37,8 +37,8 @@ public sealed class LongWorkTests(DesktopFixture fixture)
             Assert.True(here.Commands.Derivation.IsGivenUp);
             Assert.Same(before, here.Commands.Document.Current);
             Assert.Null(here.Desk.Derived.Job);
-            Assert.Contains(here.History, line => line.StartsWith("Planning was ended", StringComparison.Ordinal));
-            Assert.Contains(Hints(here), hint => hint.Text == "Planning was ended with Esc. REGEN plans the job again.");
+            Assert.Contains(here.History, line => line.StartsWith("Planning cancelled; nothing was changed", StringComparison.Ordinal));
+            Assert.Contains(Hints(here), hint => hint.Text == "Planning cancelled with Esc. REGEN plans the job again.");
             _ = here.Desk.SelectAsync(_ => [0], remove: false); // selecting begins nothing
             here.Rest();
             Assert.True(here.Commands.Derivation.IsGivenUp);
@@ -96,10 +96,10 @@ public sealed class LongWorkTests(DesktopFixture fixture)
             var text = here.Find<TextBlock>("WorkText");
             here.Until(() => text.IsEffectivelyVisible && writer.IsCompleted);
 
-            Assert.Equal("OPEN is at work, Esc ends it", text.Text);
+            Assert.Equal("OPEN is running (Esc cancels)", text.Text);
             Assert.True(here.Find<ProgressBar>("WorkLine").IsIndeterminate);
             here.Hands.Press(Key.Escape);
-            here.Until(() => text.Text == "OPEN is ending ...");
+            here.Until(() => text.Text == "Cancelling OPEN ...");
             writer.GetAwaiter().GetResult().Dispose();
             here.Rest();
             Assert.False(text.IsEffectivelyVisible);
