@@ -38,7 +38,7 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
     {
         CertificateState.None when RunsTrajectories => Wording.Get("Certificate.Trajectories"),
         CertificateState.None => Wording.Get("Certificate.None"),
-        CertificateState.Stands => Wording.Get("Certificate.Stands", Certificate!.MaxDeviation?.ToString("0.####", CultureInfo.InvariantCulture) ?? "?", Certificate.Issued.UtcDateTime),
+        CertificateState.Stands => Wording.Get("Certificate.Valid", Certificate!.MaxDeviation?.ToString("0.####", CultureInfo.InvariantCulture) ?? "?", Certificate.Issued.UtcDateTime),
         _ when Problem is { } problem => Wording.Get("Certificate.Unreadable", problem),
         _ => Wording.Get("Certificate.Stale", string.Join(", ", Differs.Select(Said))),
     };

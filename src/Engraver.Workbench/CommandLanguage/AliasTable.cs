@@ -31,7 +31,7 @@ public sealed class AliasTable
             if (content.Length == 0) continue;
             if (Read(content) is not { } entry) continue;
             if (isAllowed(entry.Alias, entry.Command)) commands[entry.Alias] = entry.Command;
-            else findings.Add(Wording.Get("AliasTable.LineTooShortWhat", number, entry.Alias, entry.Command));
+            else findings.Add(Wording.Get("AliasTable.AliasTooShort", number, entry.Alias, entry.Command));
         }
 
         return new AliasTable(commands, findings);

@@ -23,7 +23,7 @@ public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Mea
     {
         ArgumentNullException.ThrowIfNull(typed);
         if (NumberPrompt.TryNumber(typed, out _)) return Within(typed);
-        if (new PointPrompt(Instruction).Read(typed, lastPoint) is not Reading<Point2D>.Value { Of: var place }) return new Reading<Amount>.Wrong(Wording.Get("AmountPrompt.NoNumberNoPoint", typed));
+        if (new PointPrompt(Instruction).Read(typed, lastPoint) is not Reading<Point2D>.Value { Of: var place }) return new Reading<Amount>.Wrong(Wording.Get("AmountPrompt.NotANumberOrPoint", typed));
         return From is { } from ? Within(Measure(place - from).ToString("R", CultureInfo.InvariantCulture)) : new Reading<Amount>.Value(new Amount.Beginning(place));
     }
 

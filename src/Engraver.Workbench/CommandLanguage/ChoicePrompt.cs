@@ -8,5 +8,5 @@ public sealed record ChoicePrompt(string Instruction) : ValuePrompt<string>(Inst
     public override bool OnlyOptions => true;
 
     public override Reading<string> Read(string typed, Point2D lastPoint) =>
-        new Reading<string>.Wrong(Wording.Get("ChoicePrompt.NoneOptions", typed, string.Join(", ", Options.Select(option => option.Shown))));
+        new Reading<string>.Wrong(Wording.Get("ChoicePrompt.NotAnOption", typed, string.Join(", ", Options.Select(option => option.Shown))));
 }

@@ -11,7 +11,7 @@ internal sealed record JogStepPrompt(string Instruction, bool HasHeight) : Value
         ArgumentNullException.ThrowIfNull(typed);
         var parts = typed.Split(',');
         if (parts.Length == 2 && NumberPrompt.TryNumber(parts[0], out var x) && NumberPrompt.TryNumber(parts[1], out var y)) return new Reading<JogStep>.Value(new JogStep(new Vector2D(x, y), 0.0, IsWhole: true));
-        return Direction(typed) is { } way ? new Reading<JogStep>.Value(way) : new Reading<JogStep>.Wrong(Wording.Get("CncJog.NoStep", typed));
+        return Direction(typed) is { } way ? new Reading<JogStep>.Value(way) : new Reading<JogStep>.Wrong(Wording.Get("CncJog.NotAStep", typed));
     }
 
     private JogStep? Direction(string typed) => typed.ToUpperInvariant() switch

@@ -60,7 +60,7 @@ public sealed class CommandContext
 
     /// <summary>The open drawing.</summary>
     /// <exception cref="CommandException">None is open.</exception>
-    public Drawing Drawing => Document.Current.Drawing ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CommandContext.NoDrawingOpenOpen"));
+    public Drawing Drawing => Document.Current.Drawing ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CommandContext.NoDrawingOpen"));
 
     /// <summary>What <c>@</c> is relative to, drawing units.</summary>
     public Point2D LastPoint
@@ -143,7 +143,7 @@ public sealed class CommandContext
     /// <exception cref="CommandException">Another command is at work.</exception>
     internal void RefuseBeside()
     {
-        if (_frame.IsBeside) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.NotBesideDrawing", _frame.Info.Name, _session.Running ?? Wording.Get("CommandSession.AnotherCommand")));
+        if (_frame.IsBeside) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.DrawingInUse", _frame.Info.Name, _session.Running ?? Wording.Get("CommandSession.AnotherCommand")));
     }
 
     /// <summary>Asks a window to show its dialog instead of asking at the command line: not for a script, and not when a dash was typed before the name.</summary>
@@ -210,9 +210,9 @@ public sealed class CommandContext
         var name = _frame.Info.Name;
         var wasRunning = Machine.IsRunning;
         if (wasRunning) Machine.Stop();
-        var sentence = Wording.Get("CommandContext.EndedInternalError", name, bug.GetType().Name, bug.Message, wasRunning ? Wording.Get("CommandContext.JobStopped") : "");
+        var sentence = Wording.Get(wasRunning ? "CommandContext.InternalErrorJobStopped" : "CommandContext.InternalError", name, bug.GetType().Name, bug.Message);
         var report = _session.Environment.Failures?.Write(bug);
-        Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, Wording.Get("CommandContext.SaveasWhatMattersLook", report ?? Wording.Get("CommandContext.History")));
+        Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, report is null ? Wording.Get("CommandContext.ReportErrorWithHistory") : Wording.Get("CommandContext.ReportError", report));
         Say(bug.ToString());
         return new InputResult.Failed(CommandFailure.Internal, sentence) { Bug = bug };
     }

@@ -57,7 +57,7 @@ public sealed partial class CommandSession
 
         var words = input.Split(' ', StringSplitOptions.RemoveEmptyEntries);
         if (words.Length == 0) return new InputResult.NotUnderstood(Wording.Get("TypedAhead.EnterAlone"));
-        if (Find(words[0]) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
+        if (Find(words[0]) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommand", input));
         if (!command.Info.IsHeardBeside) return new InputResult.NotUnderstood(ReasonFor(command.Info));
         return await HearAsync(command, words, cancellation).ConfigureAwait(false);
     }
@@ -102,7 +102,7 @@ public sealed partial class CommandSession
     private string ReasonFor(CommandInfo info)
     {
         var work = Running ?? Wording.Get("CommandSession.AnotherCommand");
-        return Wording.Get(info.Group == CommandGroup.Machine || info.StartsMotion ? "CommandSession.NotBesideMachine" : "CommandSession.NotBesideDrawing", info.Name, work);
+        return Wording.Get(info.Group == CommandGroup.Machine || info.StartsMotion ? "CommandSession.MachineInUse" : "CommandSession.DrawingInUse", info.Name, work);
     }
 
     private ICommand? Meant(string input) => input.Split(' ', StringSplitOptions.RemoveEmptyEntries) is [var word, ..] ? Find(word) : null;

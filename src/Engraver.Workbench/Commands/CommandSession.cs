@@ -188,7 +188,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterLinesAsync(string lines, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(lines);
-        if (IsBusy || Interlocked.Exchange(ref _taking, 1) != 0) return Told(new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkPastedLines")));
+        if (IsBusy || Interlocked.Exchange(ref _taking, 1) != 0) return Told(new InputResult.NotUnderstood(Wording.Get("CommandSession.PasteWhileBusy")));
         try
         {
             Environment.Journal?.WriteLine(lines.TrimEnd());
@@ -266,7 +266,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     private async Task<InputResult> BeginAsync(string input, CancellationToken cancellation)
     {
         if (input.Length == 0) return await RepeatAsync(cancellation).ConfigureAwait(false);
-        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
+        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommand", input));
         _last = command.Info.IsRepeated ? command : null;
         return await StartAsync(command, cancellation, CommandWord.HasDash(input)).ConfigureAwait(false);
     }
@@ -275,14 +275,14 @@ public sealed partial class CommandSession : IAsyncDisposable
     {
         if (_last is not { } command) return new InputResult.Done();
         if (!command.Info.StartsMotion) return await StartAsync(command, cancellation).ConfigureAwait(false);
-        Say(MessageKind.Note, Wording.Get("CommandSession.StartsMotionNotRepeated", command.Info.Name));
+        Say(MessageKind.Note, Wording.Get("CommandSession.MotionNotRepeated", command.Info.Name));
         return new InputResult.Done();
     }
 
     private async Task<InputResult> BeginInsideAsync(CommandFrame outer, string input, CancellationToken cancellation)
     {
-        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
-        if (!command.Info.Transparent || _frames.IsNested) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CannotUsedInsideEnd", command.Info.Name, outer.Info.Name));
+        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommand", input));
+        if (!command.Info.Transparent || _frames.IsNested) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CannotRunInside", command.Info.Name, outer.Info.Name));
         return await StartAsync(command, cancellation, CommandWord.HasDash(input)).ConfigureAwait(false);
     }
 

@@ -112,7 +112,7 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
         try
         {
             var count = _read(Bytes, at);
-            return (count, count > 0 ? null : Wording.Get("ArrivingFile.Shorter"));
+            return (count, count > 0 ? null : Wording.Get("ArrivingFile.BecameShorter"));
         }
         catch (Exception failed) when (failed is IOException or UnauthorizedAccessException)
         {

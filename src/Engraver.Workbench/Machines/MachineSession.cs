@@ -220,7 +220,7 @@ public sealed partial class MachineSession : IAsyncDisposable
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
         await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("Common.NoControllerConnectedCncconnect"))];
+        if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("Common.NotConnected"))];
         if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("MachineSession.JobRunsNothingSent"))];
         Disarm();
         var answers = await watch.AnswerAsync(line, cancellation).ConfigureAwait(false);

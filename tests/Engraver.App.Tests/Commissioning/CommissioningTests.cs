@@ -33,12 +33,12 @@ public sealed class CommissioningTests(DesktopFixture fixture)
         foreach (var way in new[] { "Skip", "Skip", "Back", "Skip", "Skip", "Skip", "Go" }) Answer(here, way);
         Assert.Equal(["skipped", "skipped", "skipped", "skipped", "in progress", "", "", ""], States(here));
 
-        Assert.Contains("Speed of the test moves", Model(here).Question, StringComparison.Ordinal);
+        Assert.Contains("Enter speed of the test moves", Model(here).Question, StringComparison.Ordinal);
         Assert.True(Model(here).IsTyped);
         here.Click(here.Find<Button>("KeepKey")); // the speed
         here.Rest();
         here.Enter("1000"); // counts
-        Assert.Contains("is the way free", Model(here).Question, StringComparison.Ordinal);
+        Assert.Contains("Is the path clear", Model(here).Question, StringComparison.Ordinal);
         Assert.Equal(0.0, here.Commands.Machine.Status.MachinePosition!.Value.X);
         Answer(here, "Yes");
         here.Until(() => here.Commands.Machine.Status.MachinePosition!.Value.X == 1.0);

@@ -57,10 +57,10 @@ public sealed class JogPadTests(DesktopFixture fixture)
 
     /// <summary>Begun by a command, not by the pad: the window gives the signs, and whatever takes the operator away ends it.</summary>
     [Theory]
-    [InlineData("leaves the window", "The window was left")]
-    [InlineData("makes it small", "The window was left")]
-    [InlineData("asks to close", "The window was left")]
-    [InlineData("hangs", "did not answer in time")]
+    [InlineData("leaves the window", "The window lost the focus")]
+    [InlineData("makes it small", "The window lost the focus")]
+    [InlineData("asks to close", "The window lost the focus")]
+    [InlineData("hangs", "did not respond in time")]
     public Task A_jog_without_an_end_that_a_command_began_stops_too(string what, string said)
     {
         var clock = new ManualTimeProvider();
@@ -271,7 +271,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Hands.Click(here.MiddleOf(here.Window.Canvas) + new Vector(40, -20));
         Stands(here);
 
-        var clicked = here.History.Last(line => line.StartsWith("Specify place of the drawing", StringComparison.Ordinal)).Split(": ")[^1].Split(',').Select(text => double.Parse(text, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
+        var clicked = here.History.Last(line => line.StartsWith("Specify point of the drawing", StringComparison.Ordinal)).Split(": ")[^1].Split(',').Select(text => double.Parse(text, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
         Assert.Equal(clicked[0], X(here), 0.001);
         Assert.Equal(clicked[1], Y(here), 0.001);
         Assert.NotEqual(0.0, X(here));

@@ -54,7 +54,7 @@ public sealed class CommissioningWalkTests(DesktopFixture fixture)
         for (var i = 0; i < asked.All.Count; i++)
         {
             var question = asked.All[i];
-            if (question.Text.StartsWith("Which way did axis A", StringComparison.Ordinal)) KeepAt(desktop, question, "commission-3-which-way");
+            if (question.Text.StartsWith("Axis A: enter the direction of motion", StringComparison.Ordinal)) KeepAt(desktop, question, "commission-3-which-way");
             if (question.Answer.Text == "new-machine.json") question = question with { Answer = Type(profile) };
             if (i > 0 && asked.All[i - 1].Answer.Way == AnswerWay.ClickedThenStopped) KeepAt(desktop, question, "commission-2-stopped");
             await AnswerAsync(desktop, machine, question);

@@ -19,7 +19,7 @@ public sealed class RehearsalTests : IDisposable
 
         Assert.Equal(1, rehearsed.ExitCode);
         Assert.Contains("The move would take axis X to 150 mm; its travel is 0 to 140 mm.", rehearsed.Error, StringComparison.Ordinal);
-        Assert.Equal(homing.Length > 0, rehearsed.Error.Contains("note   The simulated machine counts as homed, with its zero where it starts (assumed).", StringComparison.Ordinal));
+        Assert.Equal(homing.Length > 0, rehearsed.Error.Contains("note   The simulated machine is assumed to be homed, with its zero at the start position.", StringComparison.Ordinal));
     }
 
     [Theory]

@@ -19,8 +19,8 @@ public class StartListTests
 
         Assert.Equal(
             [
-                "ok     The drawing has no errors.", "ok     The job has 4 segments.", "note   No certificate stands beside the drawing; engraver certify reads the program back and writes one.", "ok     The link to sim: stands; the controller has answered just now.", "ok     The controller is ready.", "ok     The motors are on.", "ok     No limit is hit.",
-                "ok     The abort input is not active.", "ok     The drawing's zero lies at 0,0 mm of the machine, where the controller counts 0: no origin was set.",
+                "ok     The drawing has no errors.", "ok     The job has 4 segments.", "note   The drawing has no certificate; engraver certify verifies the program and writes one.", "ok     The link to sim: is up; the controller has just replied.", "ok     The controller is ready.", "ok     The motors are on.", "ok     No limit switch is active.",
+                "ok     The abort input is not active.", "ok     No work origin is set; the drawing's zero is assumed at count 0 of the controller, machine position 0,0 mm.",
             ],
             run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries));
         Assert.Equal(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line[7..]), Sentences(json));
@@ -44,7 +44,7 @@ public class StartListTests
         var frame = await CliRun.RunAsync(["frame", .. words]);
 
         Assert.Equal((ExitCode.Refused, ExitCode.Refused, ExitCode.DrawingError), (run.ExitCode, json.ExitCode, frame.ExitCode));
-        Assert.All([run.Error, frame.Error], said => Assert.Contains(said.Split('\n'), line => line.StartsWith("NOT OK ", StringComparison.Ordinal) && line.Contains("limit of axis Y", StringComparison.Ordinal) && line.Contains("move the machine off it", StringComparison.Ordinal)));
+        Assert.All([run.Error, frame.Error], said => Assert.Contains(said.Split('\n'), line => line.StartsWith("NOT OK ", StringComparison.Ordinal) && line.Contains("limit of axis Y", StringComparison.Ordinal) && line.Contains("move the machine off the switch", StringComparison.Ordinal)));
         Assert.Equal("refused", JsonText.Of(json).GetProperty("outcome").GetString());
         Assert.Contains(JsonText.Of(json).GetProperty("checks").EnumerateArray(), check => !check.GetProperty("ok").GetBoolean() && check.GetProperty("sentence").GetString()!.Contains("limit of axis Y", StringComparison.Ordinal));
         Assert.DoesNotContain(controller.Record.Snapshot(), row => row.A != 0 || row.B != 0);
@@ -97,13 +97,13 @@ public class StartListTests
         Assert.Equal(ExitCode.DrawingError, refused.ExitCode);
         Assert.Contains(id, refused.Error, StringComparison.Ordinal);
         Assert.Contains("NOT OK ", refused.Error, StringComparison.Ordinal);
-        Assert.DoesNotContain("stays inside", refused.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("inside the travel", refused.Error, StringComparison.Ordinal);
         Assert.Equal(isTooDeep ? ExitCode.Done : ExitCode.DrawingError, frame.ExitCode);
-        Assert.Equal(isTooDeep, frame.Error.Contains("ok     The way round the placed job stays inside the travel of the machine.", StringComparison.Ordinal));
+        Assert.Equal(isTooDeep, frame.Error.Contains("ok     The frame around the placed job is inside the travel of the machine.", StringComparison.Ordinal));
         Assert.Equal(isTooDeep, controller.Record.Snapshot().Any(row => row.A != 0));
         var runs = await CliRun.RunAsync(isTooDeep ? ["run", .. words, "--dry-run", "--journal", folder.PathOf("b.jsonl")] : ["run", .. words, "--journal", folder.PathOf("b.jsonl")]);
         Assert.True(runs.ExitCode == ExitCode.Done, runs.Error);
-        Assert.Contains("ok     The placed job stays inside the travel of the machine.", runs.Error, StringComparison.Ordinal);
+        Assert.Contains("ok     The placed job is inside the travel of the machine.", runs.Error, StringComparison.Ordinal);
     }
 
     private static IEnumerable<string?> Sentences(JsonElement json) => json.GetProperty("checks").EnumerateArray().Select(check => check.GetProperty("sentence").GetString());

@@ -39,7 +39,7 @@ public class CertifyVerbTests
 
         Assert.Contains("note   No certificate stands beside the drawing; engraver certify reads the program back and writes one.", before.Error.Split('\n'));
         Assert.Contains(stands.Error.Split('\n'), line => line.StartsWith("ok     The certificate stands:", StringComparison.Ordinal));
-        Assert.Contains("LOOK   The certificate beside the drawing is of another job: the machine profile changed since; engraver certify makes it anew.", stale.Error.Split('\n'));
+        Assert.Contains("WARN   The certificate beside the drawing is for another job; changed: the machine profile; engraver certify writes a new one.", stale.Error.Split('\n'));
         Assert.All([before, stands, stale], job => Assert.Equal(ExitCode.Done, job.ExitCode));
         Assert.Equal((ExitCode.DrawingError, "none"), (none.ExitCode, JsonText.Of(none).GetProperty("standing").GetString()));
         Assert.Equal(ExitCode.Done, held.ExitCode);

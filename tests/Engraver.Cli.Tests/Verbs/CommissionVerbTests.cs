@@ -17,7 +17,7 @@ public class CommissionVerbTests
 
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Contains("\"countsPerMillimetreX\": -1000", await File.ReadAllTextAsync(file), StringComparison.Ordinal);
-        Assert.Contains("Axis A moves 1000 counts plus at 2000 counts/s, tool off: is the way free [Yes/No] <No>:\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains("Axis A moves +1000 counts at 2000 counts/s, tool off. Is the path clear? [Yes/No] <No>:\n", run.Out, StringComparison.Ordinal);
         Assert.Contains("used from now on; --machine takes it.", run.Out, StringComparison.Ordinal); // and not CNCPROFILE, which the console has not
         var next = await CliRun.Typing(WithoutMoves + "No\n", "commission", "--connect", "sim:", "--machine", file);
         Assert.Equal(ExitCode.Done, next.ExitCode);

@@ -121,7 +121,7 @@ public class CertificateTests
         var standing = CertificateStanding.OfRun(job with { Followed = new FollowedTrajectories(job.Drawing, part.Settings with { MaxErrorMm = 0.002 }, []) }, job.Motion.Program!);
 
         Assert.Equal(CertificateState.None, standing.State);
-        Assert.StartsWith("A certificate is of the drawing", standing.Check.Sentence, StringComparison.Ordinal);
+        Assert.StartsWith("A certificate covers the drawing only", standing.Check.Sentence, StringComparison.Ordinal);
         Assert.Equal(CertificateState.Stands, CertificateStanding.OfRun(job, job.Motion.Program!).State);
     }
 
@@ -168,7 +168,7 @@ public class CertificateTests
 
         Assert.Equal((CertificateState.Stale, null), (standing.State, standing.Certificate));
         Assert.NotNull(standing.Problem);
-        Assert.EndsWith("[certify] makes it anew", standing.Sentence, StringComparison.Ordinal);
+        Assert.EndsWith("[certify] writes a new one", standing.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -196,7 +196,7 @@ public class CertificateTests
         Assert.All([none, stands, stale], list => Assert.True(list.Passed));
         Assert.Equal([("note", false), ("ok", false), ("LOOK", true)], new[] { none, stands, stale }.Select(list => (list.Checks[2].Line.Split(' ')[0], list.Checks[2].IsWarning)));
         Assert.Contains("CERTIFY reads the program back", none.Checks[2].Sentence, StringComparison.Ordinal);
-        Assert.StartsWith("The certificate stands: this program was read back on 2026-11-23", stands.Checks[2].Sentence, StringComparison.Ordinal);
+        Assert.StartsWith("The certificate is valid: the program was verified on 2026-11-23", stands.Checks[2].Sentence, StringComparison.Ordinal);
         Assert.Contains("CNCMAXERR changed since", stale.Checks[2].Sentence, StringComparison.Ordinal);
     }
 }

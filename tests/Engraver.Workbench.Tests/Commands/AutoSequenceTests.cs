@@ -22,7 +22,7 @@ public class AutoSequenceTests
         var walked = Walked(talk);
         await talk.TypeAsync("AUTOWALK", "1", "AUTOSEQUENCE");
 
-        Assert.Contains("Contour 1 ends at a discontinuity at 10, 0 mm; the nearest free end is", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.Contains("Contour 1 ends at a discontinuity at 10, 0 mm. The nearest free end point is", talk.Session.Prompt.Text, StringComparison.Ordinal);
         Assert.Equal(1, talk.Session.Walk.Moves);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("All"));
         Assert.Null(talk.Session.Walk.Moves);
@@ -38,7 +38,7 @@ public class AutoSequenceTests
         await talk.TypeAsync("CNCORDER", "Drawn", "AUTOWALK", "1", "AUTOSEQUENCE");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("No"));
-        Assert.EndsWith("The walk ends there, behind contour 1 of 4.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("Stopped after contour 1 of 4.", talk.Said, StringComparison.Ordinal);
         Assert.Null(talk.Session.Walk.Moves);
         Assert.Equal(Engraver.Core.Sequencing.Ordering.StrokeOrder.Nearest, talk.State.Settings.Order);
     }

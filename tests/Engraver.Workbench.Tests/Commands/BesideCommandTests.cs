@@ -73,7 +73,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
 
         Assert.Null(_session.Prompt.Command);
         Assert.DoesNotContain(_said, message => message.Text.Contains("'CNCSTOP'", StringComparison.Ordinal));
-        Assert.Contains(_said, message => message.Text == "No job runs.");
+        Assert.Contains(_said, message => message.Text == "No job is running.");
         _work.LetGo();
         await working.WaitAsync(_limit.Token);
     }
@@ -90,10 +90,10 @@ public sealed class BesideCommandTests : IAsyncDisposable
     }
 
     [Theory]
-    [InlineData("ERASE", "ERASE may change the drawing or its job and is not run while WORK is at work: enter it again when that has ended.")]
-    [InlineData("OPEN", "OPEN may change the drawing or its job and is not run while WORK is at work: enter it again when that has ended.")]
-    [InlineData("CNCHOME", "CNCHOME acts on the machine and is not run while WORK is at work: enter it again when that has ended. CNCSTOP, CNCHOLD and what only looks are heard.")]
-    [InlineData("FOO", "Unknown command 'FOO'; HELP lists what there is.")]
+    [InlineData("ERASE", "ERASE can change the drawing or its job and cannot run while WORK is running. Enter it again later.")]
+    [InlineData("OPEN", "OPEN can change the drawing or its job and cannot run while WORK is running. Enter it again later.")]
+    [InlineData("CNCHOME", "CNCHOME acts on the machine and cannot run while WORK is running. Enter it again later. CNCSTOP, CNCHOLD and commands that only show information remain available.")]
+    [InlineData("FOO", "Unknown command 'FOO'. HELP lists all commands.")]
     public async Task Everything_else_is_refused_with_the_reason(string typed, string reason)
     {
         var working = EnterAsync("WORK");

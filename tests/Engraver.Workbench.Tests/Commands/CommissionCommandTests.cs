@@ -51,12 +51,12 @@ public class CommissionCommandTests
         var found = await FingerprintAsync(talk);
         foreach (var answer in s_everything.Take(answers))
         {
-            if (talk.Session.Prompt.Text.Contains("switched on: it may", StringComparison.Ordinal)) await talk.TypeAsync("Yes");
+            if (talk.Session.Prompt.Text.Contains("switched on and may jerk", StringComparison.Ordinal)) await talk.TypeAsync("Yes");
             await talk.TypeAsync(answer);
         }
 
         Assert.NotNull(talk.Session.Prompt.Command);
-        var hasAccepted = talk.Said.Contains("counts is too large", StringComparison.Ordinal);
+        var hasAccepted = talk.Said.Contains("following error limit set to", StringComparison.Ordinal);
         await talk.Session.CancelAsync();
 
         Assert.Null(talk.Session.Prompt.Command);
@@ -71,7 +71,7 @@ public class CommissionCommandTests
         await using var talk = await ConnectedAsync();
         var found = await FingerprintAsync(talk);
 
-        for (var i = 0; i < 100 && !talk.Session.Prompt.Text.StartsWith("Write the machine profile", StringComparison.Ordinal); i++) await talk.TypeAsync("");
+        for (var i = 0; i < 100 && !talk.Session.Prompt.Text.StartsWith("Write these answers to a machine profile?", StringComparison.Ordinal); i++) await talk.TypeAsync("");
         Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("")); // consent is typed
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("No"));
 
@@ -90,7 +90,7 @@ public class CommissionCommandTests
         Assert.Null(talk.Session.Prompt.Command);
         Assert.Equal("2.5000 1.0000 0.0000", await AskAsync(talk, "MG _MTA,_MOA,_MOB"));
         Assert.Contains("The motor of axis A stays off", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("stays in the controller until power-off", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The controller keeps the settings until power-off.", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -116,7 +116,7 @@ public class CommissionCommandTests
         await talk.TypeAsync("Go", "", "No"); // step 7
         await talk.TypeAsync("Go", "3", "Yes", "Yes");
 
-        Assert.StartsWith("Write the machine profile", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.StartsWith("Write these answers to a machine profile?", talk.Session.Prompt.Text, StringComparison.Ordinal);
         const CommissioningState LeftOut = CommissioningState.LeftOut, Unfinished = CommissioningState.Unfinished;
         Assert.Equal([LeftOut, LeftOut, LeftOut, CommissioningState.Through, Unfinished, Unfinished, Unfinished, CommissioningState.Through], talk.Session.Commissioning.Steps.Select(step => step.State));
     }
@@ -145,7 +145,7 @@ public class CommissionCommandTests
         Assert.Equal("1.0000", await AskAsync(talk, "MG _MOA"));
         await talk.TypeAsync("Back", "Back", "Back", "Back", "Back", "Go", "Servo", "Reversed", "", "", "Skip", "Skip", "Skip", "Go", "", "", "Yes", "Yes", "Right", "Yes");
 
-        Assert.Contains("plus in the drawing is plus in counts", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("the positive direction of the drawing has increasing counts", talk.Said, StringComparison.Ordinal);
         Assert.Equal("-1.0000", await AskAsync(talk, "MG _MTA"));
         await talk.Session.CancelAsync();
         Assert.Equal("1.0000", await AskAsync(talk, "MG _MOA")); // as it was found
@@ -161,7 +161,7 @@ public class CommissionCommandTests
 
         await talk.TypeAsync("Go", "", "", "Yes");
 
-        Assert.Contains("An axis did not follow its command or ran away: the motors are off.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("An axis did not follow its command or ran away. The motors are off.", talk.Said, StringComparison.Ordinal);
         Assert.Equal("1.0000 1.0000", await AskAsync(talk, "MG _MOA,_MOB"));
         await talk.Session.CancelAsync();
         Assert.Equal("1.0000 1.0000", await AskAsync(talk, "MG _MOA,_MOB")); // and nothing switches them on again by itself
@@ -221,7 +221,7 @@ public class CommissionCommandTests
 
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SCRIPT", "a.scr"));
 
-        Assert.Contains("No script commissions tcp://127.0.0.1", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("A script cannot commission tcp://127.0.0.1", talk.Said, StringComparison.Ordinal);
         Assert.Equal("0.0000", await AskAsync(talk, "MG _RPA"));
     }
 
@@ -236,7 +236,7 @@ public class CommissionCommandTests
         var result = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("Yes"));
 
         Assert.Equal(CommandFailure.LinkLost, result.Why);
-        Assert.Contains("The motors could not be left as found", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The motors could not be returned to their initial state", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]

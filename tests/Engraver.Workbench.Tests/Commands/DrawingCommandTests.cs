@@ -198,7 +198,7 @@ public class DrawingCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
 
-        Assert.Contains("is no color", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is not a colour", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -259,7 +259,7 @@ public class DrawingCommandTests
         await talk.TypeAsync("HELP", "", "HELP", "move");
 
         Assert.All(talk.Session.Catalog.All, info => Assert.Contains($"  {info.Name} ", talk.Said, StringComparison.Ordinal));
-        Assert.Contains("MOVE: Moves objects.\nShort: M", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("MOVE: Moves objects by a displacement.\nShort: M", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("HELP", "fly"));
     }
 

@@ -97,7 +97,7 @@ public class JobCommandTests
         Assert.Equal(0.5, talk.Session.Machine.Progress!.Value.FeedRatio);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOVERRIDE 80"));
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCOVERRIDE"));
-        Assert.StartsWith("Enter feed in percent", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.StartsWith("Enter feed override in percent", talk.Session.Prompt.Text, StringComparison.Ordinal);
         Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("900"));
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("Rapid"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("30"));

@@ -78,7 +78,7 @@ public sealed class JogCommandTests : IDisposable
         await TypeAsync(session, "CNCMOTORS", "OFF");
         Assert.Contains("CNCMOTORS ON", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCJOG", "X+", "Continuous")).Sentence, StringComparison.Ordinal);
         await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "hold.scr"), "CNCMOTORS ON\nCNCJOG X+ Continuous\n");
-        Assert.Contains("for hands", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "SCRIPT", "hold.scr")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("A script cannot jog continuously", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "SCRIPT", "hold.scr")).Sentence, StringComparison.Ordinal);
     }
 
     public void Dispose() => _folder.Delete(recursive: true);

@@ -72,7 +72,7 @@ public class OriginCommandTests
     {
         await using var talk = await StandingAsync("12,-4");
         await talk.TypeAsync("CNCZERO", "Centre");
-        Assert.Contains("First touch at 12,-4 mm of the machine", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("First touch at machine position 12,-4 mm", talk.Said, StringComparison.Ordinal);
         Assert.Empty(talk.Session.Machine.Hold!.Memory.Origins);
         await talk.TypeAsync("CNCGOTO", "20,5.001");
 
@@ -140,7 +140,7 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCZERO", "All");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "g55"));
-        Assert.EndsWith("G55 is not set. It is the active one.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("G55 is not set. This is the active work origin.", talk.Said, StringComparison.Ordinal);
         Assert.Null(talk.Session.Machine.Status.WorkPosition);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCGOTO", "1,1", "CNCZERO", "All"));
         Assert.Equal((1000, 1000), Active(talk));
@@ -158,7 +158,7 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCORIGIN", "List");
 
         Assert.EndsWith(
-            "G54: the drawing's zero lies at X 12 mm, Y -4 mm of the machine.\nG55 is not set.\nG56 is not set. It is the active one.\nG57 is not set.\nG58 is not set.\nG59 is not set.",
+            "G54: the drawing's zero lies at X 12 mm, Y -4 mm of the machine.\nG55 is not set.\nG56 is not set. This is the active work origin.\nG57 is not set.\nG58 is not set.\nG59 is not set.",
             talk.Said,
             StringComparison.Ordinal);
         Assert.Equal("G56", talk.Session.Machine.Hold!.Memory.Active);
@@ -171,7 +171,7 @@ public class OriginCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
 
         await talk.TypeAsync("CNCORIGIN", "List");
-        Assert.Contains("where the controller counted 0; nobody set it. It is the active one.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("where the controller counted 0; nobody set it. This is the active work origin.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCGOTO", "3,4", "CNCZERO", "All"));
         Assert.Equal((3000, 4000), Active(talk));
     }
@@ -213,7 +213,7 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCCONNECT", "sim:");
         Assert.Contains("no Z axis", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height")).Sentence, StringComparison.Ordinal);
         await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
-        Assert.EndsWith("The machine stands at 12,-4,6.5 mm.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("Machine position: 12,-4,6.5 mm.", talk.Said, StringComparison.Ordinal);
 
         Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCZERO", "Height", "high"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("0.5"));
@@ -225,7 +225,7 @@ public class OriginCommandTests
 
         await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCJOG", "Z-", "1.5", "CNCSTATUS", "CNCARM", "Stream");
         Assert.Contains("machine 12,-4,5 mm, work 0,0,-1.5 mm", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("The drawing's zero lies at 12,-4,6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The drawing's zero is at machine position 12,-4,6.5 mm.", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -244,9 +244,9 @@ public class OriginCommandTests
 
         await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCORIGIN", "G56");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "10,-3,6.5"));
-        Assert.EndsWith("G56: the drawing's zero lies at X 10 mm, Y -3 mm, Z 6.5 mm of the machine. It is the active one.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("G56: the drawing's zero lies at X 10 mm, Y -3 mm, Z 6.5 mm of the machine. This is the active work origin.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "11,-3", "Yes"));
-        Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm of the machine. It is the active one.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm of the machine. This is the active work origin.", talk.Said, StringComparison.Ordinal);
     }
 
     private static (long?, long?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);

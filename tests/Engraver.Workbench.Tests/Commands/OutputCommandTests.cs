@@ -40,7 +40,7 @@ public class OutputCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOUTPUT", $"{output}", "ON"));
 
         Assert.Equal(1 << (output - 1), talk.Session.Machine.Status.Outputs);
-        Assert.Contains($"{output} is on, which switches off what it carries.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains($"{output} is on. The connected device is off.", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -58,7 +58,7 @@ public class OutputCommandTests
         Assert.Equal(0b101, talk.Session.Machine.Status.Outputs);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOUTPUT", "3", "OFF", "Yes"));
         Assert.Equal(0b001, talk.Session.Machine.Status.Outputs);
-        Assert.Contains("3 is off, which switches on what it carries.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("3 is off. The connected device is on.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOUTPUT", "1", "OFF"));
         Assert.Equal(0, talk.Session.Machine.Status.Outputs);
     }

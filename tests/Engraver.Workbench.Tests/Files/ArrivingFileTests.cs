@@ -65,7 +65,7 @@ public sealed class ArrivingFileTests
         Assert.Equal(10, arriving.WaitFor(10));
         var waiting = Task.Run(() => arriving.WaitFor(11));
         arriving.Dispose();
-        Assert.Contains("not read to its end", (await Assert.ThrowsAsync<IOException>(() => waiting)).Message, StringComparison.Ordinal);
+        Assert.Contains("not read completely", (await Assert.ThrowsAsync<IOException>(() => waiting)).Message, StringComparison.Ordinal);
         Assert.Equal(10, arriving.WaitFor(10));
 
         answers.Set();
@@ -84,7 +84,7 @@ public sealed class ArrivingFileTests
         var file = new Closed();
         using var arriving = new ArrivingFile(file, 1000, (_, at) => at == 0 ? 10 : throw new NotSupportedException("a device"));
 
-        Assert.Contains("not read to its end", Assert.Throws<IOException>(() => arriving.WaitFor(11)).Message, StringComparison.Ordinal);
+        Assert.Contains("not read completely", Assert.Throws<IOException>(() => arriving.WaitFor(11)).Message, StringComparison.Ordinal);
         Assert.Equal(10, arriving.WaitFor(10));
         await file.WasClosed.Task;
     }

@@ -87,7 +87,7 @@ public class ArmingTests
         var silent = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, MachineBench.Placed, default(DateTimeOffset) + TimeSpan.FromSeconds(5.5));
 
         Assert.Contains(lost.Checks, check => check is { Passed: false, IsAsked: true } && check.Sentence.StartsWith("The link to tcp://x is lost; ", StringComparison.Ordinal));
-        Assert.Contains(silent.Checks, check => check is { Passed: false, IsAsked: true } && check.Sentence.StartsWith("tcp://x has not answered for 5 s; ", StringComparison.Ordinal));
+        Assert.Contains(silent.Checks, check => check is { Passed: false, IsAsked: true } && check.Sentence.StartsWith("tcp://x has not replied for 5 s; ", StringComparison.Ordinal));
         foreach (var list in new[] { lost, silent })
         {
             Assert.Equal(5, list.Checks.Count(check => check is { Passed: false, IsAsked: false } && check.Sentence.StartsWith("Not known now; ", StringComparison.Ordinal)));
@@ -112,8 +112,8 @@ public class ArmingTests
     {
         await using var talk = new Commands.CommandTalk();
         await talk.TypeAsync("CNCCONNECT", "sim:", "CNCMOTORS", "OFF", "CNCSTATUS");
-        Assert.Contains("ok     The link to sim: stands; the controller has answered just now.", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("ok     The link to sim: is up; the controller has just replied.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("NOT OK The motors are off; switch them on with CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
         Assert.Contains("ok     The abort input is not active.", talk.Said, StringComparison.Ordinal);
     }
 
@@ -124,7 +124,7 @@ public class ArmingTests
         var file = Path.Combine(Directory.CreateTempSubdirectory("engraver-units-").FullName, "no-unit.dxf");
         await File.WriteAllTextAsync(file, (await File.ReadAllTextAsync(Commands.CommandTalk.Sample("paper-001.dxf"))).Replace("$INSUNITS", "$NOUNITS", StringComparison.Ordinal));
         await talk.TypeAsync("OPEN", file, "CNCCONNECT", "sim:", "CNCARM", "Stream");
-        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("LOOK   The drawing does not say its unit", StringComparison.Ordinal));
+        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("WARN   The drawing does not say its unit", StringComparison.Ordinal));
         Directory.Delete(Path.GetDirectoryName(file)!, recursive: true);
     }
 
@@ -145,7 +145,7 @@ public class ArmingTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         var said = talk.Said.Split('\n').Last(line => line.StartsWith("LOOK", StringComparison.Ordinal));
         Assert.Contains("The last job on this machine ended early (stopped by the operator).", said, StringComparison.Ordinal);
-        Assert.Contains("The drawing's zero lies at 0,0 mm of the machine.", talk.Said, StringComparison.Ordinal); // set by the first job, wherever the stop left the machine
+        Assert.Contains("The drawing's zero is at machine position 0,0 mm.", talk.Said, StringComparison.Ordinal); // set by the first job, wherever the stop left the machine
         Assert.True(Assert.Single(talk.Session.Machine.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
     }
 
@@ -163,7 +163,7 @@ public class ArmingTests
         Assert.False(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, placement: null, default).Passed);
         var placed = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, new PlacementResult(new CountsPoint(12500, -3000), OriginSource.Work, null), default);
         Assert.True(placed.Passed);
-        Assert.Contains(placed.Checks, check => check.Sentence.Contains("zero lies at 12.5,-3 mm of the machine", StringComparison.Ordinal));
+        Assert.Contains(placed.Checks, check => check.Sentence.Contains("zero is at machine position 12.5,-3 mm", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -212,7 +212,7 @@ public class ArmingTests
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
         await talk.TypeAsync("CNCSTATUS");
         Assert.Contains("state MOTORS OFF (motor off: XY), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("NOT OK The motors are off; switch them on with CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCMOTORS", "ON");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "F"));

@@ -96,7 +96,7 @@ public sealed class FrameTests : IDisposable
         var profile = MachineProfile.Default with { Axes = axes with { X = axes.X with { Travel = new AxisTravel(-10, 155) }, Y = axes.Y with { Travel = new AxisTravel(-10, 200) } } };
         talk.Session.Document.Take("PROFILE", state with { Settings = state.Settings with { Machine = profile } });
         await talk.TypeAsync("CNCARM", "Stream");
-        Assert.True(talk.Said.Contains("ok     The placed job stays inside the travel of the machine.", StringComparison.Ordinal), talk.Said);
+        Assert.True(talk.Said.Contains("ok     The placed job is inside the travel of the machine.", StringComparison.Ordinal), talk.Said);
 
         await talk.TypeAsync("CNCGOTO", "10,0", "CNCZERO", "All"); // 150 mm of drawing from here end at 160
 
@@ -113,7 +113,7 @@ public sealed class FrameTests : IDisposable
         await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCFRAME", "Hull"));
-        Assert.Contains("Once round the job; the tool was off.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Frame complete. The tool was off.", talk.Said, StringComparison.Ordinal);
         Assert.Equal("CNCFRAME", talk.Session.Catalog.Find("cncframe")!.Info.Name);
         Assert.Null(talk.Session.Machine.LastRun);
     }

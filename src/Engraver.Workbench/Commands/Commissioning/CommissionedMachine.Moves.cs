@@ -50,7 +50,7 @@ internal sealed partial class CommissionedMachine
     /// <summary>Asks for the speed of the next test moves.</summary>
     public async Task AskSpeedAsync()
     {
-        var prompt = new NumberPrompt(Wording.Get("Commission.Speed")) { Least = 10.0, Most = FastestTest, Whole = true, Default = NumberPrompt.Show(Speed) };
+        var prompt = new NumberPrompt(Wording.Get("Commission.EnterSpeed")) { Least = 10.0, Most = FastestTest, Whole = true, Default = NumberPrompt.Show(Speed) };
         Speed = 2 * (int)(await Context.ValueAsync(prompt).ConfigureAwait(false) / 2.0);
     }
 
@@ -61,13 +61,13 @@ internal sealed partial class CommissionedMachine
     public async Task<bool> MoveAsync(char letter, int counts, CancellationToken cancellation)
     {
         if (!await SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return false;
-        if (!await Context.ConfirmAsync(Wording.Get(counts > 0 ? "Commission.MovePlus" : "Commission.MoveMinus", letter, Math.Abs((long)counts), Speed)).ConfigureAwait(false)) return NotMoved();
+        if (!await Context.ConfirmAsync(Wording.Get(counts > 0 ? "Commission.ConfirmMovePlus" : "Commission.ConfirmMoveMinus", letter, Math.Abs((long)counts), Speed)).ConfigureAwait(false)) return NotMoved();
         var place = (await ReadAsync(cancellation).ConfigureAwait(false)).Axes;
         var axis = Letters.IndexOf(letter, StringComparison.Ordinal);
         var goal = place[axis].Position + (long)counts;
         if (Math.Abs(goal) >= int.MaxValue)
         {
-            Context.Say(Wording.Get("CncGoTo.PlaceCannotCountedController"), MessageKind.Warning);
+            Context.Say(Wording.Get("CncGoTo.PositionOutOfRange"), MessageKind.Warning);
             return false;
         }
 

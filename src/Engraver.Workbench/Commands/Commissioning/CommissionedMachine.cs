@@ -39,7 +39,7 @@ internal sealed partial class CommissionedMachine
     {
         var letters = context.Machine.Profile.Axes.Letters;
         var there = MachineFamilies.Driver.Limits.Axes[..Math.Min(MachineFamilies.Driver.Limits.Axes.Length, context.Machine.Identity!.Axes)];
-        if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.Spell(Wording.Get("Commission.NoSuchAxis", letters, there)));
+        if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.Spell(Wording.Get("Commission.AxesDiffer", letters, there)));
         return new CommissionedMachine(context, await context.Machine.SetUpAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
     }
 
@@ -75,7 +75,7 @@ internal sealed partial class CommissionedMachine
     /// <returns>False when the operator does not want it, or the controller refuses it.</returns>
     public async Task<bool> SwitchOffAsync(char axis, CancellationToken cancellation) =>
         (await ReadAsync(cancellation).ConfigureAwait(false))[axis].IsMotorOff
-        || (await Context.ConfirmAsync(Wording.Get("Commission.SwitchOff", axis)).ConfigureAwait(false) && await SwitchAsync(axis, on: false).ConfigureAwait(false));
+        || (await Context.ConfirmAsync(Wording.Get("Commission.ConfirmMotorOff", axis)).ConfigureAwait(false) && await SwitchAsync(axis, on: false).ConfigureAwait(false));
 
     /// <summary>Switches the motors on that are off, each after a question.</summary>
     /// <returns>False when one of them stays off: nothing can be moved.</returns>
@@ -84,7 +84,7 @@ internal sealed partial class CommissionedMachine
         var facts = await ReadAsync(cancellation).ConfigureAwait(false);
         foreach (var axis in facts.Axes.Where(axis => axis.IsMotorOff))
         {
-            if (!await Context.ConfirmAsync(Wording.Get(axis.OffOnError == true ? "Commission.SwitchOn" : "Commission.SwitchOnUnguarded", axis.Letter)).ConfigureAwait(false))
+            if (!await Context.ConfirmAsync(Wording.Get(axis.OffOnError == true ? "Commission.ConfirmMotorOn" : "Commission.ConfirmMotorOnUnguarded", axis.Letter)).ConfigureAwait(false))
             {
                 Context.Say(Wording.Get("Commission.MotorsNeeded"), MessageKind.Warning);
                 return false;
@@ -108,12 +108,12 @@ internal sealed partial class CommissionedMachine
             foreach (var axis in _found.Axes.Where(axis => axis.IsMotorOff != now[axis.Letter].IsMotorOff))
             {
                 if (axis.IsMotorOff || !_rewired.Contains(axis.Letter)) await SwitchAsync(axis.Letter, on: !axis.IsMotorOff).ConfigureAwait(false);
-                else Context.Say(Context.Spell(Wording.Get("Commission.StaysOff", axis.Letter)), MessageKind.Warning);
+                else Context.Say(Context.Spell(Wording.Get("Commission.MotorStaysOff", axis.Letter)), MessageKind.Warning);
             }
         }
         catch (Exception failure) when (failure is ControllerException or CommandException)
         {
-            Context.Say(Wording.Get("Commission.MotorsNotLeft", failure.Message), MessageKind.Warning);
+            Context.Say(Wording.Get("Commission.MotorsNotRestored", failure.Message), MessageKind.Warning);
         }
     }
 
@@ -122,7 +122,7 @@ internal sealed partial class CommissionedMachine
     public void SayWhatStays(bool isDone)
     {
         if (isDone || !HasAccepted) return;
-        Context.Say(Wording.Get("Commission.StaysUntilPowerOff"), MessageKind.Warning);
+        Context.Say(Wording.Get("Commission.KeptUntilPowerOff"), MessageKind.Warning);
         foreach (var said in _accepted) Context.Say(said, MessageKind.Warning);
     }
 

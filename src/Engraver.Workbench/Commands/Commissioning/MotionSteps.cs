@@ -20,7 +20,7 @@ internal sealed class DirectionStep : ICommissioningStep
     public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         await machine.AskSpeedAsync().ConfigureAwait(false);
-        var prompt = new NumberPrompt(Wording.Get("Commission.Distance")) { Least = 1.0, Most = 1e6, Whole = true, Default = machine.Context.Remembered("CNCCOMMISSION", "1000") };
+        var prompt = new NumberPrompt(Wording.Get("Commission.EnterDistance")) { Least = 1.0, Most = 1e6, Whole = true, Default = machine.Context.Remembered("CNCCOMMISSION", "1000") };
         var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
         machine.Context.Remember("CNCCOMMISSION", NumberPrompt.Show(counts));
         for (var i = 0; i < machine.Letters.Length; i++)
@@ -35,13 +35,13 @@ internal sealed class DirectionStep : ICommissioningStep
     private static async Task<bool> AxisAsync(CommissionedMachine machine, char letter, IReadOnlyList<Keyword> ways, int counts, CancellationToken cancellation)
     {
         if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
-        switch (await machine.Context.ChoiceAsync(Wording.Get("Commission.WhichWay", letter), ways, "Keep").ConfigureAwait(false))
+        switch (await machine.Context.ChoiceAsync(Wording.Get("Commission.EnterObservedDirection", letter), ways, "Keep").ConfigureAwait(false))
         {
             case "Wild":
                 await machine.RanAwayAsync().ConfigureAwait(false);
                 return false;
             case "Nothing":
-                machine.Context.Say(Wording.Get("Commission.NothingMoved", letter), MessageKind.Warning);
+                machine.Context.Say(Wording.Get("Commission.AxisDidNotMove", letter), MessageKind.Warning);
                 return false;
             case "Right" or "Back" or "Up": Turn(machine, letter, isPlus: true); break;
             case "Left" or "Front" or "Down": Turn(machine, letter, isPlus: false); break;
@@ -82,10 +82,10 @@ internal sealed class ScaleStep : ICommissioningStep
     {
         var axis = ProfileAxis.Of(machine.Profile, letter);
         var usual = Math.Clamp(Math.Round((letter == machine.Profile.Axes.Z?.Letter ? UsualHeight : UsualWay) * Math.Abs(axis.CountsPerMillimetre)), 1.0, 1e7);
-        var prompt = new NumberPrompt(Wording.Get("Commission.MeasuredCounts", letter)) { Least = 1.0, Most = 1e7, Whole = true, Default = NumberPrompt.Show(usual) };
+        var prompt = new NumberPrompt(Wording.Get("Commission.EnterCountsToMeasure", letter)) { Least = 1.0, Most = 1e7, Whole = true, Default = NumberPrompt.Show(usual) };
         var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
         if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
-        if (await machine.Context.AskAsync(new NumberPrompt(Wording.Get("Commission.Measured", letter)) { Least = 0.001, Most = 1e5, EnterEnds = true }).ConfigureAwait(false) is Answer<double>.Value { Of: var millimetres })
+        if (await machine.Context.AskAsync(new NumberPrompt(Wording.Get("Commission.EnterMeasuredDistance", letter)) { Least = 0.001, Most = 1e5, EnterEnds = true }).ConfigureAwait(false) is Answer<double>.Value { Of: var millimetres })
             Take(machine, axis with { CountsPerMillimetre = Math.CopySign(counts / millimetres, axis.CountsPerMillimetre) });
         await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
         return true;
@@ -100,7 +100,7 @@ internal sealed class ScaleStep : ICommissioningStep
             return;
         }
 
-        machine.Context.Say(Wording.Get("Commission.ScaleTaken", axis.Letter, axis.CountsPerMillimetre, ProfileAxis.Of(machine.Profile, axis.Letter).CountsPerMillimetre), MessageKind.Result);
+        machine.Context.Say(Wording.Get("Commission.ScaleSet", axis.Letter, axis.CountsPerMillimetre, ProfileAxis.Of(machine.Profile, axis.Letter).CountsPerMillimetre), MessageKind.Result);
         machine.Profile = next;
     }
 }
@@ -123,26 +123,26 @@ internal sealed class LetterStep : ICommissioningStep
         var drawn = machine.Profile.Axes;
         if (drawn.Scale.Smallest < Coarsest || drawn.Scale.Largest > Finest)
         {
-            machine.Context.Say(Wording.Get("Commission.NoLetterInCounts", Coarsest, Finest), MessageKind.Warning);
+            machine.Context.Say(Wording.Get("Commission.ScaleOutOfRangeForF", Coarsest, Finest), MessageKind.Warning);
             return false;
         }
 
         var farthest = drawn.Scale.ToCounts(new Point2D(LetterF.Width, LetterF.Height));
-        if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.DrawF", drawn.X.Letter, farthest.X, drawn.Y.Letter, farthest.Y, machine.Speed)).ConfigureAwait(false))
+        if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmDrawF", drawn.X.Letter, farthest.X, drawn.Y.Letter, farthest.Y, machine.Speed)).ConfigureAwait(false))
         {
             machine.Context.Say(Wording.Get("Commission.NotMoved"));
             return false;
         }
 
         if (!await machine.DrawAsync(LetterF.Program(machine.TestPlane, drawn, machine.Speed), cancellation).ConfigureAwait(false)) return false;
-        if (await AskAsync(machine, "Commission.LongStroke").ConfigureAwait(false) is not { } longStroke || await AskAsync(machine, "Commission.Bars").ConfigureAwait(false) is not { } bars) return true;
+        if (await AskAsync(machine, "Commission.LongStrokeDirection").ConfigureAwait(false) is not { } longStroke || await AskAsync(machine, "Commission.BarsDirection").ConfigureAwait(false) is not { } bars) return true;
         if (LetterF.Corrected(drawn, longStroke, bars) is not { } axes)
         {
-            machine.Context.Say(Wording.Get("Commission.NoSuchLetter"), MessageKind.Warning);
+            machine.Context.Say(Wording.Get("Commission.ImpossibleLetter"), MessageKind.Warning);
             return false;
         }
 
-        machine.Context.Say(Wording.Get(axes == drawn ? "Commission.LetterRight" : axes.X.Letter == drawn.X.Letter ? "Commission.LetterMirrored" : "Commission.LetterSwapped"), MessageKind.Result);
+        machine.Context.Say(Wording.Get(axes == drawn ? "Commission.LetterCorrect" : axes.X.Letter == drawn.X.Letter ? "Commission.LetterMirrored" : "Commission.LetterSwapped"), MessageKind.Result);
         machine.Profile = machine.Profile with { Axes = axes };
         return true;
     }
@@ -159,7 +159,7 @@ internal sealed class OutputStep : ICommissioningStep
 
     public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
-        var prompt = new NumberPrompt(Wording.Get("Commission.Output", machine.Profile.ToolOutput)) { Least = 1.0, Most = MachineFamilies.Driver.Limits.Outputs, Whole = true, EnterEnds = true };
+        var prompt = new NumberPrompt(Wording.Get("Commission.EnterToolOutput", machine.Profile.ToolOutput)) { Least = 1.0, Most = MachineFamilies.Driver.Limits.Outputs, Whole = true, EnterEnds = true };
         while (await machine.Context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var typed })
         {
             var output = (int)typed;
@@ -170,11 +170,11 @@ internal sealed class OutputStep : ICommissioningStep
                 continue;
             }
 
-            if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.SwitchOutput", output)).ConfigureAwait(false)) continue;
+            if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmOutput", output)).ConfigureAwait(false)) continue;
             if (!await machine.PulseAsync(output, cancellation).ConfigureAwait(false)) return false;
-            if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ToolSwitched")).ConfigureAwait(false)) continue;
+            if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmToolSwitched")).ConfigureAwait(false)) continue;
             machine.Profile = machine.Profile with { ToolOutput = output };
-            machine.Context.Say(Wording.Get("Commission.OutputTaken", output), MessageKind.Result);
+            machine.Context.Say(Wording.Get("Commission.ToolOutputSet", output), MessageKind.Result);
             break;
         }
 

@@ -16,7 +16,7 @@ internal static class ProfileEnd
         var context = machine.Context;
         foreach (var (name, axis) in "XYZ".Zip(machine.Profile.Axes.All)) context.Say(Wording.Get("Commission.ProfileAxis", name, axis.Letter, axis.CountsPerMillimetre), MessageKind.Result);
         context.Say(Wording.Get("Commission.ProfileOutput", machine.Profile.ToolOutput), MessageKind.Result);
-        if (await context.ChoiceAsync(Wording.Get("Commission.WriteProfile"), s_answers, null).ConfigureAwait(false) == "Yes") await WriteAsync(machine).ConfigureAwait(false);
+        if (await context.ChoiceAsync(Wording.Get("Commission.ConfirmWriteProfile"), s_answers, null).ConfigureAwait(false) == "Yes") await WriteAsync(machine).ConfigureAwait(false);
         else context.Say(Wording.Get("Commission.NothingWritten"));
         if (machine.HasAccepted) await BurnAsync(context, cancellation).ConfigureAwait(false);
     }
@@ -26,12 +26,12 @@ internal static class ProfileEnd
         var context = machine.Context;
         while (true)
         {
-            var name = await context.ValueAsync(new TextPrompt(Wording.Get("Commission.FileName")) { Default = context.CommissionedProfile }).ConfigureAwait(false);
+            var name = await context.ValueAsync(new TextPrompt(Wording.Get("Commission.EnterFileName")) { Default = context.CommissionedProfile }).ConfigureAwait(false);
             var path = context.FileToWrite(name);
             if (File.Exists(path) && !await context.ConfirmAsync(Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false)) continue;
             if (!TryWrite(context, path, name, machine.Profile)) continue;
             context.Say(Wording.Get("Commission.Written", name, context.Spell("[machine]")), MessageKind.Result);
-            if (machine.Profile.Axes.X.Letter != machine.Start.Axes.X.Letter) context.Say(context.Spell(Wording.Get("Commission.OriginsAnew")), MessageKind.Warning);
+            if (machine.Profile.Axes.X.Letter != machine.Start.Axes.X.Letter) context.Say(context.Spell(Wording.Get("Commission.SetOriginsAgain")), MessageKind.Warning);
             context.Settings.Change(settings => settings with { LastProfile = Path.GetFullPath(path) });
             var state = context.Document.Current;
             context.Take(state with { Settings = state.Settings with { Machine = machine.Profile } });
@@ -56,7 +56,7 @@ internal static class ProfileEnd
 
     private static async Task BurnAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (!await context.ConfirmAsync(Wording.Get("Commission.Burn")).ConfigureAwait(false))
+        if (!await context.ConfirmAsync(Wording.Get("Commission.ConfirmBurn")).ConfigureAwait(false))
         {
             context.Say(Wording.Get("Commission.NotBurned"), MessageKind.Warning);
             return;

@@ -21,8 +21,8 @@ internal sealed class MotorStep : ICommissioningStep
             }
 
             var was = found.Signal switch { MotorSignal.Servo => "Servo", MotorSignal.LowPulses => "Low", _ => "High" };
-            var signal = await machine.Context.ChoiceAsync(Wording.Get("Commission.MotorSignal", axis.Letter), s_signals, was).ConfigureAwait(false) switch { "Servo" => MotorSignal.Servo, "Low" => MotorSignal.LowPulses, _ => MotorSignal.HighPulses };
-            var type = new MotorType(signal, await Senses.AskAsync(machine.Context, Wording.Get("Commission.MotorSense", axis.Letter), found.IsReversed).ConfigureAwait(false));
+            var signal = await machine.Context.ChoiceAsync(Wording.Get("Commission.EnterMotorSignal", axis.Letter), s_signals, was).ConfigureAwait(false) switch { "Servo" => MotorSignal.Servo, "Low" => MotorSignal.LowPulses, _ => MotorSignal.HighPulses };
+            var type = new MotorType(signal, await Senses.AskAsync(machine.Context, Wording.Get("Commission.EnterMotorDirection", axis.Letter), found.IsReversed).ConfigureAwait(false));
             if (type == found || !await machine.SwitchOffAsync(axis.Letter, cancellation).ConfigureAwait(false)) continue;
             await machine.AcceptAsync(new SetupValue.Motor(axis.Letter, type), Wording.Get("Commission.MotorSet", axis.Letter, Said(type)), cancellation).ConfigureAwait(false);
         }
@@ -30,7 +30,15 @@ internal sealed class MotorStep : ICommissioningStep
         return true;
     }
 
-    private static string Said(MotorType type) => Wording.Get(type.Signal switch { MotorSignal.Servo => "Commission.Servo", MotorSignal.LowPulses => "Commission.LowPulses", _ => "Commission.HighPulses" }) + Senses.Said(type.IsReversed);
+    private static string Said(MotorType type) => Wording.Get((type.Signal, type.IsReversed) switch
+    {
+        (MotorSignal.Servo, false) => "Commission.Servo",
+        (MotorSignal.Servo, true) => "Commission.ServoReversed",
+        (MotorSignal.LowPulses, false) => "Commission.LowPulses",
+        (MotorSignal.LowPulses, true) => "Commission.LowPulsesReversed",
+        (_, false) => "Commission.HighPulses",
+        (_, true) => "Commission.HighPulsesReversed",
+    });
 }
 
 /// <summary>How the encoder of each axis is read.</summary>
@@ -45,16 +53,23 @@ internal sealed class EncoderStep : ICommissioningStep
         foreach (var axis in (await machine.ReadAsync(cancellation).ConfigureAwait(false)).Axes)
         {
             if (axis.Encoder is not { } found) continue;
-            var answer = await machine.Context.ChoiceAsync(Wording.Get("Commission.EncoderSignal", axis.Letter), s_signals, found.Signal == EncoderSignal.Quadrature ? "Quadrature" : "Pulse").ConfigureAwait(false);
+            var answer = await machine.Context.ChoiceAsync(Wording.Get("Commission.EnterEncoderSignal", axis.Letter), s_signals, found.Signal == EncoderSignal.Quadrature ? "Quadrature" : "Pulse").ConfigureAwait(false);
             var signal = answer == "Quadrature" ? EncoderSignal.Quadrature : EncoderSignal.PulseAndDirection;
-            var type = new EncoderType(signal, await Senses.AskAsync(machine.Context, Wording.Get("Commission.EncoderSense", axis.Letter), found.IsReversed).ConfigureAwait(false));
+            var type = new EncoderType(signal, await Senses.AskAsync(machine.Context, Wording.Get("Commission.EnterEncoderDirection", axis.Letter), found.IsReversed).ConfigureAwait(false));
             if (type == found || !await machine.SwitchOffAsync(axis.Letter, cancellation).ConfigureAwait(false)) continue;
-            var said = Wording.Get(type.Signal == EncoderSignal.Quadrature ? "Commission.Quadrature" : "Commission.PulseAndDirection") + Senses.Said(type.IsReversed);
-            await machine.AcceptAsync(new SetupValue.Encoder(axis.Letter, type), Wording.Get("Commission.EncoderSet", axis.Letter, said), cancellation).ConfigureAwait(false);
+            await machine.AcceptAsync(new SetupValue.Encoder(axis.Letter, type), Wording.Get("Commission.EncoderSet", axis.Letter, Said(type)), cancellation).ConfigureAwait(false);
         }
 
         return true;
     }
+
+    private static string Said(EncoderType type) => Wording.Get((type.Signal, type.IsReversed) switch
+    {
+        (EncoderSignal.Quadrature, false) => "Commission.Quadrature",
+        (EncoderSignal.Quadrature, true) => "Commission.QuadratureReversed",
+        (_, false) => "Commission.PulseAndDirection",
+        (_, true) => "Commission.PulseAndDirectionReversed",
+    });
 }
 
 /// <summary>The two senses of a motor or an encoder.</summary>
@@ -64,9 +79,6 @@ internal static class Senses
 
     public static async Task<bool> AskAsync(CommandContext context, string instruction, bool isReversed) =>
         await context.ChoiceAsync(instruction, s_senses, isReversed ? "Reversed" : "Normal").ConfigureAwait(false) == "Reversed";
-
-    /// <summary>To be added to what is reversed; empty for what is not.</summary>
-    public static string Said(bool isReversed) => isReversed ? Wording.Get("Commission.AndReversed") : "";
 }
 
 /// <summary>At which level limit and home switches are active, found by looking at what the controller reads of them.</summary>
@@ -88,14 +100,14 @@ internal sealed class SwitchStep : ICommissioningStep
     {
         await SayInputsAsync(machine, cancellation).ConfigureAwait(false);
         string answer;
-        while ((answer = await machine.Context.ChoiceAsync(Wording.Get("Commission.ActiveWhen", switches), s_levels, found.ToString()).ConfigureAwait(false)) == "reAd") await SayInputsAsync(machine, cancellation).ConfigureAwait(false);
+        while ((answer = await machine.Context.ChoiceAsync(Wording.Get("Commission.EnterActiveLevel", switches), s_levels, found.ToString()).ConfigureAwait(false)) == "reAd") await SayInputsAsync(machine, cancellation).ConfigureAwait(false);
         var sense = Enum.Parse<SwitchSense>(answer);
         if (sense == found || !await machine.TryAsync(value(sense), cancellation).ConfigureAwait(false)) return;
         var isAccepted = false;
         try
         {
             await SayInputsAsync(machine, cancellation).ConfigureAwait(false);
-            isAccepted = await machine.Context.ConfirmAsync(Wording.Get("Commission.SwitchesRight")).ConfigureAwait(false);
+            isAccepted = await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmSwitches")).ConfigureAwait(false);
         }
         finally
         {
@@ -111,7 +123,7 @@ internal sealed class SwitchStep : ICommissioningStep
             machine.Context.Say(Wording.Get("Commission.Inputs", axis.Letter, State(axis.ForwardHit), State(axis.ReverseHit), axis.Home is { } home ? home ? "1" : "0" : "?"), MessageKind.Result);
     }
 
-    private static string State(bool? hit) => hit is { } known ? Wording.Get(known ? "Commission.Hit" : "Commission.Free") : "?";
+    private static string State(bool? hit) => hit is { } known ? Wording.Get(known ? "Commission.SwitchActive" : "Commission.SwitchInactive") : "?";
 }
 
 /// <summary>Beyond which following error something is wrong, and whether the controller then switches the motor off by itself.</summary>
@@ -127,13 +139,13 @@ internal sealed class ErrorStep : ICommissioningStep
         {
             if (axis.ErrorLimit is { } limit)
             {
-                var prompt = new NumberPrompt(Wording.Get("Commission.ErrorLimit", axis.Letter, limit)) { Least = 1.0, Most = int.MaxValue, Whole = true, EnterEnds = true };
+                var prompt = new NumberPrompt(Wording.Get("Commission.EnterErrorLimit", axis.Letter, limit)) { Least = 1.0, Most = int.MaxValue, Whole = true, EnterEnds = true };
                 if (await machine.Context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var typed } && (int)typed != limit)
                     await machine.AcceptAsync(new SetupValue.ErrorLimit(axis.Letter, (int)typed), Wording.Get("Commission.ErrorLimitSet", axis.Letter, typed), cancellation).ConfigureAwait(false);
             }
 
             if (axis.OffOnError is not { } found) continue;
-            var on = await machine.Context.ChoiceAsync(Wording.Get("Commission.OffOnError", axis.Letter), s_answers, found ? "Yes" : "No").ConfigureAwait(false) == "Yes";
+            var on = await machine.Context.ChoiceAsync(Wording.Get("Commission.EnterOffOnError", axis.Letter), s_answers, found ? "Yes" : "No").ConfigureAwait(false) == "Yes";
             if (on != found) await machine.AcceptAsync(new SetupValue.OffOnError(axis.Letter, on), Wording.Get(on ? "Commission.OffOnErrorSet" : "Commission.OffOnErrorCleared", axis.Letter), cancellation).ConfigureAwait(false);
         }
 

@@ -18,14 +18,14 @@ internal sealed class ArrayCommand : ICommand
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
         var ghost = new SelectionGhost(context.Drawing, selected);
-        var type = await context.ChoiceAsync(Wording.Get("Array.EnterArrayType"), Keyword.List("Rectangular", "POlar"), context.Remembered("ARRAY", "Rectangular")).ConfigureAwait(false);
+        var type = await context.ChoiceAsync(Wording.Get("Array.EnterType"), Keyword.List("Rectangular", "POlar"), context.Remembered("ARRAY", "Rectangular")).ConfigureAwait(false);
         context.Remember("ARRAY", type);
         var maps = type == "Rectangular" ? await RectangularAsync(context, ghost).ConfigureAwait(false) : await PolarAsync(context, ghost).ConfigureAwait(false);
         var edited = context.Drawing;
         foreach (var map in maps)
         {
             cancellation.ThrowIfCancellationRequested();
-            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CannotCopiedSoOut"));
+            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CannotCopy"));
         }
 
         DrawingChange.Take(context, DrawingChange.Along(context, selected, takesLocked: true).Copied(edited, maps), selected);
@@ -33,9 +33,9 @@ internal sealed class ArrayCommand : ICommand
 
     private static async Task<IReadOnlyList<Transform2D>> RectangularAsync(CommandContext context, SelectionGhost ghost)
     {
-        var rows = await CountAsync(context, Wording.Get("Array.EnterNumberRows"), 3, null).ConfigureAwait(false);
-        var columns = await CountAsync(context, Wording.Get("Array.EnterNumberColumns"), 4, null).ConfigureAwait(false);
-        if (rows * columns > Most) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CopiesMoreThan", rows * columns, Most));
+        var rows = await CountAsync(context, Wording.Get("Array.EnterRows"), 3, null).ConfigureAwait(false);
+        var columns = await CountAsync(context, Wording.Get("Array.EnterColumns"), 4, null).ConfigureAwait(false);
+        if (rows * columns > Most) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.TooManyCopies", rows * columns, Most));
         var up = 0.0;
         if (rows > 1 && await DistanceAsync(context, ghost, Wording.Get("Array.EnterDistanceBetweenRows"), way => way.Y, Cells).ConfigureAwait(false) is var cell)
         {
@@ -64,8 +64,8 @@ internal sealed class ArrayCommand : ICommand
 
     private static async Task<IReadOnlyList<Transform2D>> PolarAsync(CommandContext context, SelectionGhost ghost)
     {
-        var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Array.SpecifyCenterPointArray")) { Ghost = place => ghost.Mapped(Around(place, FirstItems, FullTurn)) }).ConfigureAwait(false);
-        var items = await CountAsync(context, Wording.Get("Array.EnterNumberItems"), FirstItems, _ => ghost.Mapped(Around(centre, FirstItems, FullTurn))).ConfigureAwait(false);
+        var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Array.SpecifyCentre")) { Ghost = place => ghost.Mapped(Around(place, FirstItems, FullTurn)) }).ConfigureAwait(false);
+        var items = await CountAsync(context, Wording.Get("Array.EnterItems"), FirstItems, _ => ghost.Mapped(Around(centre, FirstItems, FullTurn))).ConfigureAwait(false);
         var fill = await context.ValueAsync(new NumberPrompt(Wording.Get("Array.SpecifyAngleFill")) { Default = "360", Least = -FullTurn, Most = FullTurn, Preview = _ => ghost.Mapped(Around(centre, items, FullTurn)) }).ConfigureAwait(false);
         return Around(centre, items, fill);
     }

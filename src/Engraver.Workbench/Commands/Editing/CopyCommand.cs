@@ -45,7 +45,7 @@ internal sealed class CopyCommand : ICommand
     /// <summary>At first Enter takes the base point as the displacement; once a copy stands it ends the command.</summary>
     private static PointPrompt NextPrompt(SelectionGhost ghost, Point2D from, int made)
     {
-        var prompt = new PointPrompt(Wording.Get(made == 0 ? "Common.SpecifySecondPointOr" : "Copy.SpecifySecondPoint")) { From = from, Ghost = Displacement.GhostFrom(ghost, from) };
+        var prompt = new PointPrompt(Wording.Get(made == 0 ? "Common.SpecifySecondPointOrDisplacement" : "Copy.SpecifySecondPoint")) { From = from, Ghost = Displacement.GhostFrom(ghost, from) };
         return made == 0 ? prompt with { Options = Keyword.List("Array"), EnterEnds = true } : prompt with { Options = Keyword.List("Array", "Exit", "Undo"), Default = "Exit" };
     }
 

@@ -24,7 +24,7 @@ internal static class Displacement
 
     private static async Task<Vector2D> WayFromAsync(CommandContext context, SelectionGhost ghost, Point2D basePoint)
     {
-        var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOr")) { EnterEnds = true, From = basePoint, Ghost = GhostFrom(ghost, basePoint) }).ConfigureAwait(false);
+        var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOrDisplacement")) { EnterEnds = true, From = basePoint, Ghost = GhostFrom(ghost, basePoint) }).ConfigureAwait(false);
         return second is Answer<Point2D>.Value { Of: var point } ? point - basePoint : basePoint - Point2D.Origin;
     }
 }

@@ -19,7 +19,7 @@ internal sealed class AreaCommand : ICommand
     private static async Task PolygonAsync(CommandContext context, Point2D first)
     {
         var corners = new List<Point2D> { first };
-        while (await context.AskAsync(new PointPrompt(Wording.Get("Area.SpecifyNextPointOr")) { EnterEnds = true, From = corners[^1] }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var next }) corners.Add(next);
+        while (await context.AskAsync(new PointPrompt(Wording.Get("Area.SpecifyNextPointOrTotal")) { EnterEnds = true, From = corners[^1] }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var next }) corners.Add(next);
         var sides = corners.Select((corner, i) => Segment.FromLine(corner, corners[(i + 1) % corners.Count])).ToList();
         Say(context, ClosedArea.Measure(sides), sides.Sum(side => side.Length), Wording.Get("Area.Perimeter"));
     }

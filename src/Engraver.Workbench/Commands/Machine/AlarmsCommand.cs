@@ -11,11 +11,11 @@ internal sealed class AlarmsCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var alarms = context.Machine.Alarms;
-        var prompt = new NumberPrompt(Wording.Get("Alarms.EnterNumberAlarmAcknowledge")) { Options = Keyword.List("?", "All", "History"), Default = "?", Least = 1, Most = int.MaxValue, Whole = true };
+        var prompt = new NumberPrompt(Wording.Get("Alarms.EnterNumber")) { Options = Keyword.List("?", "All", "History"), Default = "?", Least = 1, Most = int.MaxValue, Whole = true };
         switch (await context.AskAsync(prompt).ConfigureAwait(false))
         {
             case Answer<double>.Value { Of: var number }:
-                if (!alarms.Acknowledge((int)number)) throw new CommandException(CommandFailure.Usage, Wording.Get("Alarms.NoAlarmWaitsAcknowledged", number));
+                if (!alarms.Acknowledge((int)number)) throw new CommandException(CommandFailure.Usage, Wording.Get("Alarms.NoSuchAlarm", number));
                 break;
             case Answer<double>.Chosen { Option: "All" }:
                 context.Say(Wording.Get("Alarms.Acknowledged", alarms.AcknowledgeAll()));
@@ -36,9 +36,10 @@ internal sealed class AlarmsCommand : ICommand
     {
         foreach (var alarm in alarms)
         {
-            var first = alarm.IsFirstOut ? Wording.Get("Alarms.First") : "";
-            var times = alarm.Count > 1 ? Wording.Get("Alarms.Times", alarm.Count) : "";
-            output.WriteLine(Wording.Get("Alarms.Row", alarm.Number, alarm.Time, alarm.State, first, times, alarm.What, alarm.Where, alarm.ToDo));
+            var state = new List<string> { Wording.Get("AlarmState." + alarm.State) };
+            if (alarm.IsFirstOut) state.Add(Wording.Get("Alarms.First"));
+            if (alarm.Count > 1) state.Add(Wording.Get("Alarms.Times", alarm.Count));
+            output.WriteLine(Wording.Get("Alarms.Row", alarm.Number, alarm.Time, string.Join(", ", state), alarm.What, alarm.Where, alarm.ToDo));
         }
     }
 }

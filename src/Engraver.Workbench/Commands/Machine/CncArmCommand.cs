@@ -16,7 +16,7 @@ internal sealed class CncArmCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
         if (await ModeAsync(context).ConfigureAwait(false) is not { } mode)
         {
@@ -34,7 +34,7 @@ internal sealed class CncArmCommand : ICommand
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
-        context.Say(Wording.Get("CncArm.ArmedUntilStartOr", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Mode, mode.DryRun ? Wording.Get("CncArm.ToolOff") : ""));
+        context.Say(Wording.Get(mode.DryRun ? "CncArm.ArmedToolOff" : "CncArm.Armed", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Mode));
     }
 
     /// <summary>How the job stands to its certificate now; where it is the job of the document, the list that is always shown hears of it too.</summary>
@@ -47,7 +47,7 @@ internal sealed class CncArmCommand : ICommand
         var (dryRun, runsTrajectories) = (false, false);
         while (true)
         {
-            var answer = await context.ChoiceAsync(Wording.Get("CncArm.EnterMode", dryRun ? Wording.Get("CncArm.ToolOff2") : ""), s_answers, context.Remembered("CNCARM", nameof(JobMode.Stream))).ConfigureAwait(false);
+            var answer = await context.ChoiceAsync(Wording.Get(dryRun ? "CncArm.EnterModeToolOff" : "CncArm.EnterMode"), s_answers, context.Remembered("CNCARM", nameof(JobMode.Stream))).ConfigureAwait(false);
             if (answer == "oFf") return null;
             if (answer is "Dryrun" or "Trajectories")
             {

@@ -11,7 +11,7 @@ internal sealed class CncFinishCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var settings = context.Document.Current.Settings;
-        var chosen = Enum.Parse<FinishPlace>(await context.ChoiceAsync(Wording.Get("CncFinish.EnterPlace"), Keyword.List([.. Enum.GetNames<FinishPlace>()]), settings.Finish.ToString()).ConfigureAwait(false));
+        var chosen = Enum.Parse<FinishPlace>(await context.ChoiceAsync(Wording.Get("CncFinish.EnterPosition"), Keyword.List([.. Enum.GetNames<FinishPlace>()]), settings.Finish.ToString()).ConfigureAwait(false));
         if (chosen == FinishPlace.Park && settings.Machine.Park is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncFinish.NoParkPosition"));
         context.Take(context.Document.Current with { Settings = settings with { Finish = chosen } });
     }

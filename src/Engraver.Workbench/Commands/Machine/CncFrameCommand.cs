@@ -14,13 +14,13 @@ internal sealed class CncFrameCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptDoesNotMove"));
-        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncFrame.NothingArmedScriptCncarm", machine));
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
+        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncFrame.ScriptNeedsArming", machine));
         var shape = Enum.Parse<FrameShape>(await context.ChoiceAsync(Wording.Get("CncFrame.EnterShape"), s_shapes, context.Remembered("CNCFRAME", nameof(FrameShape.Rectangle))).ConfigureAwait(false));
         context.Remember("CNCFRAME", shape.ToString());
-        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
+        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOff"));
         var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
         var frame = JobFrame.Of(job, shape) ?? throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         var result = await context.Machine.FrameAsync(frame, context.NewRunJournal("frame"), cancellation).ConfigureAwait(false);
@@ -28,6 +28,6 @@ internal sealed class CncFrameCommand : ICommand
         foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         if (result.FrameOrigin is null && result.Outcome == JobOutcome.Refused) throw new CommandException(CommandFailure.Refused, result.Diagnostics.Count > 0 ? Wording.Get("JobStart.NotPlaced") : result.Sentence);
         if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
-        context.Say(Wording.Get("CncFrame.Round"), MessageKind.Result);
+        context.Say(Wording.Get("CncFrame.Done"), MessageKind.Result);
     }
 }

@@ -16,7 +16,7 @@ internal sealed class CncGoToCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         HandMotion.Check(context);
-        var answer = await context.AskAsync(new MachinePlacePrompt(Wording.Get("CncGoTo.SpecifyMachinePositionMm")) { Options = s_options }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new MachinePlacePrompt(Wording.Get("CncGoTo.SpecifyMachinePosition")) { Options = s_options }).ConfigureAwait(false);
         if (answer is Answer<MachinePlace>.Chosen { Option: "Clearance" })
         {
             await ClearAsync(context, cancellation).ConfigureAwait(false);
@@ -27,7 +27,7 @@ internal sealed class CncGoToCommand : ICommand
         var goal = answer switch
         {
             Answer<MachinePlace>.Value { Of: var place } => HandPlace.OfMachine(new Point2D(place.X, place.Y), scale),
-            Answer<MachinePlace>.Chosen { Option: "Work" } => await OfDrawingAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyPlaceDrawing"))).ConfigureAwait(false), cancellation).ConfigureAwait(false),
+            Answer<MachinePlace>.Chosen { Option: "Work" } => await OfDrawingAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyDrawingPoint"))).ConfigureAwait(false), cancellation).ConfigureAwait(false),
             Answer<MachinePlace>.Chosen { Option: "Park" } => HandPlace.OfMachine(context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition")), scale),
             _ => await OfDrawingAsync(context, context.Document.Current.Settings.Start, cancellation).ConfigureAwait(false),
         };
@@ -53,8 +53,8 @@ internal sealed class CncGoToCommand : ICommand
     private static async Task<CountsPoint> ZeroAsync(CommandContext context, CancellationToken cancellation)
     {
         var memory = context.Machine.Hold!.Memory;
-        if (memory.ActiveOrigin?.Plane is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.OriginNotSet", memory.Active));
+        if (memory.ActiveOrigin?.Plane is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.WorkOriginNotSet", memory.Active));
         var found = await context.Machine.FindZeroAsync(cancellation).ConfigureAwait(false);
-        return found?.Frame ?? throw new CommandException(CommandFailure.Refused, found?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : Wording.Get("CncGoTo.OriginNotSet", memory.Active));
+        return found?.Frame ?? throw new CommandException(CommandFailure.Refused, found?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : Wording.Get("CncGoTo.WorkOriginNotSet", memory.Active));
     }
 }

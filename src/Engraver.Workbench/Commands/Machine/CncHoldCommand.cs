@@ -14,7 +14,7 @@ internal sealed class CncHoldCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (!context.Machine.HoldJob()) throw new CommandException(CommandFailure.Usage, Wording.Get("CncHold.NothingRuns"));
+        if (!context.Machine.HoldJob()) throw new CommandException(CommandFailure.Usage, Wording.Get("CncHold.NoJobRuns"));
         context.Say(Wording.Get("CncHold.Holding"));
         return Task.CompletedTask;
     }
@@ -39,7 +39,7 @@ internal sealed class CncResumeCommand : ICommand
         }
 
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("CncResume.NothingHeld"));
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
         var atOrigin = false;
         var answer = await AskAsync(context).ConfigureAwait(false);

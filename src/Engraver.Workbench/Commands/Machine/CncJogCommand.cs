@@ -31,23 +31,23 @@ internal sealed class CncJogCommand : ICommand
             }
         }
 
-        if (way.Length == 0.0 && height == 0.0) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.NowhereToGo"));
+        if (way.Length == 0.0 && height == 0.0) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.StepIsZero"));
         await HandMotion.StepAsync(context, way, height, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Moves until the operator presses Enter or Esc, and at the latest at the end of the travel.</summary>
     private static async Task HoldAsync(CommandContext context, JogVelocity way, CancellationToken cancellation)
     {
-        if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.OnlyByHand"));
+        if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.ScriptNeedsDistance"));
         HandMotion.CheckMotors(context);
         HandMotion.TellUnhomed(context);
         var speed = Math.Min(context.Machine.Profile.JogMmPerMinute, HandSpeed.Fastest(context.Machine.Profile, context.Machine.IsHomed));
         using var jog = context.Machine.Presence.Begin(way.At(speed));
         var jogging = context.Machine.JogAsync(jog, context.NewRunJournal("jog"), cancellation);
-        _ = jog.Lost.ContinueWith(lost => context.Say(Wording.Get(lost.Result ? "CncJog.Late" : "CncJog.Left"), MessageKind.Warning), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
+        _ = jog.Lost.ContinueWith(lost => context.Say(Wording.Get(lost.Result ? "CncJog.TooLate" : "CncJog.WindowLeft"), MessageKind.Warning), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
         try
         {
-            await context.ChoiceAsync(Wording.Get("CncJog.Moving", speed), Keyword.List("Stop"), "Stop").ConfigureAwait(false);
+            await context.ChoiceAsync(Wording.Get("CncJog.Jogging", speed), Keyword.List("Stop"), "Stop").ConfigureAwait(false);
         }
         finally
         {

@@ -9,7 +9,7 @@ internal sealed class CncMotorsCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         var mode = await context.ChoiceAsync(Wording.Get("Common.EnterMode"), Keyword.List("ON", "OFF"), null).ConfigureAwait(false);
         if (await context.Machine.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
         context.Say(Wording.Get("CncMotors.Motors", mode.ToLowerInvariant()));

@@ -16,11 +16,11 @@ internal sealed class CncOutputCommand : ICommand
         var profile = context.Machine.Profile;
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("CncOutput.EnterOutput"))).ConfigureAwait(false);
         var most = MachineFamilies.Driver.Limits.Outputs;
-        var output = profile.Outputs.Find(typed, most) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncOutput.NoSuchOutput", typed, most, string.Join(", ", profile.Outputs.All.Values)));
+        var output = profile.Outputs.Find(typed, most) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncOutput.NotAnOutput", typed, most, string.Join(", ", profile.Outputs.All.Values)));
         var on = await context.ChoiceAsync(Wording.Get("CncOutput.EnterState", profile.Outputs[output]), s_states, null).ConfigureAwait(false) == "ON";
-        if (profile.IsForJobsOnly(output, on)) throw new CommandException(CommandFailure.Refused, Wording.Get(on ? "CncOutput.IsTool" : "CncOutput.IsActiveLowTool", output));
+        if (profile.IsForJobsOnly(output, on)) throw new CommandException(CommandFailure.Refused, Wording.Get(on ? "CncOutput.ToolOutput" : "CncOutput.ToolOutputActiveLow", output));
         var begins = profile.IsOnAt(output, on);
-        if (begins && !await context.ConfirmAsync(Wording.Get(on ? "CncOutput.IsEverybodyClear" : "CncOutput.IsEverybodyClearOfOff", profile.Outputs[output])).ConfigureAwait(false)) return;
+        if (begins && !await context.ConfirmAsync(Wording.Get(on ? "CncOutput.ConfirmOn" : "CncOutput.ConfirmOff", profile.Outputs[output])).ConfigureAwait(false)) return;
         if (await context.Machine.SetOutputAsync(output, on, cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
         context.Say(Told(profile.Outputs[output], on, begins), MessageKind.Result);
     }

@@ -14,22 +14,22 @@ internal sealed class CncRunCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptDoesNotStart"));
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptCannotStart"));
         if (context.Machine.Armed is { } armed)
         {
             await RunAsync(context, armed.Job, armed.Mode, armed.DryRun, cancellation).ConfigureAwait(false);
             return;
         }
 
-        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NothingArmedCncarmFirst", machine));
+        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NotArmed", machine));
         var (mode, dryRun, runsTrajectories) = (context.Machine.Part?.Mode ?? JobMode.Stream, false, false);
         while (true)
         {
             var job = await JobStart.PrepareAsync(context, mode, runsTrajectories).ConfigureAwait(false);
             JobStart.SayPart(context, job, mode);
-            var answer = await context.ChoiceAsync(Wording.Get("CncRun.StartOnMode", dryRun ? Wording.Get("CncRun.WithToolOff") : Wording.Get("CncRun.Cutting"), machine, mode), s_answers, "No").ConfigureAwait(false);
+            var answer = await context.ChoiceAsync(Wording.Get(dryRun ? "CncRun.StartDryRun" : "CncRun.StartCutting", machine, mode), s_answers, "No").ConfigureAwait(false);
             if (answer == "No") return;
             if (answer == "Dryrun") dryRun = true;
             else if (answer == "Trajectories") runsTrajectories = !runsTrajectories;

@@ -20,8 +20,8 @@ internal sealed class CncStatusCommand : ICommand
         {
             output.WriteLine(machine.Description is { } description ? Wording.Get("CncStatus.At", machine.IsSimulation ? Wording.Get("CncStatus.Simulation") : Wording.Get("CncStatus.Connected"), machine.Identity?.Model, description) : Wording.Get("CncStatus.Offline"));
             if (machine.Description is not null) output.WriteLine(StateText(machine.Status));
-            if (machine.Status is { FeedRatio: var asked, FeedInForce: var feed } && feed < asked) output.WriteLine(Wording.Get("CncStatus.FeedIsLimited", asked * 100.0, feed * 100.0));
-            if (machine.Status.Progress is { } at) output.WriteLine(Wording.Get("CncStatus.StrokeSegmentsTool", at.Stroke + 1, at.SegmentsDone, at.SegmentCount, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Seconds));
+            if (machine.Status is { FeedRatio: var asked, FeedInForce: var feed } && feed < asked) output.WriteLine(Wording.Get("CncStatus.FeedLimited", asked * 100.0, feed * 100.0));
+            if (machine.Status.Progress is { } at) output.WriteLine(Wording.Get("CncStatus.Progress", at.Stroke + 1, at.SegmentsDone, at.SegmentCount, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Seconds));
             if (!machine.IsRunning && machine.LastRun is { } last) output.WriteLine(Wording.Get("CncStatus.LastJob", OutcomeText.Said(last.Result.Outcome)));
         });
         if (machine.Description is null || machine.IsRunning) return;
@@ -32,8 +32,10 @@ internal sealed class CncStatusCommand : ICommand
 
     private static string StateText(MachineStatus status)
     {
-        var place = status.MachinePosition is { } at ? Wording.Get("CncStatus.MachineMm", PlaceText.Show(at, status.MachineHeight)) : "";
-        var work = status.WorkPosition is { } here ? Wording.Get("CncStatus.WorkMm", PlaceText.Show(here, status.WorkHeight)) : "";
-        return Wording.Get("CncStatus.State", status.State.Said(), status.Reason.Length > 0 ? $" ({status.Reason})" : "", place, work, status.LastRefusal is { } refused ? Wording.Get("CncStatus.LastRefusal", refused) : "");
+        var parts = new List<string> { status.Reason.Length > 0 ? Wording.Get("CncStatus.StateWithReason", status.State.Said(), status.Reason) : Wording.Get("CncStatus.State", status.State.Said()) };
+        if (status.MachinePosition is { } at) parts.Add(Wording.Get("CncStatus.MachinePosition", PlaceText.Show(at, status.MachineHeight)));
+        if (status.WorkPosition is { } here) parts.Add(Wording.Get("CncStatus.WorkPosition", PlaceText.Show(here, status.WorkHeight)));
+        if (status.LastRefusal is { } refused) parts.Add(Wording.Get("CncStatus.LastRefusal", refused));
+        return string.Join(", ", parts);
     }
 }

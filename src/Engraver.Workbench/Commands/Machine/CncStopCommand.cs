@@ -10,7 +10,7 @@ internal sealed class CncStopCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var connected = context.Machine.Description is not null;
-        context.Say(context.Machine.Stop() ? Wording.Get("CncStop.Stopping") : connected ? Wording.Get("CncStop.NoJobRunsAxes") : Wording.Get("CncStop.NoJobRuns"));
+        context.Say(context.Machine.Stop() ? Wording.Get("CncStop.Stopping") : connected ? Wording.Get("CncStop.AxesStopped") : Wording.Get("CncStop.NoJobRuns"));
         return Task.CompletedTask;
     }
 }
@@ -24,7 +24,7 @@ internal sealed class CncAbortCommand : ICommand
     {
         if (context.Machine.Description is null && !context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
         context.Machine.Abort();
-        context.Say(Wording.Get("CncStop.AbortingMotorsGoOff"));
+        context.Say(Wording.Get("CncStop.Aborting"));
         return Task.CompletedTask;
     }
 }

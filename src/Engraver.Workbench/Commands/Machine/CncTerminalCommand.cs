@@ -10,8 +10,8 @@ internal sealed class CncTerminalCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
-        var line = await context.ValueAsync(new TextPrompt(Wording.Get("CncTerminal.EnterLineController"))).ConfigureAwait(false);
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        var line = await context.ValueAsync(new TextPrompt(Wording.Get("CncTerminal.EnterLine"))).ConfigureAwait(false);
         foreach (var answer in await context.Machine.Terminal.TypeAsync(line, cancellation).ConfigureAwait(false))
         {
             if (answer.Kind is TerminalAnswerKind.Refusal or TerminalAnswerKind.Withheld) throw new CommandException(CommandFailure.Refused, answer.Text);

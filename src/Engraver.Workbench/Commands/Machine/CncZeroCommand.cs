@@ -16,9 +16,9 @@ internal sealed class CncZeroCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
-        var axes = await context.ChoiceAsync(Wording.Get("CncZero.WhichAxes", before.Active), s_axes, "All").ConfigureAwait(false);
+        var axes = await context.ChoiceAsync(Wording.Get("CncZero.EnterAxes", before.Active), s_axes, "All").ConfigureAwait(false);
         if (axes is "Edges" or "Centre")
         {
             await (axes == "Edges" ? TouchedZero.ByEdgeAsync(context, cancellation) : TouchedZero.ByCentreAsync(context, cancellation)).ConfigureAwait(false);
@@ -26,11 +26,11 @@ internal sealed class CncZeroCommand : ICommand
         }
 
         if (axes is "Z" or "Height" && context.Machine.Profile.Axes.Z is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncZero.NoZAxis"));
-        var place = axes == "Point" ? await context.ValueAsync(new PointPrompt(Wording.Get("CncZero.SpecifyPlace"))).ConfigureAwait(false) : default;
+        var place = axes == "Point" ? await context.ValueAsync(new PointPrompt(Wording.Get("CncZero.SpecifyPoint"))).ConfigureAwait(false) : default;
         var height = axes == "Height" ? await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.SpecifyHeight"))).ConfigureAwait(false) : 0.0;
-        if (IsSet(before, axes) && !await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", before.Active)).ConfigureAwait(false)) return;
+        if (IsSet(before, axes) && !await context.ConfirmAsync(Wording.Get("CncZero.ConfirmReplace", before.Active)).ConfigureAwait(false)) return;
         var touch = new ZeroTouch { X = axes is not ("Y" or "Z" or "Height"), Y = axes is not ("X" or "Z" or "Height"), Z = axes is "Z" or "Height" or "All", Place = place, Height = height };
-        if (!touch.IsCountable(context.Machine.Profile.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
+        if (!touch.IsCountable(context.Machine.Profile.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PositionOutOfRange"));
         var part = context.Machine.Part;
         await OriginText.SetAsync(context, touch, cancellation).ConfigureAwait(false);
         OriginText.TellPart(context, part);
@@ -50,13 +50,16 @@ internal sealed class CncOriginCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         var chosen = await context.ChoiceAsync(Wording.Get("CncOrigin.Enter"), s_names, before.Active).ConfigureAwait(false);
         if (chosen == "Typed") await TypeAsync(context, before, cancellation).ConfigureAwait(false);
         else if (chosen != "List" && chosen != before.Active) await ChooseAsync(context, chosen).ConfigureAwait(false);
         var memory = context.Machine.Hold!.Memory;
         foreach (var name in chosen == "List" ? WorkOriginNames.All : [memory.Active])
-            context.Say(OriginText.Sentence(name, memory.Origins.GetValueOrDefault(name), context.Machine.Profile) + (name == memory.Active ? Wording.Get("CncOrigin.IsActive") : ""), MessageKind.Result);
+        {
+            var sentence = OriginText.Sentence(name, memory.Origins.GetValueOrDefault(name), context.Machine.Profile);
+            context.Say(name == memory.Active ? Wording.Get("CncOrigin.Active", sentence) : sentence, MessageKind.Result);
+        }
     }
 
     /// <exception cref="CommandException">A job runs, the place cannot be counted, or nobody knows from where the controller counts.</exception>
@@ -64,9 +67,9 @@ internal sealed class CncOriginCommand : ICommand
     {
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
         var axes = context.Machine.Profile.Axes;
-        var place = await context.ValueAsync(new MachinePlacePrompt(Wording.Get("CncOrigin.SpecifyPlace", before.Active)) { MayHaveHeight = axes.Z is not null }).ConfigureAwait(false);
-        if (!place.IsCountable(axes.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
-        if (before.ActiveOrigin is { IsAssumed: false } && !await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", before.Active)).ConfigureAwait(false)) return;
+        var place = await context.ValueAsync(new MachinePlacePrompt(Wording.Get("CncOrigin.SpecifyPosition", before.Active)) { MayHaveHeight = axes.Z is not null }).ConfigureAwait(false);
+        if (!place.IsCountable(axes.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PositionOutOfRange"));
+        if (before.ActiveOrigin is { IsAssumed: false } && !await context.ConfirmAsync(Wording.Get("CncZero.ConfirmReplace", before.Active)).ConfigureAwait(false)) return;
         var part = context.Machine.Part;
         if (await context.Machine.TypeOriginAsync(before.Active, place.ToCounts(axes.Scale), withHeight: place.Z is not null, cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
         OriginText.TellPart(context, part);
@@ -78,7 +81,7 @@ internal sealed class CncOriginCommand : ICommand
         var part = context.Machine.Part;
         var failure = context.Machine.ChooseOrigin(name);
         OriginText.TellPart(context, part);
-        return failure is not null ? throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.NotKept", failure)) : Task.CompletedTask;
+        return failure is not null ? throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.NotSaved", failure)) : Task.CompletedTask;
     }
 }
 

@@ -13,17 +13,17 @@ internal static class HandMotion
     /// <exception cref="CommandException">No controller is connected, or a script may not move this machine.</exception>
     public static void Check(CommandContext context, bool whileHeld = false)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         if (whileHeld && context.Machine.IsHeld) return; // whoever held the job stands at the machine
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("HandMotion.InMotion"));
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptDoesNotMove"));
-        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NothingArmedScriptCncarm", machine));
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
+        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptNeedsArming", machine));
     }
 
     /// <exception cref="CommandException">A motor is off; a move by hand switches nothing on.</exception>
     public static void CheckMotors(CommandContext context)
     {
-        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
+        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOff"));
     }
 
     /// <summary>Says that nothing stops a move at the end of the travel, where that is so.</summary>
@@ -44,7 +44,7 @@ internal static class HandMotion
     /// <param name="zero">Where the drawing's zero lies, counts of the controller.</param>
     public static async Task ToClearanceAsync(CommandContext context, CountsPoint zero, CancellationToken cancellation)
     {
-        var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PlaceNotKnown"));
+        var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PositionUnknown"));
         var goal = Counted(HandPlace.AtClearance(here, zero, context.Machine.Profile));
         CheckMotors(context);
         Conclude(context, await context.Machine.StepAsync(goal, withHeight: true, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
@@ -54,7 +54,7 @@ internal static class HandMotion
     /// <param name="height">Up or down, mm.</param>
     public static async Task StepAsync(CommandContext context, Vector2D step, double height, CancellationToken cancellation)
     {
-        var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PlaceNotKnown"));
+        var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PositionUnknown"));
         var counts = Counted(HandPlace.Beside(here, context.Machine.Status.MachineHeight ?? 0.0, step, height, context.Machine.Profile.Scale));
         CheckMotors(context);
         TellUnhomed(context);
@@ -69,8 +69,8 @@ internal static class HandMotion
         if (result.Outcome == JobOutcome.Refused && result.Diagnostics is [{ } refusal, ..] && result.FinalPosition is null) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
         if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
         if (result.FinalPosition is not { } at) return;
-        context.Say(Wording.Get("CncGoTo.MachineStandsMm", PlaceText.Show(at, context.Machine.Profile.Scale)), MessageKind.Result);
+        context.Say(Wording.Get("CncGoTo.MachinePosition", PlaceText.Show(at, context.Machine.Profile.Scale)), MessageKind.Result);
     }
 
-    private static CountsPoint Counted(CountsPoint? place) => place ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
+    private static CountsPoint Counted(CountsPoint? place) => place ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PositionOutOfRange"));
 }

@@ -20,21 +20,21 @@ internal static class TouchedZero
     /// <summary>The tool touches an edge: the zero lies on it, one tool radius away.</summary>
     public static async Task ByEdgeAsync(CommandContext context, CancellationToken cancellation)
     {
-        var edge = Enum.Parse<WorkEdge>(await context.ChoiceAsync(Wording.Get("CncZero.WhichEdge"), s_edges, context.Remembered(Edge, nameof(WorkEdge.Left))).ConfigureAwait(false));
-        var radius = await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.ToolRadius")) { Default = context.Remembered(Radius, "0"), Least = 0.0, Most = LargestRadiusMm }).ConfigureAwait(false);
+        var edge = Enum.Parse<WorkEdge>(await context.ChoiceAsync(Wording.Get("CncZero.EnterEdge"), s_edges, context.Remembered(Edge, nameof(WorkEdge.Left))).ConfigureAwait(false));
+        var radius = await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.SpecifyToolRadius")) { Default = context.Remembered(Radius, "0"), Least = 0.0, Most = LargestRadiusMm }).ConfigureAwait(false);
         var isX = edge is WorkEdge.Left or WorkEdge.Right;
         if (!await MaySetAsync(context, isX, !isX).ConfigureAwait(false)) return;
         context.Remember(Radius, radius.ToString("R", CultureInfo.InvariantCulture));
         await SetAsync(context, new ZeroTouch { X = isX, Y = !isX, Edge = edge, Radius = radius }, cancellation).ConfigureAwait(false);
         context.Remember(Edge, isX ? nameof(WorkEdge.Bottom) : nameof(WorkEdge.Left));
-        context.Say(Wording.Get(isX ? "CncZero.NowTheBottom" : "CncZero.NowTheLeft"));
+        context.Say(Wording.Get(isX ? "CncZero.TouchBottomNext" : "CncZero.TouchLeftOrRightNext"));
     }
 
     /// <summary>The first touch is remembered; with the second the zero lies between them.</summary>
     public static async Task ByCentreAsync(CommandContext context, CancellationToken cancellation)
     {
         var isSecond = context.Machine.FirstTouch is { } before
-            && await context.ChoiceAsync(Wording.Get("CncZero.WhichTouch", Show(context, before)), s_touches, "Second").ConfigureAwait(false) == "Second";
+            && await context.ChoiceAsync(Wording.Get("CncZero.EnterTouch", Show(context, before)), s_touches, "Second").ConfigureAwait(false) == "Second";
         if (!isSecond || context.Machine.FirstTouch is not { } first)
         {
             var at = await context.Machine.TouchAsync(cancellation).ConfigureAwait(false);
@@ -42,7 +42,7 @@ internal static class TouchedZero
             return;
         }
 
-        var axes = await context.ChoiceAsync(Wording.Get("CncZero.MiddleOfWhichAxes"), s_axes, "All").ConfigureAwait(false);
+        var axes = await context.ChoiceAsync(Wording.Get("CncZero.EnterCentreAxes"), s_axes, "All").ConfigureAwait(false);
         if (!await MaySetAsync(context, axes != "Y", axes != "X").ConfigureAwait(false)) return;
         await SetAsync(context, new ZeroTouch { X = axes != "Y", Y = axes != "X", First = first }, cancellation).ConfigureAwait(false);
         context.Machine.ForgetTouch();
@@ -52,7 +52,7 @@ internal static class TouchedZero
     {
         var memory = context.Machine.Hold!.Memory;
         var isSet = memory.ActiveOrigin is { IsAssumed: false } origin && ((x && origin.X is not null) || (y && origin.Y is not null));
-        return !isSet || await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", memory.Active)).ConfigureAwait(false);
+        return !isSet || await context.ConfirmAsync(Wording.Get("CncZero.ConfirmReplace", memory.Active)).ConfigureAwait(false);
     }
 
     private static async Task SetAsync(CommandContext context, ZeroTouch touch, CancellationToken cancellation)

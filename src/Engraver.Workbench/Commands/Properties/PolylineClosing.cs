@@ -15,7 +15,7 @@ internal static class PolylineClosing
     public static bool IsWanted(string typed)
     {
         if (Begins(typed, Word(true), "Yes")) return true;
-        return Begins(typed, Word(false), "No") ? false : throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoYes", typed.Trim(), Word(true), Word(false)));
+        return Begins(typed, Word(false), "No") ? false : throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotYesOrNo", typed.Trim(), Word(true), Word(false)));
     }
 
     /// <exception cref="CommandException">One of them is a single line.</exception>
@@ -23,7 +23,7 @@ internal static class PolylineClosing
     {
         var changing = polylines.Where(facts => facts.Entity.Closed != closed).ToDictionary(facts => facts.Index);
         if (changing.Count == 0) return drawing;
-        if (closed && changing.Values.FirstOrDefault(facts => facts.Line is not null) is { } line) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.OneLine", line.Drawing.SourceOf(line.Index).Handle ?? ""));
+        if (closed && changing.Values.FirstOrDefault(facts => facts.Line is not null) is { } line) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.SingleLineCannotClose", line.Drawing.SourceOf(line.Index).Handle ?? ""));
         var rebuilt = new DrawingRebuild(drawing);
         for (var index = 0; index < drawing.Entities.Count; index++)
         {

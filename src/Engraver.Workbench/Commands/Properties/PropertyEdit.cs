@@ -15,14 +15,14 @@ internal static class PropertyEdit
     public static Drawing Apply(Drawing drawing, IReadOnlyList<int> objects, ObjectProperty property, string typed, Figures figures)
     {
         var having = objects.Select(index => new ObjectFacts(drawing, index)).Where(facts => property.Read(facts, figures) is not null && property.Allows(facts)).ToList();
-        if (having.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoneHasIt", property.Title));
+        if (having.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.PropertyNotFound", property.Title));
         if (property.Entity is { } entity) return drawing with { Entities = drawing.Entities.With(having.Select(facts => (facts.Index, entity(facts, typed))), []) };
         if (property.Closed is { } closed) return PolylineClosing.Apply(drawing, having, closed(typed));
-        if (!NumberPrompt.TryNumber(typed.Trim(), out var value)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoNumber", typed, property.Title));
+        if (!NumberPrompt.TryNumber(typed.Trim(), out var value)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotANumber", typed, property.Title));
         var changes = new List<ChangedPart>();
         foreach (var facts in having)
         {
-            if (property.Change!(facts, value) is not { } parts || !parts.All(part => part.IsSound)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.Impossible", property.Title, typed, Named(facts)));
+            if (property.Change!(facts, value) is not { } parts || !parts.All(part => part.IsSound)) throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.ValueNotPossible", property.Title, typed, Named(facts)));
             changes.AddRange(parts);
         }
 
@@ -30,10 +30,10 @@ internal static class PropertyEdit
     }
 
     public static DrawingEntity OnLayer(ObjectFacts facts, string typed) =>
-        facts.Entity with { Layer = CurrentLayer.IndexOf(facts.Drawing, typed.Trim()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoLayer", typed.Trim())) };
+        facts.Entity with { Layer = CurrentLayer.IndexOf(facts.Drawing, typed.Trim()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.LayerNotFound", typed.Trim())) };
 
     public static DrawingEntity InColour(ObjectFacts facts, string typed) =>
-        facts.Entity with { Colour = ColourName.ParseOfObject(typed) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NoColour", typed, string.Join(", ", ColourName.Known))) };
+        facts.Entity with { Colour = ColourName.ParseOfObject(typed) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotAColour", typed, string.Join(", ", ColourName.Known))) };
 
     /// <summary>An open curve that begins or ends elsewhere; an arc keeps its included angle.</summary>
     public static IReadOnlyList<ChangedPart>? WithEnd(ObjectFacts facts, Point2D place, bool atStart)

@@ -61,7 +61,7 @@ internal sealed class StretchCommand : ICommand
             return way;
         }
 
-        var prompt = new PointPrompt(Wording.Get("Common.SpecifySecondPointOr")) { EnterEnds = true, From = basePoint, Ghost = place => shown(place - basePoint) };
+        var prompt = new PointPrompt(Wording.Get("Common.SpecifySecondPointOrDisplacement")) { EnterEnds = true, From = basePoint, Ghost = place => shown(place - basePoint) };
         return await context.AskAsync(prompt).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var second } ? second - basePoint : basePoint - Point2D.Origin;
     }
 }

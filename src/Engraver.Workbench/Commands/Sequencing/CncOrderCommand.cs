@@ -11,7 +11,7 @@ internal sealed class CncOrderCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var options = Keyword.List([.. Enum.GetNames<StrokeOrder>()]);
-        var chosen = await context.ChoiceAsync(Wording.Get("CncOrder.EnterOrderStrokes"), options, context.Document.Current.Settings.Order.ToString()).ConfigureAwait(false);
+        var chosen = await context.ChoiceAsync(Wording.Get("CncOrder.EnterOrder"), options, context.Document.Current.Settings.Order.ToString()).ConfigureAwait(false);
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Order = Enum.Parse<StrokeOrder>(chosen) } });
     }

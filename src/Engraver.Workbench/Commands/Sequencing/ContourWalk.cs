@@ -36,7 +36,7 @@ internal static class ContourWalk
                 var answer = await context.ChoiceAsync(Question(result, stroke), Keyword.List("Yes", "No", "All"), "Yes").ConfigureAwait(false);
                 if (answer == "No")
                 {
-                    context.Say(Wording.Get("AutoSequence.EndsThere", stroke.Index + 1, path.Strokes.Count));
+                    context.Say(Wording.Get("AutoSequence.StoppedAfter", stroke.Index + 1, path.Strokes.Count));
                     return;
                 }
 
@@ -56,6 +56,6 @@ internal static class ContourWalk
         var gap = at < ends.Count ? ends[at].Gap : null;
         return gap is { } away
             ? Wording.Get("AutoSequence.Discontinuity", stroke.Index + 1, stroke.End.X, stroke.End.Y, away)
-            : Wording.Get("AutoSequence.DiscontinuityAlone", stroke.Index + 1, stroke.End.X, stroke.End.Y);
+            : Wording.Get("AutoSequence.LastDiscontinuity", stroke.Index + 1, stroke.End.X, stroke.End.Y);
     }
 }

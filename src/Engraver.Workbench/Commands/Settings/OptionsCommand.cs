@@ -14,7 +14,7 @@ internal sealed class OptionsCommand : ICommand
         var prompt = new TextPrompt(Wording.Get("Options.EnterNameSettingChange")) { EnterEnds = true };
         if (await context.AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Value { Of: var name }) return;
         if (context.Catalog.Find(name) is not { Info.Group: CommandGroup.Setting } setting) throw new CommandException(CommandFailure.Usage, Wording.Get("Options.ThereNoSetting", name));
-        if (context.Outer is { } outer && !setting.Info.Transparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotUsedInsideEnd", setting.Info.Name, outer)); // its step would stand between those of the other
+        if (context.Outer is { } outer && !setting.Info.Transparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotRunInside", setting.Info.Name, outer)); // its step would stand between those of the other
         await setting.RunAsync(context, cancellation).ConfigureAwait(false);
     }
 

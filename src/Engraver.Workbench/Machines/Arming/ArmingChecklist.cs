@@ -55,8 +55,8 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     private static IEnumerable<ArmingCheck> OfDrawing(PreparedJob job, bool errorsAccepted, CheckSpeech speech)
     {
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
-        yield return Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : Wording.Get("ArmingChecklist.DrawingHas", CountText.Format(errors, "Error"), errorsAccepted ? Wording.Get("ArmingChecklist.AcceptedOperator") : speech.Text("ArmingChecklist.CheckListsThem")));
-        yield return Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobHas", CountText.Format(program.SegmentCount, "Segment")) : job.WithoutProgram);
+        yield return Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : speech.Spell(Wording.Get(errorsAccepted ? "ArmingChecklist.DrawingHasAcceptedErrors" : "ArmingChecklist.DrawingHasErrors", CountText.Format(errors, "Error"))));
+        yield return Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobSize", CountText.Format(program.SegmentCount, "Segment")) : job.WithoutProgram);
     }
 
     private static IEnumerable<ArmingCheck> OfMachine(MachineStatus status, DateTimeOffset now, CheckSpeech speech)
@@ -65,11 +65,11 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         if (status.Link is null) yield break;
         ArmingCheck[] said =
         [
-            Check(status.State.IsReady() || status.State is MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin, Wording.Get("ArmingChecklist.Controller", Word(status))),
+            Check(status.State.IsReady() || status.State is MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin, ControllerState(status)),
             .. status.IsHomed is { } homed ? [status.HomingIsAssumed && homed ? Note(Wording.Get("ArmingChecklist.HomingAssumed")) : Check(homed, speech.Text(homed ? "ArmingChecklist.Homed" : "ArmingChecklist.NotHomed"))] : Array.Empty<ArmingCheck>(),
             status.MotorsOn == true ? Check(true, Wording.Get("ArmingChecklist.MotorsOn")) : speech.Motors(),
-            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitHit") : Wording.Get("ArmingChecklist.HitMoveMachineOff", status.Limit)),
-            Check(status.State != MachineState.EmergencyStopOpen, Wording.Get(status.State == MachineState.EmergencyStopOpen ? "ArmingChecklist.AbortInputActive" : "ArmingChecklist.AbortInputRests")),
+            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitSwitchActive") : Wording.Get("ArmingChecklist.LimitSwitchActive", status.Limit)),
+            Check(status.State != MachineState.EmergencyStopOpen, Wording.Get(status.State == MachineState.EmergencyStopOpen ? "ArmingChecklist.AbortInputActive" : "ArmingChecklist.AbortInputInactive")),
         ];
         foreach (var check in said) yield return Asked(status, now, check);
     }
@@ -79,14 +79,14 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     {
         if (status.Link is not { } link) return Check(false, speech.Text("ArmingChecklist.NoController"));
         if (status.IsLinkLost) return Check(false, speech.Spell(Wording.Get("ArmingChecklist.LinkLost", link)));
-        return IsFresh(status, now) ? Check(true, Wording.Get("ArmingChecklist.LinkStands", link)) : Check(false, speech.Spell(Wording.Get("ArmingChecklist.NoAnswerFor", link, Math.Floor((now - status.Time).TotalSeconds))));
+        return IsFresh(status, now) ? Check(true, Wording.Get("ArmingChecklist.LinkUp", link)) : Check(false, speech.Spell(Wording.Get("ArmingChecklist.NoReplyFor", link, Math.Floor((now - status.Time).TotalSeconds))));
     }
 
     private static bool IsFresh(MachineStatus status, DateTimeOffset now) => !status.IsLinkLost && now - status.Time <= FreshFor;
 
     /// <summary>What was said while the link stood is not known any more: it has neither passed nor failed.</summary>
     private static ArmingCheck Asked(MachineStatus status, DateTimeOffset now, ArmingCheck check) =>
-        status.Link is null || IsFresh(status, now) ? check : new ArmingCheck(false, Wording.Get("ArmingChecklist.NotAsked", check.Sentence)) { IsAsked = false };
+        status.Link is null || IsFresh(status, now) ? check : new ArmingCheck(false, Wording.Get("ArmingChecklist.LastKnown", check.Sentence)) { IsAsked = false };
 
     /// <summary>Units that were assumed, sizes that no machine has, what is seen and not cut.</summary>
     private static IEnumerable<ArmingCheck> Warnings(PreparedJob job, CheckSpeech speech) =>
@@ -101,16 +101,16 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
     {
-        if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.PlaceNotKnown"));
+        if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.WorkOriginUnknown"));
         var machine = job.Settings.Machine;
         var scale = machine.Height is null ? machine.Scale with { Z = 0.0 } : machine.Scale; // without a tool on it the height of an axis means nothing to a job
-        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PlaceText.Show(frame, scale)));
+        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroPosition", PlaceText.Show(frame, scale)));
     }
 
     private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
     {
         if (status.LastOutcome is { } outcome and not JobOutcome.Complete)
-            yield return Warning(Wording.Get("ArmingChecklist.LastJobOnMachine", outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.DidNotCutWhat") : Wording.Get("ArmingChecklist.EndedEarly"), OutcomeText.Said(outcome)));
+            yield return Warning(outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.LastJobDeviated") : Wording.Get("ArmingChecklist.LastJobEndedEarly", OutcomeText.Said(outcome)));
     }
 
     internal static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
@@ -119,15 +119,15 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     internal static ArmingCheck Check(bool passed, string sentence) => new(passed, sentence + ".");
 
-    private static string Word(MachineStatus status) => status.State switch
+    private static string ControllerState(MachineStatus status) => status.State switch
     {
-        _ when status.State.IsReady() => Wording.Get("ArmingChecklist.Ready"),
-        MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin => Wording.Get("ArmingChecklist.Rest"),
-        MachineState.Busy or MachineState.Fault => Wording.Get("ArmingChecklist.NotReady", status.Reason),
-        MachineState.EmergencyStopOpen => Wording.Get("ArmingChecklist.HeldItsAbortInput"),
-        MachineState.Moving => Wording.Get("ArmingChecklist.NotReady", status.Reason),
-        _ when status.State.IsJob() => Wording.Get("ArmingChecklist.RunningJob"),
-        _ => Wording.Get("ArmingChecklist.NotHeardYet"),
+        _ when status.State.IsReady() => Wording.Get("ArmingChecklist.ControllerReady"),
+        MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin => Wording.Get("ArmingChecklist.ControllerAtRest"),
+        MachineState.Busy or MachineState.Fault => Wording.Get("ArmingChecklist.ControllerNotReady", status.Reason),
+        MachineState.EmergencyStopOpen => Wording.Get("ArmingChecklist.ControllerStoppedByAbortInput"),
+        MachineState.Moving => Wording.Get("ArmingChecklist.ControllerNotReady", status.Reason),
+        _ when status.State.IsJob() => Wording.Get("ArmingChecklist.ControllerRunsJob"),
+        _ => Wording.Get("ArmingChecklist.ControllerStateUnknown"),
     };
 }
 
@@ -147,7 +147,7 @@ internal sealed record CheckSpeech(Func<Diagnostic, Diagnostic> Translate, Func<
     public string Finding(Diagnostic found) => Translate(found).Message;
 
     /// <summary>The line of motors that are off.</summary>
-    public ArmingCheck Motors() => SwitchesMotors ? ArmingChecklist.Warning(Wording.Get("ArmingChecklist.MotorsOffJobSwitches")) : ArmingChecklist.Check(false, Text("ArmingChecklist.MotorsOffCncmotorsOn"));
+    public ArmingCheck Motors() => SwitchesMotors ? ArmingChecklist.Warning(Wording.Get("ArmingChecklist.JobSwitchesMotorsOn")) : ArmingChecklist.Check(false, Text("ArmingChecklist.MotorsOff"));
 }
 
 /// <summary>One thing that must be so before a job may start.</summary>
@@ -168,5 +168,5 @@ public sealed record ArmingCheck(bool Passed, string Sentence)
     public bool IsFinding { get; init; }
 
     /// <summary>The line as the operator reads it.</summary>
-    public string Line => Wording.Get(this switch { { IsNote: true } => "CncArm.Note", { IsWarning: true } => "CncArm.Look", { IsAsked: false } => "CncArm.NotKnown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
+    public string Line => Wording.Get(this switch { { IsNote: true } => "CncArm.Note", { IsWarning: true } => "CncArm.Warning", { IsAsked: false } => "CncArm.Unknown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
 }

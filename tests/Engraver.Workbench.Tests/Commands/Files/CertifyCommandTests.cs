@@ -18,7 +18,7 @@ public class CertifyCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CERTIFY", "Galil"));
         await talk.TypeAsync("CNCARM", "Stream");
         Assert.True(File.Exists(talk.PathOf("part.certificate.json")));
-        Assert.Contains("The certificate stands:", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The certificate is valid:", talk.Said, StringComparison.Ordinal);
 
         await talk.TypeAsync("CNCMAXERR", "0.002", "CNCARM", "Stream");
         Assert.Contains("is of another job: CNCMAXERR changed since", talk.Said, StringComparison.Ordinal);
@@ -46,7 +46,7 @@ public class CertifyCommandTests
         File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf", "MOVE", "ALL", "", "0,0", "1,0");
 
-        Assert.Contains("edits that no file holds", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CERTIFY")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("changes that are not in its file", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CERTIFY")).Sentence, StringComparison.Ordinal);
         Assert.False(File.Exists(talk.PathOf("part.certificate.json")));
     }
 

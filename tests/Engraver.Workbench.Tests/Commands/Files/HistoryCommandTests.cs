@@ -19,7 +19,7 @@ public class HistoryCommandTests
         Assert.Equal(["complete", "written", "written", "written", "complete"], entries.Select(entry => entry.Outcome));
         Assert.Equal((talk.PathOf("job.dmc"), "calls"), (entries[3].Program, entries[0].Mode));
         Assert.True(File.Exists(entries[0].Journal) && entries[0].Journal != entries[4].Journal);
-        Assert.Contains(entries[0].Checks!, check => check.Sentence.StartsWith("No certificate stands", StringComparison.Ordinal));
+        Assert.Contains(entries[0].Checks!, check => check.Sentence.StartsWith("The drawing has no certificate", StringComparison.Ordinal));
         Assert.InRange(entries[4].MaxDeviation!.Value, 0.0, 0.01);
 
         await talk.TypeAsync("CNCMAXERR", "0.001", "CNCFEED", "600", "CNCDISCONNECT", "CLOSE");
