@@ -1,5 +1,5 @@
 @echo off
-rem The headless console runner on Windows, and by its verb desktop the window: builds (quick when nothing changed), then runs.
+rem Runs the console runner on Windows, or the desktop with the verb desktop. Builds first (fast if nothing has changed).
 setlocal
 set "root=%~dp0"
 set "run=%root%artifacts\run"

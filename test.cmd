@@ -1,5 +1,7 @@
 @echo off
-rem Builds everything and runs every test on Windows. --full: every combination and the large numbers of seeds. --update-golden: writes the expected files anew.
+rem Builds everything and runs every test on Windows.
+rem   --full           every combination and the large numbers of seeds
+rem   --update-golden  writes the expected files
 setlocal
 cd /d "%~dp0"
 if "%~1"=="--full" set "ENGRAVER_FULL=1"
