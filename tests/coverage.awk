@@ -1,5 +1,5 @@
-# Cobertura reports of several test projects in, a table of lines covered per product project out; artifacts/coverage/missed.txt gets the lines that no test ran.
-# Lines stand one after the other under the <class> with their file's name, possibly twice (under the method, under the class).
+# Reads the Cobertura reports of several test projects; prints a table of covered lines by product project and writes the lines that no test
+# ran to artifacts/coverage/missed.txt. The lines of a file follow its <class> element, possibly twice (under the method, under the class).
 match($0, /filename="[^"]*"/) {
     file = substr($0, RSTART + 10, RLENGTH - 11)
     sub(root, "", file)
