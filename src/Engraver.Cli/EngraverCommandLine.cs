@@ -12,7 +12,7 @@ internal static class EngraverCommandLine
 {
     public static RootCommand Build(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)
     {
-        var root = new RootCommand(Wording.Get("EngraverCommandLine.TurnsDrawingDxfInto"));
+        var root = new RootCommand(Wording.Get("EngraverCommandLine.Summary"));
         global.AddTo(root);
         var host = new VerbHost(streams, global, machine);
         root.Subcommands.Add(InfoVerb.Build(host));

@@ -65,7 +65,7 @@ public static class EngraverProgram
         }
         catch (IOException unwritable)
         {
-            return Say(streams, Wording.Get("EngraverProgram.ResultCannotWritten", SystemReason.Of(unwritable)), ExitCode.DrawingError);
+            return Say(streams, Wording.Get("EngraverProgram.ResultNotWritable", SystemReason.Of(unwritable)), ExitCode.DrawingError);
         }
         catch (Exception bug)
         {

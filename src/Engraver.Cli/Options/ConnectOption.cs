@@ -16,7 +16,7 @@ internal static class ConnectOption
         var word = result.Tokens[0].Value;
         if (!ControllerAddress.TryParse(word, out var address))
         {
-            result.AddError(Wording.Get("ConnectOption.ConnectNoControllerAddress", word, ControllerAddress.Forms));
+            result.AddError(Wording.Get("ConnectOption.InvalidAddress", word, ControllerAddress.Forms));
             return null;
         }
 

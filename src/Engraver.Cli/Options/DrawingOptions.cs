@@ -19,7 +19,7 @@ internal sealed class DrawingOptions
 {
     private static readonly DrawingSettings s_defaults = new();
 
-    private readonly Argument<string> _file = new("FILE") { Description = Wording.Get("DrawingOptions.DrawingDxfAnyVersion") };
+    private readonly Argument<string> _file = new("FILE") { Description = Wording.Get("DrawingOptions.Drawing") };
     private readonly Option<IReadOnlyList<string>?> _layers = Described<IReadOnlyList<string>?>(SettingTable.Layers, OptionValue.Names);
     private readonly Option<IReadOnlyList<string>?> _skip = Described<IReadOnlyList<string>?>(SettingTable.SkippedLayers, OptionValue.Names);
     private readonly Option<string> _units = Choice(SettingTable.Units, "auto");
@@ -83,7 +83,7 @@ internal sealed class DrawingOptions
         null => null,
         _ when OptionValue.TryPoint(word) is { } point => new EnteringPlace.ByPoint(point),
         _ when word.Length <= 16 && word.All(char.IsAsciiHexDigit) => new EnteringPlace.ByHandle(word),
-        _ => throw new UsageException(Wording.Get("DrawingOptions.EnterNeitherPointX", word)),
+        _ => throw new UsageException(Wording.Get("DrawingOptions.InvalidEnter", word)),
     };
 
     /// <summary>Name, argument and help come from the one description of the setting.</summary>
@@ -114,6 +114,6 @@ internal sealed class DrawingOptions
         var profile = parsed.GetValue(_machine) is { } path ? ProfileOption.Load(parsed, path) : MachineProfile.Default;
         if (parsed.GetValue(_feed) is not { } feed) return profile;
         var fed = profile with { FeedMmPerMinute = feed };
-        return MachineProfileValidation.IsFeed(feed, profile, MachineFamilies.Driver.Limits) ? fed : throw new UsageException(Wording.Get("DrawingOptions.FeedMachineCutsMm", feed.ToString("R", CultureInfo.InvariantCulture), MachineProfileValidation.FeedRange(profile, MachineFamilies.Driver.Limits)));
+        return MachineProfileValidation.IsFeed(feed, profile, MachineFamilies.Driver.Limits) ? fed : throw new UsageException(Wording.Get("DrawingOptions.FeedOutOfRange", feed.ToString("R", CultureInfo.InvariantCulture), MachineProfileValidation.FeedRange(profile, MachineFamilies.Driver.Limits)));
     }
 }

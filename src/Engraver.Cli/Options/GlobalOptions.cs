@@ -10,11 +10,11 @@ internal sealed class GlobalOptions
 {
     private const string QuietName = "--quiet";
 
-    private readonly Option<bool> _quiet = new(QuietName) { Description = Wording.Get("GlobalOptions.OnlyErrorsOnStandard"), Recursive = true };
-    private readonly Option<bool> _verbose = new("--verbose") { Description = Wording.Get("GlobalOptions.AlsoDiagnosticsSeverityInfo"), Recursive = true };
+    private readonly Option<bool> _quiet = new(QuietName) { Description = Wording.Get("GlobalOptions.Quiet"), Recursive = true };
+    private readonly Option<bool> _verbose = new("--verbose") { Description = Wording.Get("GlobalOptions.Verbose"), Recursive = true };
     private readonly Option<CultureInfo?> _culture = new("--culture")
     {
-        Description = Wording.Get("GlobalOptions.LanguageTextsCultureName"),
+        Description = Wording.Get("GlobalOptions.Culture"),
         HelpName = "NAME",
         Recursive = true,
         CustomParser = ParseCulture,
@@ -47,7 +47,7 @@ internal sealed class GlobalOptions
     {
         var name = result.Tokens[0].Value;
         var culture = Find(name);
-        if (culture is null) result.AddError(Wording.Get("GlobalOptions.NotCultureNameUse", name));
+        if (culture is null) result.AddError(Wording.Get("GlobalOptions.InvalidCulture", name));
         return culture;
     }
 

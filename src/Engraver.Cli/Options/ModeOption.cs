@@ -8,7 +8,7 @@ internal static class ModeOption
 {
     public static Option<string> New()
     {
-        var option = new Option<string>("--mode") { Description = Wording.Get("ModeOption.StreamVectorSequencesFed"), DefaultValueFactory = _ => "stream" };
+        var option = new Option<string>("--mode") { Description = Wording.Get("ModeOption.Mode"), DefaultValueFactory = _ => "stream" };
         option.AcceptOnlyFromAmong("stream", "calls", "program");
         return option;
     }

@@ -25,7 +25,7 @@ internal static partial class OptionValue
     public static double NumberFromOne(ArgumentResult result) => Number(result, value => value >= 1.0, Wording.Get("OptionValue.NumberFromOne"));
 
     /// <summary>Seconds above 0, at most a day.</summary>
-    public static double SecondsOfADay(ArgumentResult result) => Number(result, value => value is > 0.0 and <= 86_400.0, Wording.Get("OptionValue.SecondsOfADay"));
+    public static double SecondsOfADay(ArgumentResult result) => Number(result, value => value is > 0.0 and <= 86_400.0, Wording.Get("OptionValue.SecondsUpToADay"));
 
     /// <summary>Mm/min above 0 and below a million.</summary>
     public static double Speed(ArgumentResult result) => Number(result, value => value is > 0.0 and < 1e6, Wording.Get("OptionValue.Speed"));
@@ -40,7 +40,7 @@ internal static partial class OptionValue
     {
         var word = result.Tokens[0].Value;
         if (TryPoint(word) is { } point) return point;
-        result.AddError(Wording.Get("OptionValue.NotPointWriteX", Name(result), word));
+        result.AddError(Wording.Get("OptionValue.InvalidPoint", Name(result), word));
         return default;
     }
 
@@ -57,7 +57,7 @@ internal static partial class OptionValue
         foreach (var word in Names(result))
         {
             if (char.IsAsciiLetter(word[0]) && Enum.TryParse<CutChoice>(word, ignoreCase: true, out var one)) choice |= one;
-            else result.AddError(Wording.Get("OptionValue.CannotCutNameSome", Name(result), word));
+            else result.AddError(Wording.Get("OptionValue.InvalidCut", Name(result), word));
         }
 
         return choice;
@@ -71,7 +71,7 @@ internal static partial class OptionValue
             case "stay": return FinishPlace.Stay;
             case "park": return FinishPlace.Park;
             default:
-                result.AddError(Wording.Get("OptionValue.NoFinish", Name(result), result.Tokens[0].Value));
+                result.AddError(Wording.Get("OptionValue.InvalidFinish", Name(result), result.Tokens[0].Value));
                 return FinishPlace.Origin;
         }
     }
@@ -87,7 +87,7 @@ internal static partial class OptionValue
     {
         var word = result.Tokens[0].Value;
         if (NumberPrompt.TryNumber(word, out var value) && Math.Abs(value) <= Largest && allowed(value)) return value;
-        result.AddError(Wording.Get("OptionValue.Not", Name(result), word, wanted));
+        result.AddError(Wording.Get("OptionValue.Invalid", Name(result), word, wanted));
         return double.NaN;
     }
 

@@ -12,6 +12,6 @@ internal static class OutputFormat
     public static void Check(string? path, params string[] written)
     {
         var extension = Path.GetExtension(path ?? "").ToLowerInvariant();
-        if (s_formats.Contains(extension) && !written.Contains(extension)) throw new UsageException(Wording.Get("OutputFormat.Other", path, extension, written[0]));
+        if (s_formats.Contains(extension) && !written.Contains(extension)) throw new UsageException(Wording.Get("OutputFormat.NotSupported", path, extension, written[0]));
     }
 }

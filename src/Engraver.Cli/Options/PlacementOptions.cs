@@ -41,7 +41,7 @@ internal sealed class PlacementOptions
         if (word == "work") return new OriginRequest.Work();
         if (word == "here") return new OriginRequest.PresentPlace();
         if (TryPlace(word) is { } place) return new OriginRequest.Given(place);
-        result.AddError(Wording.Get("Placement.NoOrigin", word));
+        result.AddError(Wording.Get("Placement.InvalidOrigin", word));
         return new OriginRequest.Work();
     }
 

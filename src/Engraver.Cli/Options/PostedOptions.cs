@@ -34,7 +34,7 @@ internal sealed class PostedOptions
     {
         if (result.GetResult(option) is not { Tokens: [var given] }) return;
         var post = PostTable.All.FirstOrDefault(entry => entry.Post.Name == target)?.Post;
-        if (post?.Options.FirstOrDefault(one => "--" + one.Name == option.Name) is not { } choice) result.AddError(Wording.Get("Post.NoOptionTarget", option.Name, target));
-        else if (!choice.Takes(given.Value)) result.AddError(Wording.Get("Post.Not", choice.Name, given.Value, choice.Form));
+        if (post?.Options.FirstOrDefault(one => "--" + one.Name == option.Name) is not { } choice) result.AddError(Wording.Get("Post.OptionNotSupported", option.Name, target));
+        else if (!choice.Takes(given.Value)) result.AddError(Wording.Get("Post.InvalidOption", choice.Name, given.Value, choice.Form));
     }
 }

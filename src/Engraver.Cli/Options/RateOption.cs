@@ -13,7 +13,7 @@ internal static class RateOption
     {
         var word = result.Tokens[0].Value;
         if (JobRates.Parse(word) is { } rates) return rates;
-        result.AddError(Wording.Get("Plan.NoRates", word));
+        result.AddError(Wording.Get("Plan.InvalidRates", word));
         return null;
     }
 }

@@ -13,11 +13,11 @@ internal static class CrashReport
         try
         {
             File.WriteAllText(path, report);
-            return Wording.Get("CrashReport.InternalErrorCrashReport", bug.GetType().Name, bug.Message, path);
+            return Wording.Get("CrashReport.Written", bug.GetType().Name, bug.Message, path);
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return Wording.Get("CrashReport.InternalErrorNoCrash", bug.GetType().Name, bug.Message, unwritable.Message);
+            return Wording.Get("CrashReport.NotWritten", bug.GetType().Name, bug.Message, unwritable.Message);
         }
     }
 }

@@ -14,17 +14,17 @@ internal static class CrossCheckReport
         try
         {
             var differences = CrossCheck.Read(File.ReadAllBytes(read.FileName)).DifferencesFrom(summary);
-            foreach (var difference in differences) error.WriteLine(Wording.Get("CrossCheckReport.SecondReadingDiffers", read.FileName, difference));
-            if (differences.Count == 0) error.WriteLine(Wording.Get("CrossCheckReport.SecondReadingAgreesCurves", read.FileName));
+            foreach (var difference in differences) error.WriteLine(Wording.Get("CrossCheckReport.Differs", read.FileName, difference));
+            if (differences.Count == 0) error.WriteLine(Wording.Get("CrossCheckReport.Agrees", read.FileName));
             return differences.Count == 0;
         }
         catch (CrossCheckException beyond)
         {
-            error.WriteLine(Wording.Get("CrossCheckReport.NoSecondReadingDrawing", read.FileName, beyond.Message));
+            error.WriteLine(Wording.Get("CrossCheckReport.NotSupported", read.FileName, beyond.Message));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            error.WriteLine(Wording.Get("CrossCheckReport.NoSecondReading", read.FileName, SystemReason.Of(unreadable)));
+            error.WriteLine(Wording.Get("CrossCheckReport.CannotReread", read.FileName, SystemReason.Of(unreadable)));
         }
 
         return false;

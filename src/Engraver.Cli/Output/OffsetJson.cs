@@ -18,7 +18,7 @@ internal sealed record OffsetJson(IReadOnlyList<OffsetJson.LoopJson> Loops, doub
         foreach (var loop in loops)
         {
             output.WriteLine(loop.Closed
-                ? Wording.Get("Offset.ClosedLoop", loop.Lines, loop.Arcs, loop.Length, Math.Abs(loop.SignedArea), loop.IsHole ? Wording.Get("Offset.Hole") : "")
+                ? Wording.Get(loop.IsHole ? "Offset.Hole" : "Offset.ClosedLoop", loop.Lines, loop.Arcs, loop.Length, Math.Abs(loop.SignedArea))
                 : Wording.Get("Offset.OpenLoop", loop.Lines, loop.Arcs, loop.Length));
         }
 

@@ -24,10 +24,10 @@ internal static class PlanReport
 
     public static void Text(TextWriter output, PlanJson plan)
     {
-        output.WriteLine(Wording.Get("PlanReport.MmCutMmTravel", plan.CutLength, plan.Travel));
+        output.WriteLine(Wording.Get("PlanReport.Lengths", plan.CutLength, plan.Travel));
         if (plan.Seconds is not { } seconds) return;
-        output.WriteLine(Wording.Get("PlanReport.CuttingRapidStanding", seconds.Total, seconds.Cutting, seconds.Rapid, seconds.Dwell));
-        output.WriteLine(Wording.Get("PlanReport.MostMmAlongPath", plan.PeakSpeed, plan.PeakAxisAcceleration));
+        output.WriteLine(Wording.Get("PlanReport.Times", seconds.Total, seconds.Cutting, seconds.Rapid, seconds.Dwell));
+        output.WriteLine(Wording.Get("PlanReport.Peaks", plan.PeakSpeed, plan.PeakAxisAcceleration));
         if (plan is { Cost: { } cost, CostParts: { } parts }) output.WriteLine(Wording.Get("PlanReport.Cost", cost, parts.Time, parts.Length, parts.Starts));
     }
 

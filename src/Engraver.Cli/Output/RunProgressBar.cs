@@ -22,7 +22,7 @@ internal static class RunProgressBar
         public void Report(JobProgress value)
         {
             task.Value = value.SegmentsExecuted;
-            task.Description = Wording.Get("RunProgressBar.StrokeTool", value.Stroke + 1, strokes, value.ToolOn ? Wording.Get("RunProgressBar.On") : Wording.Get("RunProgressBar.Off"), value.Seconds);
+            task.Description = Wording.Get(value.ToolOn ? "RunProgressBar.ToolOn" : "RunProgressBar.ToolOff", value.Stroke + 1, strokes, value.Seconds);
         }
     }
 }

@@ -11,7 +11,7 @@ internal static class VerbSuggestion
     {
         if (args.Length == 0 || args[0].StartsWith('-') || root.Subcommands.Any(verb => verb.Name == args[0])) return null;
         return NearestWord.Find(args[0], root.Subcommands.Select(verb => verb.Name)) is { } nearest
-            ? Wording.Get("VerbSuggestion.ThereNoVerbDid", args[0], nearest)
-            : Wording.Get("VerbSuggestion.ThereNoVerbThere", args[0], string.Join(", ", root.Subcommands.Select(verb => verb.Name)));
+            ? Wording.Get("VerbSuggestion.Nearest", args[0], nearest)
+            : Wording.Get("VerbSuggestion.None", args[0], string.Join(", ", root.Subcommands.Select(verb => verb.Name)));
     }
 }

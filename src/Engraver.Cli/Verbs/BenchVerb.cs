@@ -24,12 +24,12 @@ internal static class BenchVerb
     {
         var sizes = new Argument<int[]>("ENTITIES")
         {
-            Description = Wording.Get("Bench.LinesMeasuredDrawingsDefault"),
+            Description = Wording.Get("Bench.Sizes"),
             Arity = ArgumentArity.ZeroOrMore,
             DefaultValueFactory = _ => [1_000, 10_000, 100_000],
             CustomParser = Sizes,
         };
-        var command = new Command("bench", Wording.Get("Bench.MeasuresEveryStageOn")) { sizes };
+        var command = new Command("bench", Wording.Get("Bench.Summary")) { sizes };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(sizes), stop));
         command.Subcommands.Add(Stops(host));
         command.Subcommands.Add(Trajectories(host));
@@ -45,7 +45,7 @@ internal static class BenchVerb
         var presses = new Option<int>("--presses") { HelpName = "N", Description = Wording.Get("Bench.Presses"), DefaultValueFactory = _ => 200 };
         presses.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.NoPresses", token.Value));
+            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.InvalidPresses", token.Value));
         });
         var names = new Option<string[]>("--fault") { HelpName = "KIND", Description = Wording.Get("Bench.Fault"), Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true };
         names.AcceptOnlyFromAmong([.. FaultStopBenchmark.Faults.Select(fault => fault.Name)]);
@@ -61,7 +61,7 @@ internal static class BenchVerb
         var curves = new Option<int>("--curves") { HelpName = "N", Description = Wording.Get("Bench.Curves"), DefaultValueFactory = _ => 100 };
         curves.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.NoCurves", token.Value));
+            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.InvalidCurves", token.Value));
         });
         var command = new Command("trajectories", Wording.Get("Bench.Trajectories")) { curves };
         command.SetAction((parsed, stop) => TrajectoriesAsync(host, parsed.GetValue(curves), stop));
@@ -98,10 +98,10 @@ internal static class BenchVerb
     /// <summary><c>engraver bench posts</c>: every target of real drawings, posted and verified.</summary>
     private static Command Posts(VerbHost host)
     {
-        var places = new Argument<string[]>("PLACE") { Description = Wording.Get("Bench.PostPlaces"), Arity = ArgumentArity.OneOrMore };
+        var places = new Argument<string[]>("PLACE") { Description = Wording.Get("Bench.PostDrawings"), Arity = ArgumentArity.OneOrMore };
         places.Validators.Add(result =>
         {
-            foreach (var place in result.Tokens.Where(token => !Path.Exists(token.Value))) result.AddError(Wording.Get("Bench.NoPlace", place.Value));
+            foreach (var place in result.Tokens.Where(token => !Path.Exists(token.Value))) result.AddError(Wording.Get("Bench.NotDrawingOrFolder", place.Value));
         });
         var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMost"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 60.0 };
         var target = new Option<string?>("--target") { HelpName = "NAME", Description = Wording.Get("Bench.PostTarget") };
@@ -142,7 +142,7 @@ internal static class BenchVerb
         }
         catch (PlatformNotSupportedException unbuilt)
         {
-            throw new UsageException(Wording.Get("Bench.NoSerial", unbuilt.Message));
+            throw new UsageException(Wording.Get("Bench.SerialUnavailable", unbuilt.Message));
         }
         finally
         {
@@ -172,7 +172,7 @@ internal static class BenchVerb
     private static int? Baud(ArgumentResult result)
     {
         if (result.Tokens is [var token] && int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
-        result.AddError(Wording.Get("Bench.NoRate", result.Tokens[0].Value, string.Join(", ", SerialLine.Rates)));
+        result.AddError(Wording.Get("Bench.InvalidBaud", result.Tokens[0].Value, string.Join(", ", SerialLine.Rates)));
         return null;
     }
 
@@ -182,7 +182,7 @@ internal static class BenchVerb
         foreach (var token in result.Tokens)
         {
             if (int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var size) && size is > 0 and <= 10_000_000) sizes.Add(size);
-            else result.AddError(Wording.Get("Bench.EntitiesNotNumberFrom", result.Argument.Name, token.Value));
+            else result.AddError(Wording.Get("Bench.InvalidCount", result.Argument.Name, token.Value));
         }
 
         return [.. sizes];

@@ -21,7 +21,7 @@ internal sealed class CommissionVerb
     public static Command Build(VerbHost host)
     {
         var verb = new CommissionVerb(host);
-        var command = new MachineCommand("commission", Wording.Get("Commission.Description")) { verb._connect, verb._profile, verb._output };
+        var command = new MachineCommand("commission", Wording.Get("Commission.Summary")) { verb._connect, verb._profile, verb._output };
         command.SetAction(verb.RunAsync);
         return command;
     }

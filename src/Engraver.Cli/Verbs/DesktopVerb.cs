@@ -9,14 +9,14 @@ namespace Engraver.Cli.Verbs;
 /// <summary><c>engraver desktop</c>: starts the operator desktop, the program beside this one, and becomes its exit code.</summary>
 internal sealed class DesktopVerb
 {
-    private readonly Argument<string?> _file = new("FILE") { Description = Wording.Get("Desktop.DrawingOpen"), Arity = ArgumentArity.ZeroOrOne };
-    private readonly Option<string?> _script = new("--script") { Description = Wording.Get("Desktop.CommandsRunOnceWindow"), HelpName = "FILE.scr" };
-    private readonly Option<bool> _headless = new("--headless") { Description = Wording.Get("Desktop.NeedsNoDisplayEnds") };
-    private readonly Option<string?> _screenshot = new("--screenshot") { Description = Wording.Get("Desktop.WherePictureWindowWritten"), HelpName = "OUT.png" };
-    private readonly Option<string?> _size = new("--size") { Description = Wording.Get("Desktop.SizeWindow"), HelpName = "1280x800" };
-    private readonly Option<double?> _scale = new("--scale") { Description = Wording.Get("Desktop.PixelsEachUnit"), HelpName = "1.0", CustomParser = result => OptionValue.PositiveNumber(result) };
+    private readonly Argument<string?> _file = new("FILE") { Description = Wording.Get("Desktop.Drawing"), Arity = ArgumentArity.ZeroOrOne };
+    private readonly Option<string?> _script = new("--script") { Description = Wording.Get("Desktop.Script"), HelpName = "FILE.scr" };
+    private readonly Option<bool> _headless = new("--headless") { Description = Wording.Get("Desktop.Headless") };
+    private readonly Option<string?> _screenshot = new("--screenshot") { Description = Wording.Get("Desktop.Screenshot"), HelpName = "OUT.png" };
+    private readonly Option<string?> _size = new("--size") { Description = Wording.Get("Desktop.Size"), HelpName = "1280x800" };
+    private readonly Option<double?> _scale = new("--scale") { Description = Wording.Get("Desktop.Scale"), HelpName = "1.0", CustomParser = result => OptionValue.PositiveNumber(result) };
 
-    private readonly Option<string?> _benchmark = new("--benchmark") { Description = Wording.Get("Desktop.MeasuresInsteadOpeningStart"), HelpName = "WHAT", Hidden = true };
+    private readonly Option<string?> _benchmark = new("--benchmark") { Description = Wording.Get("Desktop.Benchmark"), HelpName = "WHAT", Hidden = true };
 
     private DesktopVerb()
     {
@@ -25,7 +25,7 @@ internal sealed class DesktopVerb
     public static Command Build()
     {
         var verb = new DesktopVerb();
-        var command = new MachineCommand("desktop", Wording.Get("Desktop.OpensOperatorDesktopExit"));
+        var command = new MachineCommand("desktop", Wording.Get("Desktop.Summary"));
         command.Arguments.Add(verb._file);
         foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale, verb._benchmark]) command.Options.Add(option);
         command.SetAction(verb.RunAsync);
@@ -49,7 +49,7 @@ internal sealed class DesktopVerb
         }
         catch (Win32Exception failure)
         {
-            throw new UsageException(Wording.Get("Desktop.CouldNotStarted", program.Runtime ?? program.File), failure);
+            throw new UsageException(Wording.Get("Desktop.CannotStart", program.Runtime ?? program.File), failure);
         }
     }
 

@@ -16,16 +16,16 @@ internal static class DiscoverVerb
         {
             foreach (var token in result.Tokens)
             {
-                if (!ControllerAddress.TryParse(token.Value, out _)) result.AddError(Wording.Get("ConnectOption.ConnectNoControllerAddress", token.Value, ControllerAddress.Forms));
+                if (!ControllerAddress.TryParse(token.Value, out _)) result.AddError(Wording.Get("ConnectOption.InvalidAddress", token.Value, ControllerAddress.Forms));
             }
         });
         var baud = new Option<int>("--baud") { HelpName = "N", Description = Wording.Get("Discover.Baud"), DefaultValueFactory = _ => ControllerAddress.DefaultBaud };
         baud.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var rate) && SerialLine.Rates.Contains(rate))) result.AddError(Wording.Get("Simulate.BaudNotOne", token.Value, string.Join(", ", SerialLine.Rates)));
+            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var rate) && SerialLine.Rates.Contains(rate))) result.AddError(Wording.Get("Simulate.InvalidBaud", token.Value, string.Join(", ", SerialLine.Rates)));
         });
         var json = JsonOption.New();
-        var command = new MachineCommand("discover", Wording.Get("Discover.Discover")) { addresses, baud, json };
+        var command = new MachineCommand("discover", Wording.Get("Discover.Summary")) { addresses, baud, json };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetValue(addresses) ?? [], parsed.GetValue(baud), parsed.GetValue(json), stop));
         return command;
     }
@@ -39,7 +39,7 @@ internal static class DiscoverVerb
             asked.Add(one);
             if (!json) host.Out.WriteLine(one switch
             {
-                { Model: null } => Wording.Get("Discover.Silent", one.Address, one.WhyNot),
+                { Model: null } => Wording.Get("Discover.NoReply", one.Address, one.WhyNot),
                 { Serial: { } number } => Wording.Get("Discover.Found", one.Address, one.Model, number),
                 _ => Wording.Get("Discover.FoundWithoutNumber", one.Address, one.Model),
             });
@@ -47,7 +47,7 @@ internal static class DiscoverVerb
 
         if (json) ContractJson.Write(host.Out, DiscoverJson.From(asked), ContractJson.Default.DiscoverJson);
         if (asked.Any(one => one.Model is not null)) return ExitCode.Done;
-        if (asked.Count == 0) host.Error.WriteLine(Wording.Get("Discover.NowhereToLook"));
+        if (asked.Count == 0) host.Error.WriteLine(Wording.Get("Discover.NoAddress"));
         return ExitCode.LinkLost;
     }
 }

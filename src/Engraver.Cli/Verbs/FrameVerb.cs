@@ -26,7 +26,7 @@ internal sealed class FrameVerb
     public static Command Build(VerbHost host)
     {
         var verb = new FrameVerb(host);
-        var command = new MachineCommand("frame", Wording.Get("Frame.Frame"));
+        var command = new MachineCommand("frame", Wording.Get("Frame.Summary"));
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._connect, verb._json, verb._hull]) command.Options.Add(option);
         command.SetAction(verb.RunAsync);

@@ -20,7 +20,7 @@ internal sealed partial class HandVerbs
     {
         if (!machine.Profile.HasHoming) return NotMoved(Wording.Get("Hand.NoHoming"));
         var homed = await machine.HomeAsync(JournalFolder.NewJournal("home", TimeProvider.System), stop).ConfigureAwait(false);
-        if (homed.Forgotten.Count > 0) _host.Error.WriteLine(Wording.Get("Hand.Forgotten", string.Join(", ", homed.Forgotten)));
+        if (homed.Forgotten.Count > 0) _host.Error.WriteLine(Wording.Get("Hand.OriginsLost", string.Join(", ", homed.Forgotten)));
         return Concluded(homed.Result);
     }
 
@@ -46,7 +46,7 @@ internal sealed partial class HandVerbs
         var result = await machine.JogAsync(jog, JournalFolder.NewJournal("jog", TimeProvider.System), stop).ConfigureAwait(false);
         await ended.CancelAsync().ConfigureAwait(false);
         if (typed.IsCompleted) await typed.ConfigureAwait(false);
-        if (jog.Lost.IsCompleted) _host.Error.WriteLine(Wording.Get("Hand.JogNotHeard"));
+        if (jog.Lost.IsCompleted) _host.Error.WriteLine(Wording.Get("Hand.JogDelayed"));
         return Concluded(result);
     }
 

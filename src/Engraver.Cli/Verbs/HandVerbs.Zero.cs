@@ -35,7 +35,7 @@ internal sealed partial class HandVerbs
         var at = new Option<string?>("--at") { HelpName = "X,Y[,Z]", Description = Wording.Get("Hand.OriginAt") };
         at.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && MachinePlaceOf(token.Value) is null) result.AddError(Wording.Get("Hand.NoMachinePlace", token.Value));
+            if (result.Tokens is [var token] && MachinePlaceOf(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidMachinePosition", token.Value));
         });
         var command = verb.Command("origin", Wording.Get("Hand.Origin"));
         command.Arguments.Add(name);
@@ -56,7 +56,7 @@ internal sealed partial class HandVerbs
     {
         var axes = machine.Profile.Axes;
         if (place.Z is not null && axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (!place.IsCountable(axes.Scale)) return NotMoved(Wording.Get("Hand.NotCountable"));
+        if (!place.IsCountable(axes.Scale)) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         var chosen = name is null ? machine.Hold!.Memory.Active : WorkOriginNames.Find(name)!;
         return await machine.TypeOriginAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }
@@ -65,7 +65,7 @@ internal sealed partial class HandVerbs
     {
         var (profile, (touch, name, z)) = (machine.Profile, options.Read(parsed, machine.Profile.Scale));
         if (z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (touch is null || !touch.IsCountable(profile.Scale)) return NotMoved(Wording.Get("Hand.NotCountable"));
+        if (touch is null || !touch.IsCountable(profile.Scale)) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         var refused = await machine.SetOriginAsync((memory, here) => touch.Set(memory with { Active = name ?? memory.Active }, name ?? memory.Active, here.Position, profile), stop).ConfigureAwait(false);
         return refused is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }
@@ -121,7 +121,7 @@ internal sealed partial class HandVerbs
         /// <summary>The text is the name of a work origin.</summary>
         public static void CheckName(SymbolResult result)
         {
-            if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError(Wording.Get("Hand.NoSuchOrigin", token.Value, string.Join(", ", WorkOriginNames.All)));
+            if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidOrigin", token.Value, string.Join(", ", WorkOriginNames.All)));
         }
 
         private static Point2D? Place(string? typed) => typed is null ? null : PlacementOptions.TryPlace(typed);
@@ -131,7 +131,7 @@ internal sealed partial class HandVerbs
             var option = new Option<string?>(name) { HelpName = "X,Y", Description = description };
             option.Validators.Add(result =>
             {
-                if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
+                if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidPosition", token.Value));
             });
             return option;
         }
@@ -139,7 +139,7 @@ internal sealed partial class HandVerbs
         private static double ParseRadius(ArgumentResult result)
         {
             if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var radius) && radius is >= 0.0 and <= LargestRadiusMm) return radius;
-            result.AddError(Wording.Get("Hand.ZeroNoRadius", result.Tokens[0].Value, LargestRadiusMm));
+            result.AddError(Wording.Get("Hand.InvalidRadius", result.Tokens[0].Value, LargestRadiusMm));
             return 0.0;
         }
     }

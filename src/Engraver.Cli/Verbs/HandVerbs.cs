@@ -40,7 +40,7 @@ internal sealed partial class HandVerbs
         var state = new Argument<string>("ON|OFF") { Description = Wording.Get("Hand.MotorsState") };
         state.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && !token.Value.Equals("on", StringComparison.OrdinalIgnoreCase) && !token.Value.Equals("off", StringComparison.OrdinalIgnoreCase)) result.AddError(Wording.Get("Hand.MotorsNoState", token.Value));
+            if (result.Tokens is [var token] && !token.Value.Equals("on", StringComparison.OrdinalIgnoreCase) && !token.Value.Equals("off", StringComparison.OrdinalIgnoreCase)) result.AddError(Wording.Get("Hand.InvalidMotorsState", token.Value));
         });
         var command = verb.Command("motors", Wording.Get("Hand.Motors"));
         command.Arguments.Add(state);
@@ -58,10 +58,10 @@ internal sealed partial class HandVerbs
     public static Command GoTo(VerbHost host)
     {
         var verb = new HandVerbs(host);
-        var place = new Argument<string?>("X,Y|park|clearance") { Description = Wording.Get("Hand.Place") };
+        var place = new Argument<string?>("X,Y|park|clearance") { Description = Wording.Get("Hand.Target") };
         place.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && token.Value is not (Park or Clearance) && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
+            if (result.Tokens is [var token] && token.Value is not (Park or Clearance) && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidPosition", token.Value));
         });
         var byMachine = new Option<bool>("--machine-position") { Description = Wording.Get("Hand.ByMachine") };
         var command = verb.Command("goto", Wording.Get("Hand.GoTo"));
@@ -95,12 +95,12 @@ internal sealed partial class HandVerbs
             var isStep = step != default || height != 0.0;
             if (parsed.GetValue(hold) is not { } way)
             {
-                if (!isStep) throw new UsageException(Wording.Get("Hand.JogNowhere"));
+                if (!isStep) throw new UsageException(Wording.Get("Hand.JogWithoutDistance"));
                 return verb.WithMachineAsync(parsed, (machine, cancellation) => verb.JogAsync(machine, step, height, parsed.GetValue(feed), cancellation), stop);
             }
 
             if (isStep) throw new UsageException(Wording.Get("Hand.JogHoldOrStep"));
-            var direction = Direction(way) ?? throw new UsageException(Wording.Get("Hand.JogNoWay", way));
+            var direction = Direction(way) ?? throw new UsageException(Wording.Get("Hand.InvalidJogDirection", way));
             return verb.WithMachineAsync(parsed, (machine, cancellation) => verb.HoldAsync(machine, direction, parsed.GetValue(feed), cancellation), stop);
         });
         return command;
@@ -133,7 +133,7 @@ internal sealed partial class HandVerbs
             zero = frame;
         }
 
-        if (HandPlace.OfDrawing(place, zero, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.NotCountable"));
+        if (HandPlace.OfDrawing(place, zero, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         return Concluded(await machine.GoToAsync(goal, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
@@ -143,19 +143,19 @@ internal sealed partial class HandVerbs
         if (machine.Profile.Height is null) return NotMoved(Wording.Get("Hand.NoClearance"));
         var found = await machine.FindZeroAsync(stop).ConfigureAwait(false);
         if (found?.Frame is not { } zero || machine.Status.MachinePosition is not { } here) return NotMoved(WhyUnplaced(found));
-        if (HandPlace.AtClearance(here, zero, machine.Profile) is not { } goal) return NotMoved(Wording.Get("Hand.NotCountable"));
+        if (HandPlace.AtClearance(here, zero, machine.Profile) is not { } goal) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         return Concluded(await machine.StepAsync(goal, withHeight: true, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
-    private static string WhyUnplaced(PlacementResult? found) => found?.Refusal is { } refused ? SettingWording.OnConsole(refused).Message : Wording.Get("Hand.PlaceNotKnown");
+    private static string WhyUnplaced(PlacementResult? found) => found?.Refusal is { } refused ? SettingWording.OnConsole(refused).Message : Wording.Get("Hand.WorkOriginUnknown");
 
     /// <summary>A bounded step from where the machine stands.</summary>
     /// <param name="height">Up or down, mm.</param>
     private async Task<int> JogAsync(MachineSession machine, Vector2D step, double height, double? feed, CancellationToken stop)
     {
-        if (machine.Status.MachinePosition is not { } here) return NotMoved(Wording.Get("Hand.PlaceNotKnown"));
+        if (machine.Status.MachinePosition is not { } here) return NotMoved(Wording.Get("Hand.MachinePositionUnknown"));
         if (height != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (HandPlace.Beside(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.NotCountable"));
+        if (HandPlace.Beside(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         TellUnhomed(machine);
         return Concluded(await machine.StepAsync(goal, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
     }
@@ -165,7 +165,7 @@ internal sealed partial class HandVerbs
     {
         if (result is { Outcome: JobOutcome.Refused, Diagnostics: [{ } refusal, ..], FinalPosition: null }) return NotMoved(SettingWording.OnConsole(refusal).Message);
         if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
-        foreach (var left in result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.EngraverNotRestored", left));
+        foreach (var left in result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.NotRestored", left));
         return ExitCode.Of(result.Outcome);
     }
 

@@ -16,8 +16,8 @@ internal static class InfoVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
-        var twice = new Option<bool>("--twice") { Description = Wording.Get("Info.ReadFileSecondTime") };
-        var command = new Command("info", Wording.Get("Info.SaysWhatDrawingWhat"));
+        var twice = new Option<bool>("--twice") { Description = Wording.Get("Info.Twice") };
+        var command = new Command("info", Wording.Get("Info.Summary"));
         drawing.AddTo(command);
         command.Options.Add(json);
         command.Options.Add(twice);

@@ -6,5 +6,5 @@ internal static class JsonOption
 {
     public const string Name = "--json";
 
-    public static Option<bool> New() => new(Name) { Description = Wording.Get("JsonOption.OneJsonObjectOn") };
+    public static Option<bool> New() => new(Name) { Description = Wording.Get("JsonOption.Json") };
 }

@@ -17,17 +17,17 @@ internal static class MinimiseVerb
 
     public static Command Build(VerbHost host)
     {
-        var file = new Argument<string>("FILE") { Description = Wording.Get("Minimise.DrawingShowsFault") };
-        var keep = new Option<string>("--keep") { Required = true, HelpName = "ID|crash", Description = Wording.Get("Minimise.FaultDiagnosticIdDXF0007") };
-        var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = Wording.Get("Verbs.FileWriteDefaultStandard") };
-        var command = new Command("minimise", Wording.Get("Minimise.ShrinksDrawingSmallestOne")) { file, keep, output };
+        var file = new Argument<string>("FILE") { Description = Wording.Get("Minimise.Drawing") };
+        var keep = new Option<string>("--keep") { Required = true, HelpName = "ID|crash", Description = Wording.Get("Minimise.Keep") };
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = Wording.Get("Verbs.Output") };
+        var command = new Command("minimise", Wording.Get("Minimise.Summary")) { file, keep, output };
         command.SetAction((parsed, stop) => Task.FromResult(Run(host, parsed.GetRequiredValue(file), parsed.GetRequiredValue(keep), parsed.GetValue(output), stop)));
         return command;
     }
 
     private static int Run(VerbHost host, string path, string fault, string? output, CancellationToken stop)
     {
-        if (fault != Crash && DiagnosticTable.All.All(rule => rule.Id != fault)) throw new UsageException(Wording.Get("Minimise.KeepNeitherDiagnosticId", fault));
+        if (fault != Crash && DiagnosticTable.All.All(rule => rule.Id != fault)) throw new UsageException(Wording.Get("Minimise.InvalidFault", fault));
         if (Read(host, path) is not { } bytes) return ExitCode.DrawingError;
         Predicate<byte[]> shows = fault == Crash ? candidate => Crashes(candidate, stop) : candidate => Diagnostics(candidate, fault, stop).Any(found => found.Id == fault);
         if (!shows(bytes))
@@ -38,7 +38,7 @@ internal static class MinimiseVerb
 
         var smallest = DrawingMinimiser.Minimise(bytes, shows, stop);
         host.Write(output, writer => writer.Write(Encoding.Latin1.GetString(smallest)));
-        host.Error.WriteLine(Wording.Get("Minimise.Became", bytes.Length, smallest.Length, fault));
+        host.Error.WriteLine(Wording.Get("Minimise.Reduced", bytes.Length, smallest.Length, fault));
         return ExitCode.Done;
     }
 

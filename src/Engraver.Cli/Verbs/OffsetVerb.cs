@@ -21,7 +21,7 @@ internal static class OffsetVerb
         join.AcceptOnlyFromAmong("round", "mitre", "bevel");
         var limit = new Option<double>("--mitre-limit") { HelpName = "FACTOR", Description = Wording.Get("Offset.MitreLimit"), CustomParser = OptionValue.NumberFromOne, DefaultValueFactory = _ => OffsetOptions.Default.MitreLimit };
         var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = Wording.Get("Offset.WriteDxf") };
-        var command = new Command("offset", Wording.Get("Offset.OffsetsContours"));
+        var command = new Command("offset", Wording.Get("Offset.Summary"));
         drawing.AddTo(command);
         foreach (var option in (Option[])[distance, side, join, limit, output, json]) command.Options.Add(option);
         command.SetAction((parsed, stop) =>

@@ -16,11 +16,11 @@ internal static class PlanVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
-        var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
+        var connect = ConnectOption.New(required: false, Wording.Get("Plan.Connect"));
         var mode = ModeOption.New();
         var rate = RateOption.New();
         var sheet = new Option<bool>("--sheet") { Description = Wording.Get("Plan.Sheet") };
-        var command = new Command("plan", Wording.Get("Plan.SaysHowLongJob"));
+        var command = new Command("plan", Wording.Get("Plan.Summary"));
         drawing.AddTo(command);
         foreach (var option in (Option[])[json, connect, mode, rate, sheet]) command.Options.Add(option);
         command.SetAction((parsed, stop) =>

@@ -16,11 +16,11 @@ internal static class PlotVerb
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
-        var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.svg", Description = Wording.Get("Plot.FileWrite") };
-        var what = new Option<string>("--what") { Description = Wording.Get("Plot.DrawingDrawnPathStrokes"), DefaultValueFactory = _ => "path" };
+        var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.svg", Description = Wording.Get("Plot.Output") };
+        var what = new Option<string>("--what") { Description = Wording.Get("Plot.What"), DefaultValueFactory = _ => "path" };
         what.AcceptOnlyFromAmong("drawing", "path", "deviation", "following", "speed", "trajectory");
         var journal = new Option<string?>("--journal") { HelpName = "FILE", Description = Wording.Get("Plot.Journal") };
-        var command = new Command("plot", Wording.Get("Plot.DrawsPictureDrawingIts"));
+        var command = new Command("plot", Wording.Get("Plot.Summary"));
         drawing.AddTo(command);
         command.Options.Add(output);
         command.Options.Add(what);

@@ -16,7 +16,7 @@ internal static class PocketVerb
     {
         var (drawing, options, json) = (new DrawingOptions(), new PocketVerbOptions(), JsonOption.New());
         var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = Wording.Get("Pocket.WriteDxf") };
-        var command = new Command("pocket", Wording.Get("Pocket.ClearsContours"));
+        var command = new Command("pocket", Wording.Get("Pocket.Summary"));
         drawing.AddTo(command);
         options.AddTo(command);
         command.Options.Add(output);

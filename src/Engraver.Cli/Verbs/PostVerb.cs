@@ -19,10 +19,10 @@ internal static class PostVerb
         var drawing = new DrawingOptions();
         var target = new Option<string>("--target") { Required = true, Description = string.Join("; ", PostTable.All.Select(entry => $"{TextCatalogue.Fact(entry.Post.Name)}: {entry.Post.Summary}")) + "." };
         target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
-        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = Wording.Get("Verbs.FileWriteDefaultStandard") };
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = Wording.Get("Verbs.Output") };
         var json = JsonOption.New();
         var choices = PostTable.Options.Select(Choice).ToList();
-        var command = new Command("post", Wording.Get("Post.WritesJobProgramController"));
+        var command = new Command("post", Wording.Get("Post.Summary"));
         drawing.AddTo(command);
         command.Options.Add(target);
         command.Options.Add(output);
@@ -57,7 +57,7 @@ internal static class PostVerb
         var choice = new Option<string?>("--" + option.Name) { HelpName = option.Argument, Description = Wording.Get("Post.Default", string.Join(", ", PostTable.Having(option)), option.Summary, option.Form, option.Default) };
         choice.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: var value }] && !option.Takes(value)) result.AddError(Wording.Get("Post.Not", option.Name, value, option.Form));
+            if (result.Tokens is [{ Value: var value }] && !option.Takes(value)) result.AddError(Wording.Get("Post.InvalidOption", option.Name, value, option.Form));
         });
         return choice;
     }
@@ -67,7 +67,7 @@ internal static class PostVerb
     {
         if (result.GetResult(target) is not { Tokens: [{ Value: var name }] } || PostTable.All.FirstOrDefault(entry => entry.Post.Name == name) is not { Post: var post }) return;
         foreach (var choice in choices.Where(choice => result.GetResult(choice) is not null && post.Options.All(option => option.Name != NameOf(choice))))
-            result.AddError(Wording.Get("Post.NoOptionTarget", choice.Name, name));
+            result.AddError(Wording.Get("Post.OptionNotSupported", choice.Name, name));
     }
 
     private static string NameOf(Option<string?> choice) => choice.Name["--".Length..];

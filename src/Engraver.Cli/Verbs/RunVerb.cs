@@ -31,14 +31,14 @@ internal sealed class RunVerb
 
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
-    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Run.TcpHostPortSerial"));
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Run.Connect"));
     private readonly Option<string> _mode = ModeOption.New();
     private readonly Option<bool> _json = JsonOption.New();
-    private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = Wording.Get("Run.WhereProgressJournalledDefault") };
-    private readonly Option<bool> _dryRun = new("--dry-run") { Description = Wording.Get("Run.EveryMotionButTool") };
+    private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = Wording.Get("Run.Journal") };
+    private readonly Option<bool> _dryRun = new("--dry-run") { Description = Wording.Get("Run.DryRun") };
     private readonly PlacementOptions _placement = new();
-    private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = Wording.Get("Run.WriteEveryLineOn") };
-    private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.StartAlthoughDrawingHas") };
+    private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = Wording.Get("Run.Trace") };
+    private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.AcceptErrors") };
 
     private readonly Option<string?> _resume = new("--resume") { HelpName = "JOURNAL", Description = Wording.Get("Run.Resume") };
     private readonly Option<bool> _trajectory = new("--trajectory") { Description = Wording.Get("Run.Trajectory") };
@@ -57,7 +57,7 @@ internal sealed class RunVerb
     public static Command Build(VerbHost host)
     {
         var verb = new RunVerb(host);
-        var command = new MachineCommand(Name, Wording.Get("Run.RunsDrawingOnController"));
+        var command = new MachineCommand(Name, Wording.Get("Run.Summary"));
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn, verb._trajectory]) command.Options.Add(option);
         verb._placement.AddTo(command);
@@ -127,7 +127,7 @@ internal sealed class RunVerb
     private static string WhyNotStarted(PreparedJob job)
     {
         if (DrawingFile.IsUnreadable(job.Drawing)) return Wording.Get("Run.DrawingUnreadable");
-        return job.Motion.Program is null ? job.WithoutProgram : Wording.Get("Run.DrawingHasErrorsLook");
+        return job.Motion.Program is null ? job.WithoutProgram : Wording.Get("Run.DrawingHasErrors");
     }
 
     private PreparedJob Follow(TrajectoryJob followed) => (_followed = followed).Job;
@@ -188,7 +188,7 @@ internal sealed class RunVerb
     private static double ParseLeadIn(ArgumentResult result)
     {
         if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var length) && length is >= 0.0 and <= ResumeRequest.LongestLeadInMm) return length;
-        result.AddError(Wording.Get("Run.NoLeadIn", result.Tokens[0].Value, ResumeRequest.LongestLeadInMm));
+        result.AddError(Wording.Get("Run.InvalidLeadIn", result.Tokens[0].Value, ResumeRequest.LongestLeadInMm));
         return ResumeRequest.UsualLeadInMm;
     }
 
@@ -217,8 +217,8 @@ internal sealed class RunVerb
         if (parsed.GetValue(_json)) Write(RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) });
         else _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
-        if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.EngraverTraceNotWhole", failure));
-        foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.EngraverNotRestored", left));
+        if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.TraceIncomplete", failure));
+        foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.NotRestored", left));
         return ExitCode.Of(report.Result.Outcome);
     }
 
@@ -239,7 +239,7 @@ internal sealed class RunVerb
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {
         if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused));
-        _host.Error.WriteLine(Wording.Get("Run.EngraverNotStarted", char.ToLowerInvariant(why[0]) + why[1..]));
+        _host.Error.WriteLine(Wording.Get("Run.NotStarted", char.ToLowerInvariant(why[0]) + why[1..]));
         return ExitCode.DrawingError;
     }
 
@@ -254,7 +254,7 @@ internal sealed class RunVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemReason.Of(unwritable)), unwritable);
         }
     }
 }

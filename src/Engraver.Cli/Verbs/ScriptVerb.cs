@@ -12,14 +12,14 @@ namespace Engraver.Cli.Verbs;
 internal sealed class ScriptVerb
 {
     private readonly VerbHost _host;
-    private readonly Argument<string> _file = new("FILE.scr") { Description = Wording.Get("Script.CommandsTheyTypedSpace") };
+    private readonly Argument<string> _file = new("FILE.scr") { Description = Wording.Get("Script.File") };
 
     private ScriptVerb(VerbHost host) => _host = host;
 
     public static Command Build(VerbHost host)
     {
         var verb = new ScriptVerb(host);
-        var command = new Command("script", Wording.Get("Script.RunsScriptCommandsAutoCAD"));
+        var command = new Command("script", Wording.Get("Script.Summary"));
         command.Arguments.Add(verb._file);
         command.SetAction(verb.RunAsync);
         return command;

@@ -19,8 +19,8 @@ internal static class SequenceVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
-        var output = new Option<string?>("-o", "--output") { HelpName = "CLDATA.dxf", Description = Wording.Get("Sequence.AlsoWriteSequencedOriented") };
-        var command = new Command("sequence", Wording.Get("Sequence.ChainsDrawingIntoContours"));
+        var output = new Option<string?>("-o", "--output") { HelpName = "CLDATA.dxf", Description = Wording.Get("Sequence.Output") };
+        var command = new Command("sequence", Wording.Get("Sequence.Summary"));
         drawing.AddTo(command);
         command.Options.Add(json);
         command.Options.Add(output);

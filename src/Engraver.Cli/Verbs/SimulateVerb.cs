@@ -18,20 +18,20 @@ internal static class SimulateVerb
 
     public static Command Build(VerbHost host)
     {
-        var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = Wording.Get("Simulate.PortOnLoopbackLets"), CustomParser = ParsePort };
-        var datagrams = new Option<int?>("--udp") { HelpName = "PORT", Description = Wording.Get("Simulate.PortOnLoopbackCommands"), CustomParser = ParsePort };
-        var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = Wording.Get("Simulate.ServeSerialPortPath") };
-        var baud = new Option<int>("--baud") { HelpName = "N", Description = Wording.Get("Simulate.RateSerialPortWhich"), DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
-        var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = Wording.Get("Simulate.ControllerSecondsEachSecond"), DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
-        var record = new Option<string?>("--record") { HelpName = "FILE", Description = Wording.Get("Simulate.WriteEveryMotorSample") };
-        var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = Wording.Get("Simulate.StartWithSpeedsAccelerations") };
-        var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = Wording.Get("Simulate.WhatShallGoWrong") };
-        var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = Wording.Get("Simulate.WhatDividesNegativeNumber"), DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
+        var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = Wording.Get("Simulate.Tcp"), CustomParser = ParsePort };
+        var datagrams = new Option<int?>("--udp") { HelpName = "PORT", Description = Wording.Get("Simulate.Udp"), CustomParser = ParsePort };
+        var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = Wording.Get("Simulate.SerialPort") };
+        var baud = new Option<int>("--baud") { HelpName = "N", Description = Wording.Get("Simulate.Baud"), DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
+        var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = Wording.Get("Simulate.Speed"), DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
+        var record = new Option<string?>("--record") { HelpName = "FILE", Description = Wording.Get("Simulate.Record") };
+        var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = Wording.Get("Simulate.Machine") };
+        var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = Wording.Get("Simulate.FaultsFile") };
+        var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = Wording.Get("Simulate.Numbers"), DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
         var number = new Option<int?>("--serial-number") { HelpName = "N", Description = Wording.Get("Simulate.SerialNumber") };
-        var command = new MachineCommand("simulate", Wording.Get("Simulate.ServesSimulatedDmcController")) { port, datagrams, serial, baud, speed, record, machine, faults, numbers, number };
+        var command = new MachineCommand("simulate", Wording.Get("Simulate.Summary")) { port, datagrams, serial, baud, speed, record, machine, faults, numbers, number };
         command.Validators.Add(result =>
         {
-            if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudRateSerialPort"));
+            if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudNeedsSerial"));
         });
         command.SetAction(async (parsed, stop) =>
         {
@@ -102,7 +102,7 @@ internal static class SimulateVerb
         }
         catch (SocketException taken)
         {
-            throw new ControllerLinkException(Wording.Get("Simulate.PortCannotServedUse", port.ToString(CultureInfo.InvariantCulture), SystemReason.Of(taken), transport), taken);
+            throw new ControllerLinkException(Wording.Get("Simulate.PortUnavailable", port.ToString(CultureInfo.InvariantCulture), SystemReason.Of(taken), transport), taken);
         }
     }
 
@@ -134,7 +134,7 @@ internal static class SimulateVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemReason.Of(unwritable)), unwritable);
         }
     }
 
@@ -155,7 +155,7 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port <= 65535) return port;
-        result.AddError(Wording.Get("Simulate.NotPort", ((OptionResult)result.Parent!).Option.Name, word));
+        result.AddError(Wording.Get("Simulate.InvalidPort", ((OptionResult)result.Parent!).Option.Name, word));
         return null;
     }
 
@@ -163,14 +163,14 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
-        result.AddError(Wording.Get("Simulate.BaudNotOne", word, string.Join(", ", SerialLine.Rates)));
+        result.AddError(Wording.Get("Simulate.InvalidBaud", word, string.Join(", ", SerialLine.Rates)));
         return ControllerAddress.DefaultBaud;
     }
 
     private static string ParseSpacing(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;
-        if (word is not (Blank or Column)) result.AddError(Wording.Get("Simulate.NumbersNeitherBlankNor", word));
+        if (word is not (Blank or Column)) result.AddError(Wording.Get("Simulate.InvalidNumbers", word));
         return word;
     }
 
@@ -179,7 +179,7 @@ internal static class SimulateVerb
         var word = result.Tokens[0].Value;
         if (word == "max") return double.PositiveInfinity;
         if (double.TryParse(word, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0.0 && double.IsFinite(speed)) return speed;
-        result.AddError(Wording.Get("Simulate.SpeedNeitherNumberAbove", word));
+        result.AddError(Wording.Get("Simulate.InvalidSpeed", word));
         return 1.0;
     }
 }

@@ -11,10 +11,10 @@ internal static class TableVerb
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
-        var format = new Option<string>("--format") { Description = Wording.Get("Table.HowTableWritten"), DefaultValueFactory = _ => "text" };
+        var format = new Option<string>("--format") { Description = Wording.Get("Table.Format"), DefaultValueFactory = _ => "text" };
         format.AcceptOnlyFromAmong([.. EntityTableFormat.Names]);
-        var asDrawn = new Option<bool>("--as-drawn") { Description = Wording.Get("Table.AnalysedButFileOrder") };
-        var command = new Command("table", Wording.Get("Table.PrintsFixedSlotEntity"));
+        var asDrawn = new Option<bool>("--as-drawn") { Description = Wording.Get("Table.AsDrawn") };
+        var command = new Command("table", Wording.Get("Table.Summary"));
         drawing.AddTo(command);
         command.Options.Add(format);
         command.Options.Add(asDrawn);

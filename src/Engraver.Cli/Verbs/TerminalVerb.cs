@@ -13,8 +13,8 @@ internal static class TerminalVerb
 
     public static Command Build(VerbHost host)
     {
-        var connect = ConnectOption.New(required: true, Wording.Get("Terminal.WhereControllerRun"));
-        var command = new MachineCommand("terminal", Wording.Get("Terminal.TalksControllerLineLine")) { connect };
+        var connect = ConnectOption.New(required: true, Wording.Get("Terminal.Connect"));
+        var command = new MachineCommand("terminal", Wording.Get("Terminal.Summary")) { connect };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(connect)!, stop));
         return command;
     }
@@ -27,7 +27,7 @@ internal static class TerminalVerb
         var conversation = new TerminalConversation(terminal, screen, TimeProvider.System);
         try
         {
-            if (host.Interactive) screen.Show(new TerminalAnswer(TerminalAnswerKind.Help, Wording.Get("Terminal.TypeHelpOrQuit", terminal.Identity.Model, connection.Description)));
+            if (host.Interactive) screen.Show(new TerminalAnswer(TerminalAnswerKind.Help, Wording.Get("Terminal.Connected", terminal.Identity.Model, connection.Description)));
             await (host.Interactive ? conversation.RunKeysAsync(stop) : conversation.RunAsync(host.In, stop)).ConfigureAwait(false);
             return conversation.Code;
         }

@@ -37,7 +37,7 @@ internal sealed class TrajectoryVerb
     public static Command Build(VerbHost host)
     {
         var verb = new TrajectoryVerb(host);
-        var command = new Command("trajectory", Wording.Get("Trajectory.WritesTrajectories"));
+        var command = new Command("trajectory", Wording.Get("Trajectory.Summary"));
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._folder, verb._json, verb._density, verb._segment, verb._offset, verb._side, verb._passes, verb._step, verb._corners, verb._z, verb._format, verb._acceptErrors]) command.Options.Add(option);
         command.Validators.Add(verb.Check);
@@ -68,7 +68,7 @@ internal sealed class TrajectoryVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", folder, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", folder, SystemReason.Of(unwritable)), unwritable);
         }
     }
 

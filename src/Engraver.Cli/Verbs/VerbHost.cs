@@ -73,7 +73,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
     /// <summary>A run that begins is in the history from now on.</summary>
     public OpenJob Begin(HistoryEntry entry) => new(new JobHistory(JobHistory.FolderIn(null)), entry, SayNotKept);
 
-    private void SayNotKept(string failure) => Error.WriteLine(Wording.Get("Verbs.HistoryNotKept", failure));
+    private void SayNotKept(string failure) => Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
 
     /// <summary>Writes a result to a file, whole or not at all, or to standard output when no file is named.</summary>
     /// <exception cref="UsageException">The place cannot be written.</exception>
@@ -101,7 +101,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
     /// <exception cref="UsageException">The two are one file.</exception>
     public static void KeepApart(string source, string? path)
     {
-        if (path is not null && Path.GetFullPath(path) == Path.GetFullPath(source) && !FileKind.IsStream(path)) throw new UsageException(Wording.Get("Verbs.OverItsSource", path));
+        if (path is not null && Path.GetFullPath(path) == Path.GetFullPath(source) && !FileKind.IsStream(path)) throw new UsageException(Wording.Get("Verbs.OutputIsInput", path));
     }
 
     private static void Attempt(string path, Action write)
@@ -112,7 +112,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, SystemReason.Of(unwritable)), unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWrite", path, SystemReason.Of(unwritable)), unwritable);
         }
     }
 }

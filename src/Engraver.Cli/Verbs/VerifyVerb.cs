@@ -15,9 +15,9 @@ namespace Engraver.Cli.Verbs;
 internal sealed class VerifyVerb
 {
     private readonly VerbHost _host;
-    private readonly Argument<string> _program = new("PROGRAM") { Description = Wording.Get("Verify.ProgramPostedAllChunks") };
-    private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.DrawingMadeFromDxf") };
-    private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram") };
+    private readonly Argument<string> _program = new("PROGRAM") { Description = Wording.Get("Verify.Program") };
+    private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.Against") };
+    private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Verify.Target") };
     private readonly Option<string?> _dialect = new("--dialect") { HelpName = "NAME", Description = Wording.Get("Verify.Dialect") };
     private readonly PostedOptions _posted = new();
     private readonly Option<bool> _json = JsonOption.New();
@@ -33,7 +33,7 @@ internal sealed class VerifyVerb
     public static Command Build(VerbHost host)
     {
         var verb = new VerifyVerb(host);
-        var command = new Command("verify", Wording.Get("Verify.ReplaysPostedProgramCompares"));
+        var command = new Command("verify", Wording.Get("Verify.Summary"));
         command.Arguments.Add(verb._program);
         foreach (var option in (Option[])[verb._against, verb._target, verb._dialect, verb._json]) command.Options.Add(option);
         verb._posted.AddTo(command, verb.Target);
@@ -70,7 +70,7 @@ internal sealed class VerifyVerb
     private void CheckDialect(CommandResult result)
     {
         if (result.GetResult(_dialect) is not { Tokens: [var dialect] }) return;
-        if (Entry(result)?.Dialects.ContainsKey(dialect.Value) != true) result.AddError(Wording.Get("Post.NoOptionTarget", _dialect.Name, Target(result)));
+        if (Entry(result)?.Dialects.ContainsKey(dialect.Value) != true) result.AddError(Wording.Get("Post.OptionNotSupported", _dialect.Name, Target(result)));
     }
 
     private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value

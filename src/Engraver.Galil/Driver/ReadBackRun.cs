@@ -42,7 +42,7 @@ public static class ReadBackRun
         var reading = await channel.ReadAsync("_ED,_ED1,_TC", cancellation).ConfigureAwait(false);
         var (line, thread, code) = ((int)reading.Values[0], (int)reading.Values[1], (TcCode)reading.Values[2]);
         if (thread < 0) return null;
-        var text = line < chunk.Lines.Count ? chunk.Lines[line] : Wording.Get("ReadBackRun.BehindLastLine");
+        var text = line < chunk.Lines.Count ? chunk.Lines[line] : Wording.Get("ReadBackRun.AfterLastLine");
         return VerificationRules.LineRefused.At(new SourceRef(chunk.FirstLine + Math.Min(line, chunk.Lines.Count - 1)), text, Number((int)code), TcCodes.Text(code));
     }
 

@@ -42,6 +42,6 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
     {
         _earlier = options.JournalPath is { } journal ? CrashRecovery.Last(journal, options.ResumedJournal, now) : null;
         if (_earlier is not null) session.Inherit(_earlier.Found.State);
-        else Lost.Add(Wording.Get("ControllerSnapshot.RunDiedHasLeft"));
+        else Lost.Add(Wording.Get("ControllerSnapshot.PreviousStateUnknown"));
     }
 }

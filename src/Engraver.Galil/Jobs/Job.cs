@@ -101,7 +101,7 @@ internal sealed class Job
         }
         catch (IOException failure)
         {
-            return result with { Sentence = Wording.Get("Job.JournalLastLineCould", result.Sentence, SystemReason.Of(failure)) };
+            return result with { Sentence = Wording.Get("Job.JournalEndNotWritten", result.Sentence, SystemReason.Of(failure)) };
         }
     }
 
@@ -125,7 +125,7 @@ internal sealed class Job
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobStep.Broken(Wording.Get("Job.JournalCannotWrittenJob", SystemReason.Of(failure)));
+            return JobStep.Broken(Wording.Get("Job.JournalNotWritable", SystemReason.Of(failure)));
         }
     }
 
@@ -149,7 +149,7 @@ internal sealed class Job
 
     private async Task<JobStep> PrepareAsync()
     {
-        if (!await _stopper.RehearseAsync().ConfigureAwait(false)) return JobStep.Broken(Wording.Get("Job.StopSwitchedOn"));
+        if (!await _stopper.RehearseAsync().ConfigureAwait(false)) return JobStep.Broken(Wording.Get("Job.StopTestFailed"));
         var mark = await MarkAsync().ConfigureAwait(false);
         await _session.NoteSoftLimitsAsync(_options.SoftLimits, _stop.Work).ConfigureAwait(false);
         if (await _found.BorrowAsync(_resident.Text, _stop.Work).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
@@ -180,7 +180,7 @@ internal sealed class Job
 
     private async Task<JobStep> CutAsync()
     {
-        if (IsTooFar) return JobStep.Broken(Wording.Get("Job.CannotCountToAll", _machine.Frame.X, _machine.Frame.Y));
+        if (IsTooFar) return JobStep.Broken(Wording.Get("Job.BeyondCounterRange", _machine.Frame.X, _machine.Frame.Y));
         var step = await FromStartAsync().ConfigureAwait(false);
         while (step.IsParted) step = await GoOnAsync().ConfigureAwait(false);
         return step;
@@ -272,7 +272,7 @@ internal sealed class Job
     private async ValueTask<bool> HasForgottenAsync() => _machine.FrameTaken is not null && await _machine.AskAtRestAsync(ResidentProgram.Variables.JobMark).ConfigureAwait(false) is null;
 
     /// <summary>A tool that an axis holds stands where it is: how high that is nobody knows.</summary>
-    private static JobStep Forgotten(JobStep step) => (step.Ends ? step with { Sentence = $"{step.Sentence} {Wording.Get("Job.Forgotten")}" } : JobStep.Broken(Wording.Get("Job.Forgotten"))) with { Doubt = Wording.Get("Job.ForgottenDoubt") };
+    private static JobStep Forgotten(JobStep step) => (step.Ends ? step with { Sentence = $"{step.Sentence} {Wording.Get("Job.ControllerReset")}" } : JobStep.Broken(Wording.Get("Job.ControllerReset"))) with { Doubt = Wording.Get("Job.ControllerResetDoubt") };
 
     /// <summary>A tool that was on behind the job has marked the work where it stood; one that is still on is for hands.</summary>
     private static JobStep WithTool(JobStep step, StandstillReport standstill)
@@ -286,7 +286,7 @@ internal sealed class Job
     private JobStep Followed(JobStep step, string off)
     {
         if (off.Length == 0 || step.Doubt.Length > 0) return step;
-        var told = Wording.Get("Job.MotorsBeside", off);
+        var told = Wording.Get("Job.MotorsOffPosition", off);
         var ended = step.Ends ? step with { Sentence = $"{step.Sentence} {told}" } : _isHandMove ? JobStep.Broken(told) : JobStep.Deviated(told);
         return ended with { Doubt = Wording.Get("Job.DidNotFollow") };
     }
@@ -300,11 +300,11 @@ internal sealed class Job
         return (MachineMemory.Empty with { Rest = stood }).WhyStepsMayBeLost(place, place.StoppedHard);
     }
 
-    private static JobStep Doubted(JobStep step, string why) => why.Length == 0 ? step : step with { Sentence = $"{step.Sentence} {Wording.Get("Job.StepsInDoubt", why)}", Doubt = why };
+    private static JobStep Doubted(JobStep step, string why) => why.Length == 0 ? step : step with { Sentence = $"{step.Sentence} {Wording.Get("Job.PositionInDoubt", why)}", Doubt = why };
 
     /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the watchdog trips.</summary>
     private string LastWord => _machine.Known is { } known
-        ? Wording.Get("Job.LastWordControllerWith", known.Position.X, known.Position.Y, _ledger.Executed)
+        ? Wording.Get("Job.LastReport", known.Position.X, known.Position.Y, _ledger.Executed)
         : "";
 
     /// <summary>Restores the found program, speeds and motors; the machine is at rest and our threads are halted.</summary>
@@ -323,11 +323,11 @@ internal sealed class Job
         }
         catch (Exception unwritten) when (unwritten is IOException or UnauthorizedAccessException)
         {
-            return [Wording.Get("Job.JournalEarlierRunCould", SystemReason.Of(unwritten))];
+            return [Wording.Get("Job.EarlierJournalNotClosed", SystemReason.Of(unwritten))];
         }
         catch (ControllerException failure)
         {
-            return [Wording.Get("Job.ControllerCouldNotLeft", failure.Message)];
+            return [Wording.Get("Job.ControllerNotRestored", failure.Message)];
         }
     }
 

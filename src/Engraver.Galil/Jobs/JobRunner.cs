@@ -37,7 +37,7 @@ public static class JobRunner
         await using var stopped = stop.UnsafeRegister(source => ((CancellationTokenSource)source!).Cancel(), either).ConfigureAwait(false);
         _ = control.Released.ContinueWith(_ => either.Cancel(), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         var result = await ByHandAsync(program, new HandOperation(null, machine => new JogMove(machine, control, options.SoftLimits)), session, options, progress, either.Token).ConfigureAwait(false);
-        return result.Outcome == JobOutcome.Stopped && !stop.IsCancellationRequested ? result with { Outcome = JobOutcome.Complete, Sentence = Wording.Get("JogMove.Released") } : result;
+        return result.Outcome == JobOutcome.Stopped && !stop.IsCancellationRequested ? result with { Outcome = JobOutcome.Complete, Sentence = Wording.Get("JogMove.AtRest") } : result;
     }
 
     /// <summary>Keeps the controller ready for jogs (<see cref="JogStandbyMove"/>).</summary>
@@ -73,7 +73,7 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(session);
         string off = string.Concat(session.Found.MotorsOff.Where(program.Profile.Axes.Letters.Contains));
         return off.Length > 0
-            ? JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MotorAxisOffSwitch", string.Join(Wording.Get("Common.And"), program.Profile.Axes.NamesOf(off).AsEnumerable())))
+            ? JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MotorsOff", string.Join(", ", program.Profile.Axes.NamesOf(off).AsEnumerable())))
             : await RunAsync(program, hand, session, options with { DryRun = hand.IsDry }, progress, stop).ConfigureAwait(false);
     }
 
@@ -84,7 +84,7 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(session);
         ArgumentNullException.ThrowIfNull(options);
         if (program.Profile.Axes.Letters.Except(session.Identity.Letters).ToList() is { Count: > 0 } missing)
-            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MachineProfileMovesAxis", string.Join(Wording.Get("Common.And"), missing), session.Identity.Letters));
+            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.NoSuchAxis", string.Join(", ", missing), session.Identity.Letters));
         JobJournal journal;
         try
         {
@@ -92,7 +92,7 @@ public static class JobRunner
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalCannotWrittenName", SystemReason.Of(failure)));
+            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalNotWritable", SystemReason.Of(failure)));
         }
 
         // Replies from memory are immediate: without a thread of its own the whole job would run before this method returns.

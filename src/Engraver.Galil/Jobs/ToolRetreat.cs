@@ -26,7 +26,7 @@ internal sealed class ToolRetreat(ControllerSession session, MachineProfile prof
         {
             var (height, reached) = clearance is { } up && !isDoubted ? await RaiseAsync(z, rest.Position.Z, up, pollInterval).ConfigureAwait(false) : (rest.Position.Z, false);
             rest = rest with { Position = rest.Position with { Z = height } };
-            if (!reached) warning = Wording.Get("ToolRetreat.ToolIsDown", profile.Axes.NameOf(z.Letter), height);
+            if (!reached) warning = Wording.Get("ToolRetreat.NotRaised", profile.Axes.NameOf(z.Letter), height);
         }
 
         foreach (var command in profile.Spindle is { } spindle ? Subprograms.SpindleOff(spindle) : []) await SendAsync(command).ConfigureAwait(false);

@@ -60,7 +60,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         {
             clock.Dispose();
             throw new ControllerLinkException(
-                Wording.Get("OfferedClock.NoClockPortComputer", port, SystemReason.Of(failure)), failure);
+                Wording.Get("OfferedClock.NoClock", port, SystemReason.Of(failure)), failure);
         }
     }
 
@@ -220,11 +220,11 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         {
             var more = _socket.Receive(_answer.AsSpan(count));
             count += more;
-            if (more == 0 || count == _answer.Length) throw new IOException(Wording.Get("OfferedClock.OtherEndClosedClock"));
+            if (more == 0 || count == _answer.Length) throw new IOException(Wording.Get("OfferedClock.Closed"));
             if (_answer[count - 1] != '\n') continue;
             return long.TryParse(_answer.AsSpan(0, count - 1), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds)
                 ? microseconds * TimeSpan.TicksPerMicrosecond
-                : throw new IOException(Wording.Get("OfferedClock.WhatAnswersThereNo"));
+                : throw new IOException(Wording.Get("OfferedClock.NotClock"));
         }
     }
 

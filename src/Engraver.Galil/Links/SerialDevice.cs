@@ -25,12 +25,12 @@ internal sealed class SerialDevice : IDisposable
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
-        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotOpened")); // before another call takes the reason away
+        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened")); // before another call takes the reason away
         var bell = EventFd(0, EventFlags);
         try
         {
-            if (bell.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotOpened"));
-            if (Lock(device, LockForUs) != 0) throw new ControllerLinkException(Wording.Get("SerialDevice.UseAnotherProgramClose", address.Device));
+            if (bell.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened"));
+            if (Lock(device, LockForUs) != 0) throw new ControllerLinkException(Wording.Get("SerialDevice.InUse", address.Device));
             Configure(device, address);
             return new SerialDevice(device, bell);
         }
@@ -71,7 +71,7 @@ internal sealed class SerialDevice : IDisposable
         return count switch
         {
             > 0 => (int)count,
-            0 => throw new IOException(Wording.Get("Links.DeviceHungUp")),
+            0 => throw new IOException(Wording.Get("Links.DeviceDisconnected")),
             _ => NothingOr(Marshal.GetLastPInvokeError()),
         };
     }
@@ -108,11 +108,11 @@ internal sealed class SerialDevice : IDisposable
     private static void Configure(SafeFileHandle device, SerialAddress address)
     {
         var settings = default(LineSettings);
-        if (Control(device, GetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.NoSerialLine"));
+        if (Control(device, GetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.NotSerialLine"));
         settings = SerialSettings.Apply(settings, address.Baud, address.Flow);
-        if (Control(device, SetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.LineCannotSet"));
+        if (Control(device, SetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.CannotBeConfigured"));
         if (Control(device, GetSettings, ref settings) != 0 || !SerialSettings.HasRate(settings, address.Baud))
-            throw new ControllerLinkException(Wording.Get("SerialDevice.DoesNotTakeBaud", address.Device, address.Baud));
+            throw new ControllerLinkException(Wording.Get("SerialDevice.UnsupportedBaud", address.Device, address.Baud));
         _ = Control(device, Flush, FlushInput);
     }
 

@@ -36,7 +36,7 @@ public sealed class SerialLink : IControllerLink
     /// <summary>Why serial links cannot be opened on this computer, a sentence; null where they can.</summary>
     public static string? WhyUnsupported => OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture != Architecture.Ppc64le
         ? null
-        : Wording.Get("SerialLink.SerialLinksBuiltLinux");
+        : Wording.Get("SerialLink.LinuxOnly");
 
     public string Description { get; }
 
@@ -76,7 +76,7 @@ public sealed class SerialLink : IControllerLink
         while (Unsent() is > 0 and var unsent)
         {
             if (unsent < least) (least, since) = (unsent, _time.GetTimestamp());
-            else if (_time.GetElapsedTime(since) > _writeTimeout) throw new IOException(Wording.Get("SerialLink.LineTookNoByte", _writeTimeout.TotalSeconds));
+            else if (_time.GetElapsedTime(since) > _writeTimeout) throw new IOException(Wording.Get("SerialLink.NothingAccepted", _writeTimeout.TotalSeconds));
             await Task.Delay(s_look, _time, cancellation).ConfigureAwait(false);
         }
 
@@ -115,7 +115,7 @@ public sealed class SerialLink : IControllerLink
         }
         catch (TimeoutException nothing)
         {
-            throw new IOException(Wording.Get("SerialLink.LineTookNoByte", _writeTimeout.TotalSeconds), nothing);
+            throw new IOException(Wording.Get("SerialLink.NothingAccepted", _writeTimeout.TotalSeconds), nothing);
         }
     }
 
@@ -157,7 +157,7 @@ public sealed class SerialLink : IControllerLink
             _received.Writer.FlushAsync(CancellationToken.None).AsTask().GetAwaiter().GetResult();
         }
 
-        if ((happened & SerialNative.PollGone) != 0) throw new IOException(Wording.Get("Links.DeviceHungUp"));
+        if ((happened & SerialNative.PollGone) != 0) throw new IOException(Wording.Get("Links.DeviceDisconnected"));
     }
 
     private void Fail(IOException failure)

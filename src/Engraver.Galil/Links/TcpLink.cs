@@ -39,12 +39,12 @@ public sealed class TcpLink : IControllerLink
         {
             socket.Dispose();
             var hint = failure.SocketErrorCode == SocketError.ConnectionReset ? " " + HandlesTaken : "";
-            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, SystemReason.Of(failure), hint).Replace("..", ".", StringComparison.Ordinal), failure);
+            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, SystemReason.Of(failure)).Replace("..", ".", StringComparison.Ordinal) + hint, failure);
         }
         catch (OperationCanceledException failure) when (!cancellation.IsCancellationRequested)
         {
             socket.Dispose();
-            throw new ControllerTimeoutException(Wording.Get("TcpLink.DidNotAnswerWithin", description, timeout.TotalSeconds), failure);
+            throw new ControllerTimeoutException(Wording.Get("TcpLink.NoReply", description, timeout.TotalSeconds), failure);
         }
         catch (OperationCanceledException)
         {

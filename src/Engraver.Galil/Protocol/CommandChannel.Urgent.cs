@@ -125,5 +125,5 @@ public sealed partial class CommandChannel
         return Harmed(text, heard);
     }
 
-    private EchoException Harmed(string text, string heard) => new(Wording.Get("CommandChannel.HeardWhereSentLine", _link.Description, heard.TrimEnd('\r'), FirstLine(text)));
+    private EchoException Harmed(string text, string heard) => new(Wording.Get("CommandChannel.EchoDiffers", _link.Description, heard.TrimEnd('\r'), FirstLine(text)));
 }

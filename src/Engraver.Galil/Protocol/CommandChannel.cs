@@ -178,7 +178,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
         await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
         var frame = await ReadFrameAsync("TC1").ConfigureAwait(false);
         if (!frame.Accepted || !TcCodes.TryParse(frame.Data, out var code, out var text))
-            throw Fail(new ProtocolViolationException(Wording.Get("CommandChannel.RefusedAnsweredTC1Which", _link.Description, command, Trimmed(frame.Data))));
+            throw Fail(new ProtocolViolationException(Wording.Get("CommandChannel.InvalidReplyToTC1", _link.Description, command, Trimmed(frame.Data))));
         return new Rejected(code, text, command);
     }
 
@@ -303,10 +303,10 @@ public sealed partial class CommandChannel : IAsyncDisposable
 
     private ControllerException Describe(Exception failure, string text) => failure is OperationCanceledException
         ? text.Length == 0
-            ? new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswer", _link.Description), failure)
+            ? new ControllerTimeoutException(Wording.Get("CommandChannel.NoReply", _link.Description), failure)
             : text == SerialGreeting.Text
-            ? new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswerLook", _link.Description), failure)
-            : new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswerTime", _link.Description, FirstLine(text)), failure)
+            ? new ControllerTimeoutException(Wording.Get("CommandChannel.NoReplyOnSerialLine", _link.Description), failure)
+            : new ControllerTimeoutException(Wording.Get("CommandChannel.NoReplyToCommand", _link.Description, FirstLine(text)), failure)
         : new ControllerLinkException(Wording.Get("CommandChannel.LinkLost", _link.Description, failure.Message), failure);
 
     private static string FirstLine(string text) => text.IndexOf('\r', StringComparison.Ordinal) is >= 0 and var end ? text[..end] : text;

@@ -209,7 +209,7 @@ public static class CommandHelpTable
 public sealed record CommandHelp(string Command, string Forms)
 {
     /// <summary>How it is written.</summary>
-    public string Form => string.Join(Wording.Get("CommandHelp.Or"), Forms.Split('|').Select(TextCatalogue.Fact));
+    public string Form => string.Join(" | ", Forms.Split('|').Select(TextCatalogue.Fact));
 
     /// <summary>What it does, with unit and range.</summary>
     public string Meaning => Wording.Get("Help." + Command);

@@ -26,11 +26,11 @@ public sealed record Conversation(ConversationClock Clock, IReadOnlyList<Convers
     public static Conversation Read(TextReader input)
     {
         ArgumentNullException.ThrowIfNull(input);
-        if (input.ReadLine() is not { } first || !first.StartsWith(Title, StringComparison.Ordinal)) throw new FormatException(Wording.Get("Conversation.None", 1));
+        if (input.ReadLine() is not { } first || !first.StartsWith(Title, StringComparison.Ordinal)) throw new FormatException(Wording.Get("Conversation.InvalidLine", 1));
         var (steps, whole, torn) = (new List<ConversationStep>(), false, 0);
         for (var line = 2; input.ReadLine() is { } text; line++)
         {
-            if (torn > 0) throw new FormatException(Wording.Get("Conversation.None", torn));
+            if (torn > 0) throw new FormatException(Wording.Get("Conversation.InvalidLine", torn));
             whole = text == End;
             if (whole) continue;
             if (ConversationStep.TryParse(text) is { } step) steps.Add(step);

@@ -37,7 +37,7 @@ internal sealed class LineFile
 
     public void Write(string line)
     {
-        if (_failure is null && !_lines.Writer.TryWrite(line)) Fail(Wording.Get("WireTrace.WhoeverReadsDoesNot"));
+        if (_failure is null && !_lines.Writer.TryWrite(line)) Fail(Wording.Get("WireTrace.ReaderTooSlow"));
     }
 
     /// <summary>Writes the lines that wait and closes the file.</summary>
@@ -63,7 +63,7 @@ internal sealed class LineFile
             await Task.WhenAny(_writing, Task.Delay(Patience, _wall, CancellationToken.None)).ConfigureAwait(false);
         }
 
-        if (!_writing.IsCompleted) Fail(Wording.Get("WireTrace.WhoeverReadsHasStopped"));
+        if (!_writing.IsCompleted) Fail(Wording.Get("WireTrace.ReaderStopped"));
     }
 
     private void WriteAll(TextWriter writer)

@@ -19,7 +19,7 @@ public sealed record Accepted(string Data) : Reply
 public sealed record Rejected(TcCode Code, string Text, string Command) : Reply
 {
     /// <summary>One sentence for the operator: what was refused, code and text, and what the code means here.</summary>
-    public string Explain() => Wording.Get("Reply.ControllerRefusedWithTc", Command, (int)Code, Text, TcCodes.Hint(Code));
+    public string Explain() => Wording.Get("Reply.Refused", Command, (int)Code, Text, TcCodes.Hint(Code));
 
     /// <summary>The same in the neutral form of the machine seam.</summary>
     public MachineRefusal ToRefusal() => new((int)Code, Text, Command, Explain());

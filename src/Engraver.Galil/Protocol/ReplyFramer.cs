@@ -50,7 +50,7 @@ public sealed class ReplyFramer
         else if (value >= 0x80) AppendToMessage((byte)(value - 0x80));
         else if (IsPrompt(value)) Complete(value == ':');
         else _data.Add(value);
-        if (_data.Count > LongestReply) throw new ProtocolViolationException(Wording.Get("ReplyFramer.MoreThanBytesCame", LongestReply));
+        if (_data.Count > LongestReply) throw new ProtocolViolationException(Wording.Get("ReplyFramer.NoPrompt", LongestReply));
     }
 
     private bool IsPrompt(byte value)

@@ -29,14 +29,14 @@ public static class StopCodes
 
     public static string Text(int code) => code switch
     {
-        Running => "running",
-        AtTarget => Wording.Get("StopCodes.CommandedPosition"),
+        Running => Wording.Get("StopCodes.Running"),
+        AtTarget => Wording.Get("StopCodes.AtCommandedPosition"),
         2 => Wording.Get("StopCodes.StoppedForwardLimitSwitch"),
         3 => Wording.Get("StopCodes.StoppedReverseLimitSwitch"),
         4 => Wording.Get("StopCodes.StoppedStCommand"),
         AbortInput => Wording.Get("StopCodes.StoppedAbortInput"),
         AbortCommand => Wording.Get("StopCodes.StoppedAbCommand"),
-        8 => Wording.Get("StopCodes.SwitchedOffBecausePosition"),
+        8 => Wording.Get("StopCodes.SwitchedOffByFollowingError"),
         SelectiveAbort => Wording.Get("StopCodes.StoppedSelectiveAbortInput"),
         SequenceRunning => Wording.Get("StopCodes.VectorSequenceRunning"),
         SequenceEnded => Wording.Get("StopCodes.VectorSequenceEnded"),

@@ -130,17 +130,17 @@ public sealed class ControllerSession : IAsyncDisposable
     public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
     {
         if (await IsOurJobRunningAsync(cancellation).ConfigureAwait(false))
-            return Wording.Get("ControllerSession.AnotherRunProgramWorks");
+            return Wording.Get("ControllerSession.InUseByAnotherRun");
         for (var thread = 0; thread < 8; thread++)
         {
             var line = (await Commands.ReadAsync($"_XQ{thread}", cancellation).ConfigureAwait(false)).OrNothing;
-            if (line is >= 0) return Wording.Get("ControllerSession.ThreadProgramNotOurs", thread, line);
+            if (line is >= 0) return Wording.Get("ControllerSession.ThreadRunning", thread, line);
         }
 
         foreach (var mover in Identity.Letters + "ST")
         {
             var moving = (await Commands.ReadAsync($"_BG{mover}", cancellation).ConfigureAwait(false)).OrNothing;
-            if (moving is 1.0) return Wording.Get("ControllerSession.MovingWaitUntilMachine", mover is 'S' or 'T' ? Wording.Get("ControllerSession.Plane") : Wording.Get("ControllerSession.Axis"), mover);
+            if (moving is 1.0) return Wording.Get(mover is 'S' or 'T' ? "ControllerSession.PlaneMoving" : "ControllerSession.AxisMoving", mover);
         }
 
         return null;

@@ -12,7 +12,7 @@ internal static class Handshake
     public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
     {
         var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
-        var (axes, family, isSimulated) = ControllerModel.Parse(model) ?? throw new ProtocolViolationException(Wording.Get("Handshake.AnswersOnLinkController", model));
+        var (axes, family, isSimulated) = ControllerModel.Parse(model) ?? throw new ProtocolViolationException(Wording.Get("Handshake.NotDmcController", model));
         if (axes < 2) throw new ProtocolViolationException(Wording.Get("Handshake.OneAxis", model));
         var handle = await TextAsync(channel, "WH", cancellation).ConfigureAwait(false);
         var record = await RecordBytesAsync(channel, axes, cancellation).ConfigureAwait(false);
@@ -29,7 +29,7 @@ internal static class Handshake
     {
         if (await channel.SendAsync("QZ", cancellation).ConfigureAwait(false) is not Accepted { Data: var answer }) return null;
         if (!ControllerNumber.TryParseAll(answer, out var blocks) || blocks.Length != 4)
-            throw new ProtocolViolationException(Wording.Get("Handshake.ControllerAnsweredQzFour", answer));
+            throw new ProtocolViolationException(Wording.Get("Handshake.UnexpectedReplyToQZ", answer));
         return 4 + (int)blocks[1] + (int)blocks[2] + (axes * (int)blocks[3]);
     }
 

@@ -141,7 +141,7 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
         foreach (var operand in _operands.Split(','))
         {
             var one = await session.StopHandle.ReadAsync(operand, cancellation).ConfigureAwait(false);
-            if (one.Refusal is { } refused && operand.StartsWith("_RP", StringComparison.Ordinal)) throw new ProtocolViolationException(Wording.Get("OperatorStop.ToolOffMachineTold", refused.Explain()));
+            if (one.Refusal is { } refused && operand.StartsWith("_RP", StringComparison.Ordinal)) throw new ProtocolViolationException(Wording.Get("OperatorStop.PositionUnknown", refused.Explain()));
             values.Add(one.OrNothing ?? 0.0);
         }
 

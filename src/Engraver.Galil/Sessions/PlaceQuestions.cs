@@ -17,7 +17,7 @@ internal static class PlaceQuestions
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, string letters, MachineAxes axes, CancellationToken cancellation)
     {
-        if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPlace(default, Doubt: Wording.Get("PlaceQuestions.NoSuchAxis", string.Join(Wording.Get("Common.And"), missing), letters));
+        if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPlace(default, Doubt: Wording.Get("PlaceQuestions.NoSuchAxis", string.Join(", ", missing), letters));
         var position = await channel.ReadAsync(string.Join(',', axes.Letters.Select(letter => $"_RP{letter}")), cancellation).ConfigureAwait(false);
         if (position.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
         async ValueTask<double?> Ask(string operand) => (await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
@@ -32,7 +32,7 @@ internal static class PlaceQuestions
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), axes.NamesOf(steppersOff).AsEnumerable()))) { Letters = axes.Letters, Uncounted = steppers, Untold = untold, StoppedHard = stoppedHard };
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.SteppersOff", string.Join(", ", axes.NamesOf(steppersOff).AsEnumerable()))) { Letters = axes.Letters, Uncounted = steppers, Untold = untold, StoppedHard = stoppedHard };
     }
 
     /// <summary>The same over the stop handle, whatever the operator does meanwhile.</summary>

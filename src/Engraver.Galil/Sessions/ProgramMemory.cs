@@ -57,7 +57,7 @@ public sealed class ProgramMemory(ControllerSession session)
         if (await session.Commands.DownloadAsync(program, cancellation).ConfigureAwait(false) is Rejected refused) return refused;
         var check = await session.Commands.UploadAsync(cancellation, program.Length + program.Count(character => character == '\n')).ConfigureAwait(false);
         if (check is not Accepted { Data: var stored }) return check as Rejected;
-        return ProgramText.AreSame(program, stored) ? null : throw new ProtocolViolationException(Wording.Get("ProgramMemory.ProgramMemoryDoesNot"));
+        return ProgramText.AreSame(program, stored) ? null : throw new ProtocolViolationException(Wording.Get("ProgramMemory.UploadDiffers"));
     }
 
     /// <summary>While a thread runs DL is refused with TC 17, and the program after it would be taken for commands (galil-dmc.md A.6): a thread of ours that still runs is halted again.</summary>
@@ -68,7 +68,7 @@ public sealed class ProgramMemory(ControllerSession session)
         for (var tries = 0; await RunningThreadAsync(cancellation).ConfigureAwait(false) is { } thread; tries++)
         {
             if (tries == MostHalts || thread is not (ResidentProgram.MainThread or ResidentProgram.WatchdogThread))
-                return new Rejected(TcCode.DownloadWhileProgramRunning, Wording.Get("ProgramMemory.ThreadRunsHaltHx", thread), "DL");
+                return new Rejected(TcCode.DownloadWhileProgramRunning, Wording.Get("ProgramMemory.ThreadRunning", thread), "DL");
             await session.Commands.SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}"), cancellation).ConfigureAwait(false);
         }
 

@@ -37,7 +37,7 @@ internal static class StatusPoll
             Inputs = (int)v[0],
             Outputs = (int)v[1],
             Speed = v[2],
-            Limit = string.Join(Wording.Get("Common.And"), LimitsHit(axes, v)),
+            Limit = string.Join(", ", LimitsHit(axes, v)),
             LostPosition = string.Concat(Those(letters, codes, code => code == PositionError).Intersect(found.MotorsOff)),
             StoppedHard = Those(letters, codes, code => StopCodes.IsWithoutRamp((int)code)),
             AbortInput = codes[letters.Length] == 0,

@@ -32,7 +32,7 @@ internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
         if (await session.Commands.SendAsync(DmcSetup.Command(value, wanted), cancellation).ConfigureAwait(false) is Rejected refused) return refused.Explain();
         if (await AskAsync(operand, CancellationToken.None).ConfigureAwait(false) is var has && has == wanted) return null;
         await session.Commands.SendAsync(DmcSetup.Command(value, found), CancellationToken.None).ConfigureAwait(false);
-        return Wording.Get("GalilSetup.ReadBack", DmcSetup.Command(value, wanted), has ?? double.NaN);
+        return Wording.Get("GalilSetup.ValueNotAccepted", DmcSetup.Command(value, wanted), has ?? double.NaN);
     }
 
     public async Task<string?> SwitchMotorAsync(char axis, bool on, CancellationToken cancellation)

@@ -10,34 +10,35 @@ public static class CommandGuard
     /// <param name="confirmed">The operator typed the word of confirmation.</param>
     public static string? WhyNot(string line, bool confirmed)
     {
-        if (line.Length > CommandLine.MaximumLength) return Wording.Get("CommandGuard.LineHasCharactersController", line.Length, CommandLine.MaximumLength);
-        if (line.Contains('\\', StringComparison.Ordinal) || line.Any(char.IsControl) || !line.All(char.IsAscii)) return Wording.Get("CommandGuard.ControllerTakesPrintableAscii");
+        if (line.Length > CommandLine.MaximumLength) return Wording.Get("CommandGuard.LineTooLong", line.Length, CommandLine.MaximumLength);
+        if (line.Contains('\\', StringComparison.Ordinal) || line.Any(char.IsControl) || !line.All(char.IsAscii)) return Wording.Get("CommandGuard.InvalidCharacters");
         foreach (var part in CommandLine.Parts(line))
         {
             var command = part.Trim();
             if (NeverSent(command) is { } never) return never;
-            if (!confirmed && Danger(command) is { } danger) return Wording.Get("CommandGuard.IfMeantWrite", command, danger, TerminalLine.ConfirmWord, line);
+            if (!confirmed && Danger(command) is { } danger) return Wording.Get(danger, command, TerminalLine.ConfirmWord, line);
         }
 
         return null;
     }
 
+    /// <summary>Name of the text that asks for confirmation; null for a command that needs none.</summary>
     private static string? Danger(string command) => Letters(command) switch
     {
-        "ST" when command.Length == 2 => Wording.Get("CommandGuard.StopsEveryMotionEnds"),
-        "RS" => Wording.Get("CommandGuard.ResetsControllerWhichEnds"),
-        "BN" => Wording.Get("CommandGuard.OverwritesBurnedParameters"),
-        "BP" => Wording.Get("CommandGuard.OverwritesBurnedProgram"),
-        "BV" => Wording.Get("CommandGuard.OverwritesBurnedVariables"),
+        "ST" when command.Length == 2 => "CommandGuard.ConfirmStopOfAll",
+        "RS" => "CommandGuard.ConfirmReset",
+        "BN" => "CommandGuard.ConfirmParameters",
+        "BP" => "CommandGuard.ConfirmProgram",
+        "BV" => "CommandGuard.ConfirmVariables",
         _ => null,
     };
 
     private static string? NeverSent(string command) => Letters(command) switch
     {
-        "DL" or "QD" => Wording.Get("CommandGuard.DownloadWaitsLinesEnd"),
-        "ED" => Wording.Get("CommandGuard.ControllerLineEditorCannot"),
-        "QR" => Wording.Get("CommandGuard.QrAnswersBinaryAsk"),
-        "QU" => Wording.Get("CommandGuard.QuAnswersWithoutLine"),
+        "DL" or "QD" => Wording.Get("CommandGuard.Download"),
+        "ED" => Wording.Get("CommandGuard.LineEditor"),
+        "QR" => Wording.Get("CommandGuard.BinaryReply"),
+        "QU" => Wording.Get("CommandGuard.ReplyWithoutLineEnd"),
         _ => null,
     };
 

@@ -12,7 +12,7 @@ public static class TerminalHelp
     {
         if (subject.Length == 0) return General();
         if (int.TryParse(subject, NumberStyles.None, CultureInfo.InvariantCulture, out var number)) return OfCode((TcCode)number);
-        return CommandHelpTable.TryFind(subject, out var help) ? help.ToString() : Wording.Get("TerminalHelp.NoCommandDmcHelp", subject);
+        return CommandHelpTable.TryFind(subject, out var help) ? help.ToString() : Wording.Get("TerminalHelp.UnknownCommand", subject);
     }
 
     private static string OfCode(TcCode code) => Enum.IsDefined(code) && code != TcCode.None
@@ -23,9 +23,9 @@ public static class TerminalHelp
     {
         var commands = CommandHelpTable.All.Select(help => help.Command).Chunk(20).Select(row => "  " + TextCatalogue.Fact(string.Join(' ', row)));
         return string.Join('\n', [
-            Wording.Get("TerminalHelp.LineGoesControllerIts"),
+            Wording.Get("TerminalHelp.HowLinesAreSent"),
             Wording.Get("TerminalHelp.Words"),
-            Wording.Get("TerminalHelp.RsWhatStopsOr", TerminalLine.ConfirmWord),
+            Wording.Get("TerminalHelp.ConfirmWord", TerminalLine.ConfirmWord),
             Wording.Get("TerminalHelp.CommandsDmc"),
             .. commands]);
     }

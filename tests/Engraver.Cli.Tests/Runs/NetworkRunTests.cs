@@ -63,7 +63,7 @@ public class NetworkRunTests
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal((ExitCode.DrawingError, "deviated"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
-        Assert.Matches("The machine stood at 15[0-9]{4},50000 of the drawing .counts., [0-9]+ counts beside the planned path", run.Error);
+        Assert.Matches("The machine was at 15[0-9]{4},50000 of the drawing .counts., [0-9]+ counts off the planned path", run.Error);
         Assert.Contains("\"outcome\":\"deviated\"", (await File.ReadAllLinesAsync(folder.PathOf("run.jsonl")))[^1], StringComparison.Ordinal);
         Assert.Equal(0, controller.Status.Outputs);
         Assert.InRange(controller.Record.Snapshot().Max(row => row.A), 150_000, 160_000); // stopped, not cut to its end

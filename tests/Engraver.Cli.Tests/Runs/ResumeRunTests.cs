@@ -35,7 +35,7 @@ public sealed class ResumeRunTests : IDisposable
     }
 
     [Theory]
-    [InlineData("gasket", "stream", "path is another")]
+    [InlineData("gasket", "stream", "so the path differs")]
     [InlineData("paper-001", "calls", "mode stream")]
     public async Task A_journal_of_another_run_is_refused_before_anything_moves(string drawing, string mode, string reason)
     {
@@ -117,7 +117,7 @@ public sealed class ResumeRunTests : IDisposable
 
         Assert.Equal((0, "complete", 0.0), (told.ExitCode, Text(told, "outcome"), JsonText.Of(told).GetProperty("missingLength").GetDouble()));
         Assert.Equal(isOld, told.Error.Contains("JOB0048", StringComparison.Ordinal));
-        await RefusedAsync("gone on with already", [.. run, "--resume", kept]); // which was told behind the torn line
+        await RefusedAsync("already resumed", [.. run, "--resume", kept]); // which was told behind the torn line
     }
 
     private static string WithNumber(string line, string name, int more)
@@ -160,7 +160,7 @@ public sealed class ResumeRunTests : IDisposable
         await RefusedAsync("another place", [.. resume, "--origin", "here"]);
         await DoneAsync("origin", "G54", "--at", "0,0", "--connect", address);
         await DoneAsync(resume);
-        await RefusedAsync("gone on with already", resume);
+        await RefusedAsync("already resumed", resume);
         var cut = controller.Record.Snapshot().Where(row => (row.Outputs & 1) != 0).ToList();
         Assert.Equal((50_000, 150_000), (cut.Min(row => row.A), cut.Max(row => row.A)));
     }

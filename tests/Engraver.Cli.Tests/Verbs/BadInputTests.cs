@@ -131,7 +131,7 @@ public class BadInputTests
         var run = await CliRun.RunAsync([verb, drawing, .. options, "-o", folder.PathOf("./part.dxf")]);
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains("name another file", run.Error, StringComparison.Ordinal);
+        Assert.Contains("Specify another output file", run.Error, StringComparison.Ordinal);
         Assert.Equal(text, await File.ReadAllTextAsync(drawing));
     }
 
@@ -141,7 +141,7 @@ public class BadInputTests
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--feed", "1e9");
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains("--feed 1000000000: the machine cuts 0.12 to 720000 mm/min", run.Error, StringComparison.Ordinal);
+        Assert.Contains("--feed 1000000000 is outside the feed range of the machine, 0.12 to 720000 mm/min", run.Error, StringComparison.Ordinal);
         Assert.DoesNotContain("profile", run.Error, StringComparison.Ordinal);
     }
 

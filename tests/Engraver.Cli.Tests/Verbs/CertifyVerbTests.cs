@@ -100,7 +100,7 @@ public class CertifyVerbTests
         await writing;
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains("is no file", run.Error, StringComparison.Ordinal);
+        Assert.Contains("cannot be read a second time", run.Error, StringComparison.Ordinal);
         Assert.False(File.Exists(folder.PathOf("c.json")));
     }
 

@@ -86,7 +86,7 @@ public class HandVerbTests
         var held = await CliRun.RunAsync(["jog", "--hold", "Z-", .. mill.AsSpan(2).ToArray()]);
 
         Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError, ExitCode.DrawingError), (far.ExitCode, flat.ExitCode, held.ExitCode));
-        Assert.Contains("32 bits", far.Error, StringComparison.Ordinal);
+        Assert.Contains("32-bit range", far.Error, StringComparison.Ordinal);
         Assert.All([flat.Error, held.Error], said => Assert.Contains("no Z axis", said, StringComparison.Ordinal));
         Assert.Equal((3000, 4200), (controller.Record.Snapshot()[^1].A, controller.Record.Snapshot()[^1].C));
     }

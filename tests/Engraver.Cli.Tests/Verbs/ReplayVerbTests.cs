@@ -22,14 +22,14 @@ public class ReplayVerbTests
         Assert.Equal("t,a,b,c,d,outputs", rows[0]);
         Assert.Equal(["same", "lines", "record", "replay"], JsonText.Of(again).GetProperty("against").EnumerateObject().Select(field => field.Name));
         Assert.Equal((true, rows.Length), (JsonText.Of(again).GetProperty("against").GetProperty("same").GetBoolean(), JsonText.Of(again).GetProperty("against").GetProperty("lines").GetInt32()));
-        Assert.Contains("100 lines are the same; then the record has 'other'", other.Out, StringComparison.Ordinal);
+        Assert.Contains("The first 100 lines are equal; then the record has 'other'", other.Out, StringComparison.Ordinal);
     }
 
     [Theory]
     [InlineData("A", ExitCode.Usage, "the axes A,")]
     [InlineData("ABCD", ExitCode.Usage, "the axes ABCD,")]
     [InlineData("A?", ExitCode.Usage, "the axes A?,")]
-    [InlineData("AB", ExitCode.Done, "1 steps were said again; nothing moved.")]
+    [InlineData("AB", ExitCode.Done, "1 steps were replayed; nothing moved.")]
     public async Task A_damaged_journal_and_one_of_a_run_that_did_not_move_are_told(string axes, int code, string told)
     {
         using var folder = new TemporaryFolder();

@@ -127,7 +127,7 @@ public class ReportVerbTests
         var unreadable = await CliRun.RunAsync("report", folder.PathOf("nowhere.dxf"), "-o", folder.PathOf("d.html"));
 
         Assert.Equal((ExitCode.Done, ExitCode.Usage, ExitCode.DrawingError), (other.ExitCode, gone.ExitCode, unreadable.ExitCode));
-        Assert.StartsWith("engraver: the page does not show where the machine was: ", other.Error, StringComparison.Ordinal);
+        Assert.StartsWith("engraver: the page does not show the recorded path of the machine: ", other.Error, StringComparison.Ordinal);
         Assert.Empty(Section(Read(folder.PathOf("a.html")), "deviation").Descendants("{http://www.w3.org/2000/svg}svg"));
         Assert.Contains("Nothing of this drawing can be cut", Read(folder.PathOf("c.html")).Root!.Value, StringComparison.Ordinal);
         Assert.All(["b.html", "d.html"], name => Assert.False(File.Exists(folder.PathOf(name))));

@@ -44,7 +44,7 @@ public class SendVerbTests
 
         Assert.Equal(ExitCode.LinkLost, run.ExitCode);
         Assert.Equal(("silent", JsonValueKind.Null), (JsonText.Of(run).GetProperty("outcome").GetString(), JsonText.Of(run).GetProperty("file").ValueKind));
-        Assert.Contains("Nothing has come for 0.2 seconds", run.Error, StringComparison.Ordinal);
+        Assert.Contains("Nothing was received for 0.2 seconds", run.Error, StringComparison.Ordinal);
         Assert.Empty(Directory.EnumerateFileSystemEntries(folder.PathOf("")));
     }
 

@@ -46,19 +46,19 @@ public class TrajectoryVerbTests
     }
 
     [Theory]
-    [InlineData("--offset needs --side", "--offset", "2")]
-    [InlineData("--side goes with --offset", "--side", "in")]
+    [InlineData("--offset requires --side", "--offset", "2")]
+    [InlineData("--side requires --offset", "--side", "in")]
     [InlineData("--step", "--offset", "2", "--side", "in", "--passes", "3")]
     [InlineData("--passes", "--offset", "2", "--side", "in", "--passes", "1.5", "--step", "1")]
     [InlineData("--max-error", "--max-error", "0")]
     [InlineData("--segment-length", "--segment-length", "-1")]
-    [InlineData("--segment-length is for --density uniform", "--segment-length", "1", "--density", "dynamic")]
-    [InlineData("--density uniform does not go with --format xps-pvt", "--segment-length", "1", "--format", "xps-pvt")]
+    [InlineData("--segment-length requires --density uniform", "--segment-length", "1", "--density", "dynamic")]
+    [InlineData("--density uniform cannot be used with --format xps-pvt", "--segment-length", "1", "--format", "xps-pvt")]
     [InlineData("'pdf'", "--format", "pdf")]
-    [InlineData("--density uniform does not go with --format xps-linearc", "--density", "uniform", "--format", "xps-linearc")]
-    [InlineData("--density uniform does not go with --format xps-pvt", "--density", "uniform", "--format", "xps-pvt")]
-    [InlineData("--corners continuous does not go with --format xps-linearc", "--corners", "continuous", "--format", "xps-linearc")]
-    [InlineData("--corners continuous does not go with --format xps-pvt", "--corners", "continuous", "--format", "xps-pvt")]
+    [InlineData("--density uniform cannot be used with --format xps-linearc", "--density", "uniform", "--format", "xps-linearc")]
+    [InlineData("--density uniform cannot be used with --format xps-pvt", "--density", "uniform", "--format", "xps-pvt")]
+    [InlineData("--corners continuous cannot be used with --format xps-linearc", "--corners", "continuous", "--format", "xps-linearc")]
+    [InlineData("--corners continuous cannot be used with --format xps-pvt", "--corners", "continuous", "--format", "xps-pvt")]
     public async Task What_does_not_go_together_is_a_usage_error_and_writes_nothing(string says, params string[] options)
     {
         using var folder = new TemporaryFolder();

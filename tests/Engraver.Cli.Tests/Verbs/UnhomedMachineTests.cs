@@ -57,12 +57,12 @@ public sealed class UnhomedMachineTests : IDisposable
 
         Assert.StartsWith("NOT HOMED", status.Out, StringComparison.Ordinal);
         Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError, ExitCode.DrawingError), (zero.ExitCode, place.ExitCode, park.ExitCode));
-        Assert.Contains("the origin is not set", zero.Error, StringComparison.Ordinal);
+        Assert.Contains("the work origin was not set", zero.Error, StringComparison.Ordinal);
         Assert.All([status.Out, zero.Error, place.Error, park.Error], said => Assert.Contains("engraver home", said, StringComparison.Ordinal));
         Assert.All([status.Out, zero.Error, place.Error, park.Error], said => Assert.DoesNotContain("CNC", said, StringComparison.Ordinal));
         Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["home", .. at])).ExitCode);
         var homed = await CliRun.RunAsync(["status", .. at]);
-        Assert.Contains("G54 is not known: The work origin G54 is not set", homed.Out, StringComparison.Ordinal);
+        Assert.Contains("G54 is unknown: The work origin G54 is not set", homed.Out, StringComparison.Ordinal);
         Assert.Contains("engraver zero", homed.Out, StringComparison.Ordinal);
     }
 

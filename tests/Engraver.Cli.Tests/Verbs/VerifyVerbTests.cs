@@ -162,7 +162,7 @@ public class VerifyVerbTests
 
         Assert.Equal((ExitCode.Done, "gcode"), (known.ExitCode, JsonText.Of(known).GetProperty("target").GetString()));
         Assert.Equal(ExitCode.DrawingError, unknown.ExitCode);
-        Assert.Contains("does not say in which form it is; it is read as galil", unknown.Error, StringComparison.Ordinal);
+        Assert.Contains("was not detected; it is read as galil", unknown.Error, StringComparison.Ordinal);
     }
 
     /// <summary>What was chosen for the post is said to the verification; otherwise the program is not what the job asks for.</summary>

@@ -61,7 +61,7 @@ public class AbortInputTests
 
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, hit);
 
-        Assert.Equal((isDoubted, isDoubted), (result.PositionDoubt.Contains("may have lost steps", StringComparison.Ordinal), result.Sentence.Contains("set the origin again", StringComparison.Ordinal)));
+        Assert.Equal((isDoubted, isDoubted), (result.PositionDoubt.Contains("may have lost steps", StringComparison.Ordinal), result.Sentence.Contains("set the work origin again", StringComparison.Ordinal)));
 
         bench.Controller.SetAbortInput(false);
         using var stop = new CancellationTokenSource();

@@ -88,8 +88,8 @@ public class HeightDriveTests
 
         var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Mode = mode }, jam);
 
-        Assert.Contains("position error", result.Sentence, StringComparison.Ordinal);
-        Assert.Contains("The tool could not be raised: axis Z stands at", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("The tool could not be raised: axis Z is at", result.Sentence, StringComparison.Ordinal);
         Assert.InRange(bench.Last.C, -2000, -1);
         Assert.Equal((0, false), (bench.Last.Outputs, bench.Controller.Status.IsMoving));
     }

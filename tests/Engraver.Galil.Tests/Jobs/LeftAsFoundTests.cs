@@ -70,7 +70,7 @@ public class LeftAsFoundTests
 
         var refused = await new ProgramMemory(session).SwapAsync("BGA", CancellationToken.None);
 
-        Assert.Equal((TcCode.DownloadWhileProgramRunning, "thread 5 runs; halt it by HX5"), (refused?.Code, refused?.Text));
+        Assert.Equal((TcCode.DownloadWhileProgramRunning, "thread 5 is running; halt it with HX5"), (refused?.Code, refused?.Text));
         Assert.Contains("WT 50", Assert.IsType<Accepted>(await session.Commands.UploadAsync(CancellationToken.None)).Data, StringComparison.Ordinal);
     }
 

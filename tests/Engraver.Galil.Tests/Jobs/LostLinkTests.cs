@@ -39,7 +39,7 @@ public class LostLinkTests
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         Assert.NotNull(result.FinalPosition);
-        if (result.FinalPosition.Value.X != bench.Last.A) Assert.Contains("more may be cut than is counted here", result.Sentence, StringComparison.Ordinal);
+        if (result.FinalPosition.Value.X != bench.Last.A) Assert.Contains("more segments may be cut than are counted here", result.Sentence, StringComparison.Ordinal);
         Assert.InRange(result.FinalPosition.Value.X, far, bench.Last.A); // known from between the cut and the standstill: a handle may be had again
         CutRecord.AssertSafeAfter(bench, cutAt, toolSeconds: 1.5, restSeconds: 1.5);
     }
@@ -52,7 +52,7 @@ public class LostLinkTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job);
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
-        Assert.Contains("did not answer", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("did not reply", result.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -22,7 +22,7 @@ public class MotorFaultTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, jam);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
-        Assert.Contains("position error", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
@@ -59,7 +59,7 @@ public class MotorFaultTests
         var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Mode = mode }, jam);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
-        Assert.Contains("position error", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
         Assert.InRange(result.FinalPosition!.Value.X, 53_500, 56_000);
         Assert.Empty(result.NotRestored);
         Assert.Equal(("12345", "1"), ((await bench.WholeAsync("_ERA")).Trim(), (await bench.WholeAsync("_OEB")).Trim()));

@@ -139,7 +139,7 @@ public class SomebodyElseTests
         var result = await RunAsync(bench, MotionPrograms.Paper, mode, baud, _ => false, () => { }, line => line.Replace(sent, arrived, StringComparison.Ordinal));
 
         Assert.Equal((Noticed(baud), 0), (result.Outcome, result.SegmentsExecuted));
-        Assert.Contains(baud == Network ? "off while cutting" : "where 'SB 1' was sent", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains(baud == Network ? "off while cutting" : "instead of 'SB 1'", result.Sentence, StringComparison.Ordinal);
         Assert.Equal(new CountsPoint(5000, 5000), result.FinalPosition);
     }
 
@@ -163,7 +163,7 @@ public class SomebodyElseTests
         var result = await RunAsync(bench, MotionPrograms.TwoStrokes, mode, baud, _ => false, () => { }, Harm);
 
         Assert.Equal((Noticed(baud), 0), (result.Outcome, bench.Controller.Status.Outputs & 1));
-        Assert.Contains(baud == Network ? "on where it has to be off" : "where 'CB 1' was sent", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains(baud == Network ? "on where it must be off" : "instead of 'CB 1'", result.Sentence, StringComparison.Ordinal);
         CutRecord.AssertNothingElseWasCut(bench, MotionPrograms.TwoStrokes);
     }
 
@@ -181,7 +181,7 @@ public class SomebodyElseTests
         });
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("on where it has to be off", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("on where it must be off", result.Sentence, StringComparison.Ordinal);
         CutRecord.AssertSafeAfter(bench, sample, toolSeconds: 1.0, restSeconds: 2.0);
     }
 

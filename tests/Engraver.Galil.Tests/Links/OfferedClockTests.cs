@@ -24,16 +24,16 @@ public sealed class OfferedClockTests : IDisposable
 
         var refused = Assert.Throws<ControllerLinkException>(() => OfferedClock.Take(port));
         Assert.StartsWith($"No clock at port {port} of this computer: ", refused.Message, StringComparison.Ordinal);
-        Assert.EndsWith("or leave clock= out.", refused.Message, StringComparison.Ordinal);
+        Assert.EndsWith("or omit clock=.", refused.Message, StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData("220 mail.example ready\n", "what answers there is no clock.")]
-    [InlineData("-5\n", "what answers there is no clock.")]
-    [InlineData("\n", "what answers there is no clock.")]
-    [InlineData("", "the other end closed the clock.")]
-    [InlineData("17", "the other end closed the clock.")]
-    [InlineData("0000000000000000000000000000000000000000000000000000000000000000000000", "the other end closed the clock.")]
+    [InlineData("220 mail.example ready\n", "the service at this port is not a clock.")]
+    [InlineData("-5\n", "the service at this port is not a clock.")]
+    [InlineData("\n", "the service at this port is not a clock.")]
+    [InlineData("", "the other end closed the connection.")]
+    [InlineData("17", "the other end closed the connection.")]
+    [InlineData("0000000000000000000000000000000000000000000000000000000000000000000000", "the other end closed the connection.")]
     public async Task Somebody_who_is_no_clock_is_refused_and_the_reason_is_told(string answer, string reason)
     {
         var taking = Task.Run(() => OfferedClock.Take(Port));

@@ -214,7 +214,7 @@ public class CommandChannelTests
         await stalled.DisposeAsync();
         await trace.CloseAsync(CancellationToken.None);
 
-        Assert.Contains("keep up", trace.Failure, StringComparison.Ordinal);
+        Assert.Contains("fast enough", trace.Failure, StringComparison.Ordinal);
     }
 
     private CommandChannel Channel(ScriptedLink link) => new(link, "A", Limit, _time, null);

@@ -11,7 +11,7 @@ public class StopCodesTests
     [InlineData(4, "ST command")]
     [InlineData(6, "abort input")]
     [InlineData(7, "AB command")]
-    [InlineData(8, "position error")]
+    [InlineData(8, "following error")]
     [InlineData(11, "selective abort")]
     [InlineData(101, "vector sequence ended")]
     public void A_known_code_is_said_in_words(int code, string words) => Assert.Contains(words, StopCodes.Text(code), StringComparison.Ordinal);

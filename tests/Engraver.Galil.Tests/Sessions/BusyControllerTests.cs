@@ -23,7 +23,7 @@ public class BusyControllerTests
             TimeProvider.System,
             CancellationToken.None));
 
-        Assert.Contains("handles are taken", failure.Message, StringComparison.Ordinal);
+        Assert.Contains("handles are in use", failure.Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -56,7 +56,7 @@ public class ControllerSessionTests
 
         var refused = await Assert.ThrowsAsync<ProtocolViolationException>(() => bench.OpenAsync());
 
-        Assert.Equal("DMC30010 Rev 1.2d has one axis; a drawing needs two. Connect a controller with two axes or more.", refused.Message);
+        Assert.Equal("DMC30010 Rev 1.2d has one axis; a drawing needs two. Connect a controller with two or more axes.", refused.Message);
     }
 
     [Theory]

@@ -51,7 +51,7 @@ public class SerialSessionTests
 
         var harmed = await Assert.ThrowsAsync<EchoException>(async () => await session.Commands.SendAsync("PRA=5000", CancellationToken.None));
 
-        Assert.Equal("serial memory heard 'PRA=50000' where 'PRA=5000' was sent: the line does not carry what is said. Look at the cable, at what disturbs it, and at the flow control.", harmed.Message);
+        Assert.Equal("serial memory received 'PRA=50000' instead of 'PRA=5000': the line corrupts data. Check the cable, the flow control and nearby sources of interference.", harmed.Message);
         Assert.Equal(Accepted.Silent, await session.StopHandle.SendAsync("ST AB", CancellationToken.None));
         Assert.Equal(new Accepted("1"), await session.Commands.SendAsync("MG 1{F1.0}", CancellationToken.None));
     }

@@ -25,7 +25,7 @@ internal sealed class CertifyVerb
     private readonly PostedOptions _posted = new();
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = Wording.Get("Certify.Output") };
     private readonly Option<bool> _check = new("--check") { Description = Wording.Get("Certify.Check") };
-    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: false, Wording.Get("Plan.Connect"));
     private readonly Option<string> _mode = ModeOption.New();
     private readonly Option<bool> _json = JsonOption.New();
 
@@ -66,7 +66,7 @@ internal sealed class CertifyVerb
 
     private async Task<int> CertifyAsync(ParseResult parsed, CertificationRequest request, string place, CancellationToken stop)
     {
-        if (request.DrawingHash is null && !DrawingFile.IsUnreadable(request.Drawing)) throw new UsageException(Wording.Get("Certify.NoFile", request.Drawing.FileName));
+        if (request.DrawingHash is null && !DrawingFile.IsUnreadable(request.Drawing)) throw new UsageException(Wording.Get("Certify.NotRereadable", request.Drawing.FileName));
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var made = await VerifyProgressBar.ShowAsync(quiet, progress => Certification.CertifyAsync(request, progress, stop)).ConfigureAwait(false);
         var code = _host.Report(parsed, request.Drawing.FileName, made.Diagnostics);
@@ -111,7 +111,7 @@ internal sealed class CertifyVerb
     {
         if (parsed.GetValue(_dialect) is not { } dialect) return null;
         var target = Target(parsed);
-        if (!target.Dialects.ContainsKey(dialect)) throw new UsageException(Wording.Get("Post.NoOptionTarget", _dialect.Name, target.Post.Name));
+        if (!target.Dialects.ContainsKey(dialect)) throw new UsageException(Wording.Get("Post.OptionNotSupported", _dialect.Name, target.Post.Name));
         return target.Post.Options.Any(option => option.Name == "dialect" && option.Default == dialect) ? null : dialect;
     }
 

@@ -21,7 +21,7 @@ internal static class HistoryVerb
         foreach (var option in (Option[])[search, last, budget, json]) command.Options.Add(option);
         command.SetAction(parsed =>
         {
-            if (parsed.GetValue(budget) is { } megabytes && RunBudget.Set((int)megabytes) is { } failure) throw new UsageException(Wording.Get("History.BudgetNotKept", failure));
+            if (parsed.GetValue(budget) is { } megabytes && RunBudget.Set((int)megabytes) is { } failure) throw new UsageException(Wording.Get("History.BudgetNotSaved", failure));
             var reading = new JobHistory(JobHistory.FolderIn(null)).Look();
             var numbered = reading.Entries.Select((entry, index) => (Number: index + 1, Entry: entry)).Where(one => parsed.GetValue(search) is not { } word || one.Entry.Holds(word)).Take((int)(parsed.GetValue(last) ?? int.MaxValue)).ToList();
             foreach (var finding in reading.Findings) host.Error.WriteLine(finding);
@@ -35,6 +35,6 @@ internal static class HistoryVerb
     private static void WriteText(VerbHost host, IReadOnlyList<(int Number, HistoryEntry Entry)> entries)
     {
         HistoryText.Write(host.Out, entries, TimeZoneInfo.Local);
-        host.Out.WriteLine(Wording.Get("History.Kept", RunBudget.UsedMegabytes, RunBudget.Megabytes));
+        host.Out.WriteLine(Wording.Get("History.Size", RunBudget.UsedMegabytes, RunBudget.Megabytes));
     }
 }

@@ -24,7 +24,7 @@ internal static class ReplayVerb
             var file = parsed.GetRequiredValue(journal);
             VerbHost.KeepApart(file, parsed.GetValue(record));
             var (replay, lack) = await IncidentReplay.RunAsync(file, KeptConversation.PathOf(file), stop).ConfigureAwait(false);
-            if (replay is null) throw new UsageException(Wording.Get("Replay.Lack", lack));
+            if (replay is null) throw new UsageException(Wording.Get("Replay.NotPossible", lack));
             await using var owned = replay;
             if (parsed.GetValue(record) is { } samples) host.Write(samples, replay.WriteRecord);
             var compared = parsed.GetValue(against) is { } other ? Compared(replay, other) : null;
@@ -39,10 +39,10 @@ internal static class ReplayVerb
     {
         if (replay.FinalPosition is { } final) output.WriteLine(Wording.Get("Replay.Done", replay.Conversation.Steps.Count, replay.Samples, replay.Seconds, final.X, final.Y));
         else output.WriteLine(Wording.Get("Replay.NothingMoved", replay.Conversation.Steps.Count));
-        if (!replay.Conversation.IsWhole) output.WriteLine(Wording.Get("Replay.BrokeOff"));
+        if (!replay.Conversation.IsWhole) output.WriteLine(Wording.Get("Replay.ConversationIncomplete"));
         if (replay.Agrees is { } agrees) output.WriteLine(Wording.Get(agrees ? "Replay.Agrees" : "Replay.EndsElsewhere", replay.Told!.End!.X, replay.Told.End.Y));
         if (replay.LateSeconds > 0.0) output.WriteLine(Wording.Get("Replay.Late", replay.LateSeconds));
-        if (compared is not null) output.WriteLine(Wording.Get(compared.IsSame ? "Replay.Same" : "Replay.Differs", compared.Same, compared.There ?? "", compared.Here ?? ""));
+        if (compared is not null) output.WriteLine(compared.IsSame ? Wording.Get("Replay.Equal", compared.Same) : Wording.Get("Replay.Differs", compared.Same, compared.There ?? "", compared.Here ?? ""));
     }
 
     /// <exception cref="UsageException">The record cannot be read.</exception>

@@ -15,7 +15,7 @@ internal static class ReportVerb
         var drawing = new DrawingOptions();
         var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.html", Description = Wording.Get("Report.Output") };
         var journal = new Option<string?>("--journal") { HelpName = "FILE", Description = Wording.Get("Report.Journal") };
-        var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
+        var connect = ConnectOption.New(required: false, Wording.Get("Plan.Connect"));
         var mode = ModeOption.New();
         var rate = RateOption.New();
         var command = new Command("report", Wording.Get("Report.Summary"));
@@ -32,7 +32,7 @@ internal static class ReportVerb
             var request = new JobReportRequest(read, settings, ModeOption.Mode(parsed.GetValue(mode)), TimeProvider.System.GetUtcNow()) { Address = parsed.GetValue(connect), Rates = parsed.GetValue(rate), Journal = kept };
             var report = JobReport.Create(request.WithRunOf(history.Look()), stop);
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => JobReportPage.Write(report, TimeZoneInfo.Local, writer));
-            if (report.Run is { } run && history.Keep(run with { Report = Path.GetFullPath(parsed.GetRequiredValue(output)) }) is { } failure) host.Error.WriteLine(Wording.Get("Verbs.HistoryNotKept", failure));
+            if (report.Run is { } run && history.Keep(run with { Report = Path.GetFullPath(parsed.GetRequiredValue(output)) }) is { } failure) host.Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
             if (report.TraceProblem is { } problem) host.Error.WriteLine(Wording.Get("Report.NoTrace", problem.TrimEnd('.')));
             return Task.FromResult(host.Report(parsed, read.FileName, report.Job.Diagnostics));
         });

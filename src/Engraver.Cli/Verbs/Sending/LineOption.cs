@@ -14,7 +14,7 @@ internal static class LineOption
         CustomParser = result =>
         {
             if (SendAddress.TryParse(result.Tokens[0].Value, out var address)) return address;
-            result.AddError(Wording.Get("Send.NoLine", name, result.Tokens[0].Value, SendAddress.Forms));
+            result.AddError(Wording.Get("Send.InvalidLine", name, result.Tokens[0].Value, SendAddress.Forms));
             return null;
         },
     };

@@ -25,7 +25,7 @@ internal sealed class ReceiveVerb(VerbHost host)
     public static Command Build(VerbHost host)
     {
         var verb = new ReceiveVerb(host);
-        var command = new MachineCommand("receive", Wording.Get("Receive.Receive")) { verb._from, verb._output, verb._silence, verb._json };
+        var command = new MachineCommand("receive", Wording.Get("Receive.Summary")) { verb._from, verb._output, verb._silence, verb._json };
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -45,7 +45,7 @@ internal sealed class ReceiveVerb(VerbHost host)
         else await host.Out.WriteLineAsync(Wording.Get("Receive.Received", lines.Count, characters.Length)).ConfigureAwait(false);
         var code = host.Report(parsed, path, findings);
         if (reason is not null) await host.Error.WriteLineAsync($"engraver: {reason}").ConfigureAwait(false);
-        if (file is not null && end != ReceiveEnd.Complete) await host.Error.WriteLineAsync(Wording.Get("Receive.Torn", file)).ConfigureAwait(false);
+        if (file is not null && end != ReceiveEnd.Complete) await host.Error.WriteLineAsync(Wording.Get("Receive.Incomplete", file)).ConfigureAwait(false);
         return end switch { ReceiveEnd.Complete => code, ReceiveEnd.Stopped => ExitCode.StoppedByOperator, _ => ExitCode.LinkLost };
     }
 
@@ -58,7 +58,7 @@ internal sealed class ReceiveVerb(VerbHost host)
             if (!host.Quiet(parsed)) await host.Error.WriteLineAsync(Wording.Get("Receive.Listening", address)).ConfigureAwait(false);
             var isWhole = await receiver.ListenAsync(line, silence, host.Verbose(parsed) ? new LineCount(host.Error) : null, TimeProvider.System, stop).ConfigureAwait(false);
             if (!isWhole) return (ReceiveEnd.Stopped, null);
-            return receiver.Characters.Count > 0 ? (ReceiveEnd.Complete, null) : (ReceiveEnd.Silent, Wording.Get("Receive.Silent", silence.TotalSeconds));
+            return receiver.Characters.Count > 0 ? (ReceiveEnd.Complete, null) : (ReceiveEnd.Silent, Wording.Get("Receive.NothingReceived", silence.TotalSeconds));
         }
         catch (IOException gone)
         {

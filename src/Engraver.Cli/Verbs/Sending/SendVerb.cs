@@ -37,7 +37,7 @@ internal sealed class SendVerb
     public static Command Build(VerbHost host)
     {
         var verb = new SendVerb(host);
-        var command = new MachineCommand("send", Wording.Get("Send.Send")) { verb._file, verb._to, verb._lineEnd, verb._leader, verb._trailer, verb._start, verb._end, verb._characterDelay, verb._lineDelay, verb._longestHold, verb._program, verb._json };
+        var command = new MachineCommand("send", Wording.Get("Send.Summary")) { verb._file, verb._to, verb._lineEnd, verb._leader, verb._trailer, verb._start, verb._end, verb._characterDelay, verb._lineDelay, verb._longestHold, verb._program, verb._json };
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -45,7 +45,7 @@ internal sealed class SendVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var (address, path, format) = (parsed.GetRequiredValue(_to)!, parsed.GetRequiredValue(_file), Format(parsed));
-        if (!format.Fits(address.Frame)) throw new UsageException(Wording.Get("Send.TextTooLarge", address.Frame.Name()));
+        if (!format.Fits(address.Frame)) throw new UsageException(Wording.Get("Send.TextNotEncodable", address.Frame.Name()));
         var encoded = Read(path).Encode(parsed.GetValue(_program), format, address.Frame);
         if (encoded.Job is not { } job) return _host.Report(parsed, path, [encoded.Why!]);
         var pace = new SendPace(address.Frame, address.CharacterTime)
@@ -100,7 +100,7 @@ internal sealed class SendVerb
         var option = new Option<int>(name) { HelpName = "N", Description = description, DefaultValueFactory = _ => standard };
         option.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: var word }] && !(int.TryParse(word, System.Globalization.CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= most)) result.AddError(Wording.Get("Send.NoCount", name, word, most));
+            if (result.Tokens is [{ Value: var word }] && !(int.TryParse(word, System.Globalization.CultureInfo.InvariantCulture, out var value) && value >= 0 && value <= most)) result.AddError(Wording.Get("Send.InvalidCount", name, word, most));
         });
         return option;
     }
@@ -110,7 +110,7 @@ internal sealed class SendVerb
         var option = new Option<string>(name) { HelpName = "TEXT", Description = description, DefaultValueFactory = _ => "" };
         option.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: var word }] && SendFormat.Unescape(word) is null) result.AddError(Wording.Get("Send.NoText", name, word));
+            if (result.Tokens is [{ Value: var word }] && SendFormat.Unescape(word) is null) result.AddError(Wording.Get("Send.InvalidText", name, word));
         });
         return option;
     }

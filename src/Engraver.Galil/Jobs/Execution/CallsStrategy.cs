@@ -84,7 +84,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
     {
         var state = machine.State;
         if (state.StopCode != StopCodes.SequenceEnded)
-            return JobStep.Broken(Wording.Get("CallsStrategy.CallDrawingEntityEnded", segment.EntityIndex, state.Position.X, state.Position.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
+            return JobStep.Broken(Wording.Get("CallsStrategy.CallEndedEarly", segment.EntityIndex, state.Position.X, state.Position.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
         if (watch.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
         ledger.Confirm(segment);
         return JobStep.Done;

@@ -52,7 +52,7 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
         var lines = chunk.Text.Split('\n');
         if (line < 0 || line >= lines.Length) return "";
         var first = lines.Take(line).Sum(Segments);
-        return Wording.Get("ChunkProgress.Line", lines[line]) + Entity(first);
+        return Wording.Get("ChunkProgress.ProgramLine", lines[line]) + Entity(first);
     }
 
     private string Entity(int segment) => segment < _segments.Length ? Wording.Get("Execution.DrawingEntity", _segments[segment].EntityIndex) : "";

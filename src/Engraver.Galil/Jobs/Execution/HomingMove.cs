@@ -31,7 +31,7 @@ internal sealed class HomingMove(JobMachine machine) : IJobStrategy
 
     public async ValueTask<JobStep> CutAsync()
     {
-        if (_axes.Count == 0) return JobStep.Broken(Wording.Get("HomingMove.Nothing"));
+        if (_axes.Count == 0) return JobStep.Broken(Wording.Get("HomingMove.NotConfigured"));
         if (await machine.AwaitAsync(Variables.Go, value => value == 0).ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await machine.SendAsync(ResidentServer.GoCommand).ConfigureAwait(false) is { Ends: true } refused) return refused;
         var (under, begun) = (0, machine.Seconds);

@@ -301,7 +301,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     {
         Phase = phase;
         control.Enter(phase);
-        if (phase != JobPhase.Held && control.Move is not null) control.MoveEnds(JobResult.NotStarted(0, Wording.Get("JobHold.GoesOn"))); // asked for just before the resume; at the next hold nobody means it
+        if (phase != JobPhase.Held && control.Move is not null) control.MoveEnds(JobResult.NotStarted(0, Wording.Get("JobHold.Resumed"))); // asked for just before the resume; at the next hold nobody means it
         Changed?.Invoke();
     }
 }

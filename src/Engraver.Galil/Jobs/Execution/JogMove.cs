@@ -57,7 +57,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
     private JobStep Unfit()
     {
         if (machine.Line is { } line && line.Time(LongestExchange) > s_betweenSigns) return JobStep.Broken(Wording.Get("JogMove.LineTooSlow", line.Baud));
-        return Velocity is { IsZero: true } ? JobStep.Broken(Wording.Get("JogMove.Nothing")) : JobStep.Done;
+        return Velocity is { IsZero: true } ? JobStep.Broken(Wording.Get("JogMove.NoAxis")) : JobStep.Done;
     }
 
     /// <summary>The brake of a release once more, behind whatever this side has sent: the first one may have been before a BG or a JG that was on its way over another handle.</summary>

@@ -63,7 +63,7 @@ internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IRe
         machine.HasProgress();
         if (await new JogMove(machine, control, limits).KeptReadyAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         if (await machine.WatchAsUsualAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        standby.Stands(JobResult.NotStarted(0, Wording.Get("JogMove.Released")) with { Outcome = JobOutcome.Complete, FinalPosition = machine.State.Position, FrameOrigin = machine.FrameTaken });
+        standby.Stands(JobResult.NotStarted(0, Wording.Get("JogMove.AtRest")) with { Outcome = JobOutcome.Complete, FinalPosition = machine.State.Position, FrameOrigin = machine.FrameTaken });
         return JobStep.Done;
     }
 }

@@ -45,7 +45,7 @@ internal static class RapidMove
             ? JobStep.Done
             : JobStep.Broken(at.IsBeside(goal)
                 ? Wording.Get("RapidMove.HeightNotReached", goal.Z, at.Z, await machine.WhyStoppedAsync().ConfigureAwait(false))
-                : Wording.Get("RapidMove.RapidEndedFindOut", goal.X, goal.Y, at.X, at.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
+                : Wording.Get("RapidMove.EndedEarly", goal.X, goal.Y, at.X, at.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
     }
 
     private static async ValueTask<JobStep> GoAsync(JobMachine machine, CountsPoint from, CountsPoint goal, string axes, double seconds)
@@ -53,7 +53,7 @@ internal static class RapidMove
         if (await machine.SendAsync("BG" + axes).ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
         machine.Expectation = state => machine.Profile.Axes.All.Select((_, i) => IsBetween(from[i], state.Position[i], goal[i])).All(isBetween => isBetween)
             ? JobStep.Done
-            : JobStep.Deviated(Wording.Get("RapidMove.RapidFromWentCounts", from.X, from.Y, goal.X, goal.Y, state.Position.X, state.Position.Y));
+            : JobStep.Deviated(Wording.Get("RapidMove.WrongEndPoint", from.X, from.Y, goal.X, goal.Y, state.Position.X, state.Position.Y));
         try
         {
             return await machine.PollUntilAsync(state => state.Stands, seconds).ConfigureAwait(false);

@@ -238,7 +238,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         var planned = Ahead.Take(_sent).Sum(segment => segment.Length);
         return Math.Abs(travelled - planned) <= LengthAllowance + (LengthPerSegment * _sent)
             ? JobStep.Done
-            : JobStep.Deviated(Wording.Get("SequenceFeed.ControllerWentCountsAlong", travelled, planned, Ahead[_sent - 1].EntityIndex, machine.Here.X, machine.Here.Y));
+            : JobStep.Deviated(Wording.Get("SequenceFeed.PathLengthDiffers", travelled, planned, Ahead[_sent - 1].EntityIndex, machine.Here.X, machine.Here.Y));
     }
 
     private bool HasEnded(MachineState state)
@@ -261,13 +261,13 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } down) return down;
         if (cut.Ends || (await PlaceQuestions.AskAsync(machine.Session, machine.Profile.Axes).ConfigureAwait(false)).Uncounted.Length == 0) return cut;
         var at = machine.State.Position;
-        return JobStep.Broken(Wording.Get("SequenceFeed.RanDryWithSteppers", at.X, at.Y)) with { Doubt = Wording.Get("SequenceFeed.StepsLost") };
+        return JobStep.Broken(Wording.Get("SequenceFeed.OutOfSegmentsWithSteppers", at.X, at.Y)) with { Doubt = Wording.Get("SequenceFeed.StepsLost") };
     }
 
     private async ValueTask<JobStep> EndedEarlyAsync()
     {
         var at = machine.State.Position;
-        return JobStep.Broken(Wording.Get("SequenceFeed.VectorSequenceEndedBefore", at.X, at.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
+        return JobStep.Broken(Wording.Get("SequenceFeed.EndedEarly", at.X, at.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
     }
 }
 

@@ -28,9 +28,9 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     /// <summary>Why it is not resumed, whatever else a resume asks for: nothing of it is left to cut, or how far it was cut is not known. Empty where it may be.</summary>
     public string WhyOver => this switch
     {
-        { GivenUp: { Length: > 0 } reason } => Wording.Get("Resume.GivenUp", reason),
+        { GivenUp: { Length: > 0 } reason } => Wording.Get("Resume.JournalIncomplete", reason),
         { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
-        { ResumedBy: { } later } when File.Exists(later) => Wording.Get("Resume.GoneOn", later),
+        { ResumedBy: { } later } when File.Exists(later) => Wording.Get("Resume.AlreadyResumed", later),
         { End.Outcome: JobOutcome.Complete } => Wording.Get("Resume.Complete"),
         { End: { } end } when end.Cut >= Header.SegmentCount => Wording.Get("Resume.Complete"),
         _ => "",

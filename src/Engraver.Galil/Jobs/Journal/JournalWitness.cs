@@ -26,7 +26,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
         if (place <= new JobPlace(job.Header.FromSegments, job.Header.FromAlong) || job.At is not { } at) return "";
         var here = new Point2D(at.X - job.Header.FrameX, at.Y - job.Header.FrameY);
         if (place.Along >= 0.0 && place.Segments <= program.SegmentCount && (job.IsAtFault ? IsNear(place, here) : IsAhead(place, here))) return "";
-        return Wording.Get("Resume.PlaceElsewhere", place.Segments, program.SegmentCount, Math.Round(place.Along), at.X, at.Y);
+        return Wording.Get("Resume.PositionElsewhere", place.Segments, program.SegmentCount, Math.Round(place.Along), at.X, at.Y);
     }
 
     /// <summary>Why the controller contradicts the place; empty when it does not.</summary>

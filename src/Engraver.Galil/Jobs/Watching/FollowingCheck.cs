@@ -36,7 +36,7 @@ internal sealed class FollowingCheck(ControllerSession session, MachineProfile p
         if (axes.Length == 0) return "";
         var reading = await session.StopHandle.ReadAsync(string.Join(',', axes.Select(axis => $"_TE{axis.Letter}")), CancellationToken.None).ConfigureAwait(false);
         if (reading.Refusal is not null) return "";
-        return string.Join(Wording.Get("Common.And"), axes.Select((axis, i) => (Axis: axis, Error: reading.Values[i])).Where(one => Math.Abs(one.Error) > Allowed(one.Axis)).Select(one => Wording.Get("JobMachine.AxisError", profile.Axes.NameOf(one.Axis.Letter), one.Error)));
+        return string.Join(", ", axes.Select((axis, i) => (Axis: axis, Error: reading.Values[i])).Where(one => Math.Abs(one.Error) > Allowed(one.Axis)).Select(one => Wording.Get("JobMachine.AxisError", profile.Axes.NameOf(one.Axis.Letter), one.Error)));
     }
 
     private static double Allowed(MachineAxis axis) => Math.Max(AllowedCounts, AllowedMm * Math.Abs(axis.CountsPerMillimetre));

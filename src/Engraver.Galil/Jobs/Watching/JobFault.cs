@@ -12,16 +12,12 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
     /// <summary>On a serial line the session has set VF to whole numbers.</summary>
     private const string Decimals = "{F10.4}";
 
-    private static string NobodyElse => Wording.Get("JobFault.NobodyElse");
-
     /// <summary>No progress. A damaged command has the same effect as somebody who holds the motion: the job waits for something that does not come.</summary>
     public async ValueTask<JobStep> StalledAsync()
     {
         var ratio = await machine.AskAtRestAsync("_VRS" + Decimals).ConfigureAwait(false);
-        var why = ratio is 0.0
-            ? Wording.Get("JobFault.FeedOverrideVrSet", NobodyElse)
-            : Wording.Get("JobFault.CommandMayHaveArrived");
-        return JobStep.Broken(Wording.Get("JobFault.NothingHasMovedOr", machine.StandstillSeconds, Place, why));
+        var why = Wording.Get(ratio is 0.0 ? "JobFault.OverrideSetToZero" : "JobFault.CommandCorruptedOrHeld");
+        return JobStep.Broken(Wording.Get("JobFault.NoProgress", machine.StandstillSeconds, Place, why));
     }
 
     /// <summary>The path does not have the speed that the job set: another host or program changed VS, VR or VA. What it set is left as it is. The tool is still on: the controller is asked once.</summary>
@@ -44,17 +40,17 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
 
     /// <summary>The watchdog in the controller saw the tool on at standstill before this program did.</summary>
     public JobStep ToolForgotten() => JobStep.Broken(
-        Wording.Get("JobFault.ToolOnWhileNothing", Place));
+        Wording.Get("JobFault.ToolOnAtStandstill", Place));
 
     public JobStep ToolSwitched()
     {
         var isOn = machine.Tool.IsOutputOn(machine.State);
-        return JobStep.Broken(Wording.Get("JobFault.OutputToolFoundSomebody", machine.Profile.ToolOutput, isOn ? Wording.Get("JobFault.OnWhereHasOff") : Wording.Get("JobFault.OffWhileCutting"), Place, NobodyElse));
+        return JobStep.Broken(Wording.Get(isOn ? "JobFault.ToolFoundOn" : "JobFault.ToolFoundOff", machine.Profile.ToolOutput, Place));
     }
 
     /// <summary>The watchdog no longer runs: the job could go on, but nothing would stop it if this computer died.</summary>
     public JobStep Unwatched() => JobStep.Broken(
-        Wording.Get("JobFault.WatchdogControllerStopsMachine", Place));
+        Wording.Get("JobFault.WatchdogHalted", Place));
 
     private string Place
     {
@@ -62,8 +58,8 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         {
             var at = machine.State.Position;
             return program.SegmentBehind(ledger.Executed) is var (_, segment, stroke)
-                ? Wording.Get("JobFault.StrokeDrawingEntity", at.X, at.Y, program.Strokes[stroke].Index + 1, segment.EntityIndex)
-                : Wording.Get("Common.At", at.X, at.Y);
+                ? Wording.Get("JobFault.PositionOnStroke", at.X, at.Y, program.Strokes[stroke].Index + 1, segment.EntityIndex)
+                : Wording.Get("JobFault.Position", at.X, at.Y);
         }
     }
 
@@ -72,14 +68,14 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
     {
         if (machine.State.Trip == WatchdogProgram.ToolForgotten) return ToolForgotten();
         if (machine.State.Trip != 0)
-            return JobStep.LinkLost(Wording.Get("JobMachine.ControllerHeardNothingFrom"), LinkLoss.Watchdog);
+            return JobStep.LinkLost(Wording.Get("JobMachine.WatchdogTripped"), LinkLoss.Watchdog);
         if (machine.State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
         if (machine.State.ProgramError == SupervisedProgram.Strayed)
-            return JobStep.Broken(Wording.Get("JobMachine.MotionEndedBeforeIts", machine.State.Position.X, machine.State.Position.Y, await WhyStoppedAsync().ConfigureAwait(false)));
+            return JobStep.Broken(Wording.Get("JobMachine.MotionEndedEarly", machine.State.Position.X, machine.State.Position.Y, await WhyStoppedAsync().ConfigureAwait(false)));
         if (machine.State.ProgramError == PositionErrorProgram.Code) return await CannotFollowAsync().ConfigureAwait(false);
         var (line, _) = await machine.AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
         var code = (TcCode)machine.State.ProgramError;
-        return machine.Refuse(new Rejected(code, TcCodes.Text(code), Wording.Get("JobMachine.LineDownloadedProgram", line)), machine.PlaceInProgram((int)line));
+        return machine.Refuse(new Rejected(code, TcCodes.Text(code), Wording.Get("JobMachine.ProgramLine", line)), machine.PlaceInProgram((int)line));
     }
 
     /// <summary>Why a motion ended early, in words: the axes that a switch, an input or their error has stopped, each with its reason; where there is none, the stop code of the first axis.</summary>
@@ -92,7 +88,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
             if (await machine.AskAtRestAsync($"_SC{letter}").ConfigureAwait(false) is { } code && StopCodes.IsFromOutside((int)code)) stopped.Add(Wording.Get("JobMachine.AxisStopped", machine.Profile.Axes.NameOf(letter), StopCodes.Text((int)code)));
         }
 
-        return stopped.Count == 0 ? StopCodes.Text(machine.State.StopCode) : string.Join(Wording.Get("Common.And"), stopped);
+        return stopped.Count == 0 ? StopCodes.Text(machine.State.StopCode) : string.Join("; ", stopped);
     }
 
     /// <summary>Reports a position error larger than ER: the axis is jammed, or driven faster than its motor can follow.</summary>
@@ -111,16 +107,16 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         }
 
         var motors = switched.Length == 0 ? Wording.Get("JobFault.MotorsStayOn") : Wording.Get("JobFault.MotorsSwitchedOff", string.Join(", ", switched.AsEnumerable()));
-        var far = errors.Count == machine.Profile.Axes.All.Count ? Wording.Get("JobMachine.CountsOff", string.Join(Wording.Get("Common.And"), errors)) : "";
-        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", machine.State.Position.X, machine.State.Position.Y, far, motors)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
+        var findings = errors.Count == machine.Profile.Axes.All.Count ? $"{Wording.Get("JobMachine.FollowingErrors", string.Join(", ", errors))} {motors}" : motors;
+        return JobStep.Broken(Wording.Get("JobMachine.FollowingErrorExceeded", machine.State.Position.X, machine.State.Position.Y, findings)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
     }
 
     /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>
     private async ValueTask<JobStep> ProgramHaltedAsync()
     {
-        var where = Wording.Get("Common.At", machine.State.Position.X, machine.State.Position.Y);
+        var where = Wording.Get("JobFault.Position", machine.State.Position.X, machine.State.Position.Y);
         if (machine.State.StopCode == StopCodes.AbortInput || await machine.AskAtRestAsync("_AB").ConfigureAwait(false) == 0)
-            return JobStep.Broken(Wording.Get("JobMachine.AbortInputControllerHit", where));
-        return JobStep.Broken(Wording.Get("JobMachine.SomebodyHaltedProgramController", StopCodes.Text(machine.State.StopCode), where));
+            return JobStep.Broken(Wording.Get("JobMachine.AbortInput", where));
+        return JobStep.Broken(Wording.Get("JobMachine.ProgramHalted", StopCodes.Text(machine.State.StopCode), where));
     }
 }

@@ -49,7 +49,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
         return off <= Allowance ? JobStep.Done : Left(off, place, last.EntityIndex);
     }
 
-    private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Wording.Get("PathWatch.MachineStoodDrawingCounts", place.X, place.Y, off, entity));
+    private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Wording.Get("PathWatch.OffPath", place.X, place.Y, off, entity));
 
     /// <summary>Distance to the path near where the machine should be, and the part of it that two readings at different times explain.</summary>
     private (double Off, double Explained) Nearest(int at, CountsPoint counts)

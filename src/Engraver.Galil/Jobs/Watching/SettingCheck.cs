@@ -32,5 +32,5 @@ internal static class SettingCheck
     /// <summary>Steps of AC, DC, VA and VD, counts/s2.</summary>
     public const double Acceleration = 1024.0;
 
-    private static JobStep Another(string operand, double sent, double held) => JobStep.LinkLost(Wording.Get("SettingCheck.ControllerHoldsWhereSent", held, operand, sent));
+    private static JobStep Another(string operand, double sent, double held) => JobStep.LinkLost(Wording.Get("SettingCheck.ValueDiffers", held, operand, sent));
 }

@@ -56,7 +56,7 @@ public sealed partial class ReadBackProgram(TextReader text)
     private (ReadBackChunk? Chunk, Diagnostic? Fault) Last(int first, List<string> lines, int full)
     {
         if (full == 0) return (null, _hasAny ? null : VerificationRules.ProgramEmpty.At(default));
-        if (_marks > 0 && Number(_marks) != _count) return (null, VerificationRules.ChunksIncomplete.At(new SourceRef(first + full - 1), Number(_marks + 1), _count, Wording.Get("ReadBackProgram.EndFile")));
+        if (_marks > 0 && Number(_marks) != _count) return (null, VerificationRules.ChunksIncomplete.At(new SourceRef(first + full - 1), Number(_marks + 1), _count, Wording.Get("ReadBackProgram.EndOfFile")));
         if (full < lines.Count) lines.RemoveRange(full, lines.Count - full);
         lines[^1] = lines[^1].TrimEnd(' ');
         return Whole(first, lines);
@@ -78,8 +78,8 @@ public sealed partial class ReadBackProgram(TextReader text)
 
     private Diagnostic? Unusable(string row)
     {
-        var reason = row.Length > DmcLimits.LineLength ? Wording.Get("ReadBackProgram.HasCharactersAllowed", row.Length, DmcLimits.LineLength)
-            : row.AsSpan().ContainsAny("\\\x04\x11\x1A") ? Wording.Get("ReadBackProgram.HoldsCharacterEndsDownload")
+        var reason = row.Length > DmcLimits.LineLength ? Wording.Get("ReadBackProgram.LineTooLong", row.Length, DmcLimits.LineLength)
+            : row.AsSpan().ContainsAny("\\\x04\x11\x1A") ? Wording.Get("ReadBackProgram.EndsDownload")
             : null;
         return reason is null ? null : VerificationRules.LineUnusable.At(new SourceRef(_lines.Number), reason);
     }

@@ -69,8 +69,8 @@ public class HomingMoveTests
 
     [Theory]
     [InlineData("none", "was not found")]
-    [InlineData("limit", "stopped before it found the home switch (")]
-    [InlineData("short", "ran over the home switch")]
+    [InlineData("limit", "stopped before it reached its homing reference (home switch): ")]
+    [InlineData("short", "overran its homing reference (home switch)")]
     [InlineData("stepper", "stepper")]
     [InlineData("motor", "motor")]
     public async Task What_cannot_be_homed_ends_with_a_sentence_and_a_machine_at_rest(string fault, string sentence)

@@ -26,7 +26,7 @@ public class JogMoveTests
         {
             var result = await JobRunner.JogAsync(s_program, control, session, SimulatedBench.Job, far, CancellationToken.None);
 
-            Assert.Equal((JobOutcome.Complete, "The machine stands."), (result.Outcome, result.Sentence));
+            Assert.Equal((JobOutcome.Complete, "The machine is at rest."), (result.Outcome, result.Sentence));
             Assert.Equal(new CountsPoint(bench.Last.A, bench.Last.B), result.FinalPosition);
             Assert.Empty(result.NotRestored);
         }
@@ -96,7 +96,7 @@ public class JogMoveTests
         var result = await JobRunner.JogAsync(s_program, control, session, SimulatedBench.Job, slows, CancellationToken.None);
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
-        Assert.Contains("The link is slow", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("The link is too slow", result.Sentence, StringComparison.Ordinal);
         Assert.False(bench.Controller.Status.IsMoving);
         Assert.Equal(bench.Last.A, result.FinalPosition!.Value.X);
     }
@@ -117,7 +117,7 @@ public class JogMoveTests
         Assert.All(bench.Controller.Record.Snapshot(), row => Assert.True(row.A is >= -7000 and <= 40000 && row.B is >= -4001 and <= 12000));
         Assert.Equal(["2147483647", "-2147483648"], [await bench.WholeAsync("_FLA"), await bench.WholeAsync("_BLA")]);
         var again = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(x, y)), session, SimulatedBench.Job with { SoftLimits = limits }, null, CancellationToken.None);
-        Assert.Equal((JobOutcome.Refused, "The machine stands at the end of its travel."), (again.Outcome, again.Sentence));
+        Assert.Equal((JobOutcome.Refused, "The machine is at the end of its travel."), (again.Outcome, again.Sentence));
     }
 
     [Fact]
@@ -142,7 +142,7 @@ public class JogMoveTests
         await using var session = await bench.OpenAsync();
         Task<JobResult> Jog(double x) => JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(x, 0)), session, SimulatedBench.Job with { SoftLimits = limits }, null, CancellationToken.None);
 
-        Assert.Contains("jog it the other way", (await Jog(-600)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("Jog it in the other direction", (await Jog(-600)).Sentence, StringComparison.Ordinal);
         Assert.Equal(new CountsPoint(5000, 0), (await Jog(600)).FinalPosition);
     }
 
@@ -169,7 +169,7 @@ public class JogMoveTests
         var result = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(600, 0)), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("axis Y", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("Motors off: Y.", result.Sentence, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Record.Count);
     }
 

@@ -232,7 +232,7 @@ public class ProgramStrategyTests
         var result = await bench.RunAsync(MotionPrograms.Paper, Job);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("cannot count", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("beyond the position range of the controller", result.Sentence, StringComparison.Ordinal);
     }
 
     /// <summary>Strokes of two sequences side by side, an entity each.</summary>

@@ -87,8 +87,8 @@ public class HoldTests
     }
 
     [Theory]
-    [InlineData(JobMode.Stream, JobPhase.Held, "has moved to")]
-    [InlineData(JobMode.Program, JobPhase.Held, "has moved to")]
+    [InlineData(JobMode.Stream, JobPhase.Held, "and is now at")]
+    [InlineData(JobMode.Program, JobPhase.Held, "and is now at")]
     [InlineData(JobMode.Calls, JobPhase.Holding, "did not stop")]
     [InlineData(JobMode.Stream, JobPhase.Holding, "did not stop")]
     public async Task Somebody_else_who_sets_the_path_in_motion_again_ends_the_job(JobMode mode, JobPhase phase, string said)

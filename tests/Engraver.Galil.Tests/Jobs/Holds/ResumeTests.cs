@@ -114,7 +114,7 @@ public sealed class ResumeTests : IDisposable
 
         var found = await FindAsync(bench, what == "other" ? MotionPrograms.LongLine(20001) : program, what == "mode" ? JobMode.Calls : JobMode.Stream, "a");
 
-        var reason = what switch { "other" => "path is another", "mode" => "mode stream and not in mode calls", "complete" => "nothing is left", "dry" => "dry run", "none" => "no job", _ => "cannot be read" };
+        var reason = what switch { "other" => "so the path differs", "mode" => "mode stream, not in mode calls", "complete" => "nothing is left", "dry" => "dry run", "none" => "no job", _ => "cannot be read" };
         Assert.Contains(reason, found.Refusal, StringComparison.Ordinal);
     }
 

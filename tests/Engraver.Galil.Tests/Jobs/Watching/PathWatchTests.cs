@@ -26,7 +26,7 @@ public class PathWatchTests
         var end = Level.Look(0, new(5000, 3));
 
         Assert.Equal(JobOutcome.Deviated, end.Outcome);
-        Assert.Equal("The machine stood at 5000,3 of the drawing (counts), 3 counts beside the planned path, at drawing entity 4; what was sent has not arrived as it was sent, or something else moves the axes. Look at the work piece, the cable and who else uses the controller.", end.Sentence);
+        Assert.Equal("The machine was at 5000,3 of the drawing (counts), 3 counts off the planned path, at drawing entity 4: a command was corrupted, or another program moves the axes. Check the workpiece, the cable and what else uses the controller.", end.Sentence);
     }
 
     /// <summary>14 counts of each axis in a sample: 10 beside the path when one is read a sample later.</summary>

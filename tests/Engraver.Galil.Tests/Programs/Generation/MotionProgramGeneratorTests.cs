@@ -63,7 +63,7 @@ public class MotionProgramGeneratorTests
         var finding = Assert.Single(made.Diagnostics);
         Assert.Equal(("MOT0012", 77), (finding.Id, finding.Source.Line));
         Assert.Contains("radius 60000 mm", finding.Message, StringComparison.Ordinal);
-        Assert.Contains("up to the radius 6000 mm", finding.Message, StringComparison.Ordinal);
+        Assert.Contains("a radius of up to 6000 mm", finding.Message, StringComparison.Ordinal);
     }
 
     [Fact]

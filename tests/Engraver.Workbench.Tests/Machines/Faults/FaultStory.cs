@@ -40,10 +40,10 @@ internal static class FaultStory
     {
         FaultKind.LimitSwitch => ["limit switch"],
         FaultKind.AbortInput => ["abort input"],
-        FaultKind.MotorOff => ["motor", "switched off because of the position error"],
-        FaultKind.Jam => ["position error", "could not follow", "what holds it"],
+        FaultKind.MotorOff => ["motor", "switched off because of the following error"],
+        FaultKind.Jam => ["following error", "could not follow", "what blocks"],
         FaultKind.Reset or FaultKind.PowerCycle => ["closed the connection", "link", "switched off or reset"],
-        FaultKind.Delay or FaultKind.DropCommand or FaultKind.DropReply => ["did not answer", "link is slow", "heard nothing"],
-        _ => ["answered", "did not answer"],
+        FaultKind.Delay or FaultKind.DropCommand or FaultKind.DropReply => ["did not reply", "link is too slow", "received nothing"],
+        _ => ["replied", "did not reply"],
     };
 }

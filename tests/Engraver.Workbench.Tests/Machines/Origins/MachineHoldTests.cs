@@ -79,7 +79,7 @@ public sealed class MachineHoldTests : IDisposable
         Assert.Contains(then, text, StringComparison.Ordinal);
         File.WriteAllText(Kept, text.Replace(then, now, StringComparison.Ordinal));
 
-        if (isRefused) Assert.Contains("check sum does not match", Assert.Throws<MachineMemoryException>(() => Take()).Message, StringComparison.Ordinal);
+        if (isRefused) Assert.Contains("checksum mismatch", Assert.Throws<MachineMemoryException>(() => Take()).Message, StringComparison.Ordinal);
         else using (var read = Take()) Assert.Equal(new WorkOrigin(1, 2), read.Memory.ActiveOrigin);
     }
 
@@ -122,7 +122,7 @@ public sealed class MachineHoldTests : IDisposable
         hold.Recognise(place);
         Assert.True(hold.IsHomed(profile));
 
-        hold.Recognise(place with { Doubt = "the stepper motor of axis X is off" });
+        hold.Recognise(place with { Doubt = "stepper motors are off and do not hold their position: X" });
         hold.Recognise(place);
 
         Assert.False(hold.IsHomed(profile));

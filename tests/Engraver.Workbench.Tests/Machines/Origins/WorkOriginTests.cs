@@ -164,7 +164,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         {
             await machine.SetMotorsAsync(on: false, _limit.Token);
             var refused = await machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, 0, null), _limit.Token);
-            Assert.Contains("the stepper motor of axis X and Y is off, and a stepper without current does not keep its place. Switch the motors on", refused!.Message, StringComparison.Ordinal);
+            Assert.Contains("stepper motors are off and do not hold their position: X, Y. Switch the motors on", refused!.Message, StringComparison.Ordinal);
             await machine.SetMotorsAsync(on: true, _limit.Token);
             Assert.Equal(Workbench.Machines.MachineState.NoOrigin, machine.Status.State);
         });

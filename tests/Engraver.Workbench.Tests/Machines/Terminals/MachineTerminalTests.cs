@@ -16,7 +16,7 @@ public class MachineTerminalTests
         Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, "3.0000")], await terminal.AnswerAsync("MG 1+2", CancellationToken.None));
         Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, ":")], await terminal.AnswerAsync("x=4", CancellationToken.None));
         Assert.Equal(
-            [new TerminalAnswer(TerminalAnswerKind.Refusal, "? 1 Unrecognized command: this firmware does not know the command (commands are upper case)")],
+            [new TerminalAnswer(TerminalAnswerKind.Refusal, "? 1 Unrecognized command: this firmware does not have the command (commands are upper case)")],
             await terminal.AnswerAsync("bg", CancellationToken.None));
         Assert.Equal(TerminalAnswerKind.Withheld, (await terminal.AnswerAsync("RS", CancellationToken.None)).Single().Kind);
         Assert.Equal(["MG 1+2", "x=4", "bg", "RS"], terminal.History);
