@@ -29,7 +29,7 @@ public class ReplayVerbTests
     [InlineData("A", ExitCode.Usage, "the axes A,")]
     [InlineData("ABCD", ExitCode.Usage, "the axes ABCD,")]
     [InlineData("A?", ExitCode.Usage, "the axes A?,")]
-    [InlineData("AB", ExitCode.Done, "1 steps were replayed; nothing moved.")]
+    [InlineData("AB", ExitCode.Done, "Replayed steps: 1; nothing moved.")]
     public async Task A_damaged_journal_and_one_of_a_run_that_did_not_move_are_told(string axes, int code, string told)
     {
         using var folder = new TemporaryFolder();
