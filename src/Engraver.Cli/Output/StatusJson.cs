@@ -47,7 +47,7 @@ internal sealed record StatusJson(
             new PlaceJson(status.MachinePosition?.X, status.MachinePosition?.Y, status.MachineHeight),
             isKnown ? new WorkJson(active, status.WorkPosition?.X, status.WorkPosition?.Y, status.WorkHeight) : new WorkJson(active, null, null, null),
             [.. (status.MotorsOff ?? "").Select(letter => letter.ToString())],
-            status.Limit.Length == 0 ? [] : status.Limit.Split(" and "),
+            status.Limit.Length == 0 ? [] : status.Limit.Split(", "),
             Bits(status.Inputs, profile.Inputs),
             Bits(status.Outputs, profile.Outputs),
             status.Controller) { OriginMissing = status.OriginMissing };

@@ -36,6 +36,13 @@ public class StatusJsonTests
         Assert.DoesNotContain("2", status.Outputs.Keys);
     }
 
+    /// <summary>As <c>StatusPoll</c> joins them, in every language.</summary>
+    [Theory]
+    [InlineData("")]
+    [InlineData("the forward limit of axis X", "the forward limit of axis X")]
+    [InlineData("the forward limit of axis X, the reverse limit of axis Y", "the forward limit of axis X", "the reverse limit of axis Y")]
+    public void Each_active_limit_is_an_element(string limit, params string[] limits) => Assert.Equal(limits, StatusJson.From(s_ready with { Limit = limit }, null, MachineProfile.Default).Limits);
+
     [Fact]
     public void A_height_is_said_where_there_is_one()
     {

@@ -42,7 +42,7 @@ public class GalilConnectionTests
 
         var found = await connection.LookAsync(MachineAxes.Default, CancellationToken.None);
 
-        Assert.Equal((0, 0, false, "AB", "the reverse limit switch of axis Y", "", false), (found.X, found.Y, found.Moves, found.MotorsOff, found.Limit, found.LostPosition, found.AbortInput));
+        Assert.Equal((0, 0, false, "AB", "the reverse limit of axis Y", "", false), (found.X, found.Y, found.Moves, found.MotorsOff, found.Limit, found.LostPosition, found.AbortInput));
         Assert.False(connection.Capabilities.IsSingleWire);
         Assert.Equal(4, connection.Identity.Axes);
     }

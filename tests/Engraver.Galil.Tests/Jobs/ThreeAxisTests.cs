@@ -23,7 +23,7 @@ public class ThreeAxisTests
         var found = await connection.LookAsync(s_axes, CancellationToken.None);
         var place = await connection.LocateAsync(s_axes, CancellationToken.None);
 
-        Assert.Equal((new CountsPoint(10, 20, -40), "ABD", "the forward limit switch of axis Z"), (found.Position, found.MotorsOff, found.Limit));
+        Assert.Equal((new CountsPoint(10, 20, -40), "ABD", "the forward limit of axis Z"), (found.Position, found.MotorsOff, found.Limit));
         Assert.Equal(new CountsPoint(10, 20, -40), place.Position);
     }
 

@@ -70,7 +70,7 @@ public class ArmingTests
     {
         var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), MotionStyle.Continuous);
         var offline = ArmingChecklist.Create(nothing, MachineStatus.Offline, errorsAccepted: false, MachineBench.Placed, default);
-        var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit switch of axis A" }, errorsAccepted: false, MachineBench.Placed, default);
+        var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false, MachineBench.Placed, default);
         var ready = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false, MachineBench.Placed, default);
 
         Assert.Equal([true, false, false, true], offline.Checks.Select(check => check.Passed));

@@ -71,7 +71,7 @@ public class MachineAlarmTests
 
     /// <summary>A limit ended the job: one event, one alarm, which says both.</summary>
     [Theory]
-    [InlineData("the forward limit switch of axis A", false, "", AlarmCause.Limit)]
+    [InlineData("the forward limit of axis A", false, "", AlarmCause.Limit)]
     [InlineData("", true, "", AlarmCause.AbortInput)]
     [InlineData("", false, "B", AlarmCause.FollowingError)]
     public void What_ended_a_job_and_its_end_are_one_alarm(string limit, bool abort, string lost, AlarmCause cause)
@@ -90,7 +90,7 @@ public class MachineAlarmTests
     public void A_limit_that_stood_before_did_not_end_the_job()
     {
         var log = new AlarmLog(new ManualTimeProvider());
-        var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = "the forward limit switch of axis A" };
+        var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = "the forward limit of axis A" };
         MachineAlarms.Seen(log, poll, MachineAxes.Default, Link);
         MachineAlarms.Seen(log, poll, MachineAxes.Default, Link, Result(JobOutcome.Stopped));
         Assert.Equal([AlarmCause.Limit, AlarmCause.JobStopped], log.All.Select(alarm => alarm.Cause));

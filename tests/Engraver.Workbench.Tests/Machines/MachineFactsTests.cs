@@ -27,8 +27,8 @@ public class MachineFactsTests
         Assert.Equal(MachineState.Busy, State(With(s_rest with { MotorsOff = "B", ProgramRuns = true })));
         Assert.Equal(MachineState.Busy, State(With(s_rest with { Moves = true })));
         Assert.Equal(MachineState.Fault, State(With(s_rest with { Moves = true, LostPosition = "A" })));
-        Assert.Equal(MachineState.Fault, State(With(s_rest with { Limit = "the reverse limit switch of axis B" })));
-        Assert.Equal(MachineState.EmergencyStopOpen, State(With(s_rest with { Limit = "the reverse limit switch of axis B", AbortInput = true })));
+        Assert.Equal(MachineState.Fault, State(With(s_rest with { Limit = "the reverse limit of axis B" })));
+        Assert.Equal(MachineState.EmergencyStopOpen, State(With(s_rest with { Limit = "the reverse limit of axis B", AbortInput = true })));
         Assert.Equal(MachineState.Fault, State(s_idle with { Lost = "gone" }));
         Assert.Equal(MachineState.Running, State(s_idle with { Lost = "gone", JobRuns = true }));
         Assert.Equal(MachineState.Stopping, State(s_idle with { JobRuns = true, Stopping = true }));

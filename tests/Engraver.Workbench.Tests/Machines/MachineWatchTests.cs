@@ -30,7 +30,7 @@ public class MachineWatchTests
         var status = await bench.UntilAsync(status => status.State == MachineState.Fault);
         await bench.UntilAsync(later => later.Time >= status.Time + TimeSpan.FromSeconds(1));
 
-        Assert.Equal("the forward limit switch of axis X", status.Limit);
+        Assert.Equal("the forward limit of axis X", status.Limit);
         var alarm = Assert.Single(bench.Machine.Alarms.Open);
         Assert.Equal((AlarmCause.Limit, 1, true), (alarm.Cause, alarm.Count, alarm.IsFirstOut));
 
