@@ -8,20 +8,20 @@ public static class DiagnosticTable
     public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. PreparationRules.All, .. SequencingRules.All, .. MotionRules.All, .. OffsetRules.All, .. KerfRules.All, .. PocketRules.All, .. VerificationRules.All, .. TrajectoryRules.All, .. SidecarRules.All, .. PostRules.All, .. SendingRules.All, .. FaultFileRules.All];
 
     /// <summary>The text of docs/diagnostics.md.</summary>
-    /// <param name="fates">What becomes of each entity type, from DxfReader.TypeFates.</param>
+    /// <param name="fates">How each entity type is read, from DxfReader.TypeFates.</param>
     public static string ToMarkdown(IEnumerable<(string Fate, IEnumerable<string> Types)> fates)
     {
         ArgumentNullException.ThrowIfNull(fates);
         var page = new StringBuilder();
-        page.Append("# Diagnostics\n\nWritten from the program's own table; `./test --update-golden` writes it anew. Ids are permanent. An *error* means that the file is unusable or truncated, or that a curve is lost (exit code 1). What stands in brackets is a setting by its key; the console shows its option, the desktop its command ([settings.md](settings.md)).\n\n");
-        page.Append("| Id | Severity | What it says | What to do |\n|---|---|---|---|\n");
+        page.Append("# Diagnostics\n\n").Append(Wrapped("This page is generated from the program's own table (`./test --update-golden`). Ids are permanent. An *error* means that the file is unusable or truncated, or that a curve is lost (exit code 1). Words in brackets are keys of settings: the console shows the option, the desktop the command ([settings.md](settings.md)).")).Append('\n');
+        page.Append("| Id | Severity | Message | What to do |\n|---|---|---|---|\n");
         foreach (var rule in All.OrderBy(rule => rule.Id, StringComparer.Ordinal))
         {
             page.Append('|').Append(' ').Append(rule.Id).Append(" | ").Append(SeverityWord(rule.Severity)).Append(" | ").Append(Cell(rule.Sentence)).Append(" | ").Append(Cell(rule.Advice)).Append(" |\n");
         }
 
-        page.Append("\n## What becomes of each entity type\n\nA mesh among the polylines and every type that is not here is refused with its own line (DXF0016, DXF0012).\n\n");
-        foreach (var (fate, types) in fates) page.Append("* ").Append(fate).Append(": ").AppendJoin(", ", types).Append('\n');
+        page.Append("\n## How each entity type is read\n\n").Append(Wrapped("A mesh among the polylines and every type that is not in this list are left out and reported (DXF0016, DXF0012).")).Append('\n');
+        foreach (var (fate, types) in fates) page.Append(Wrapped($"* {fate}: {string.Join(", ", types)}", "  "));
         return page.ToString();
     }
 
@@ -33,6 +33,21 @@ public static class DiagnosticTable
         Severity.Error => "error",
         _ => throw new ArgumentOutOfRangeException(nameof(severity)),
     };
+
+    /// <summary>The words in lines that are short enough to read beside code.</summary>
+    private static string Wrapped(string words, string indent = "")
+    {
+        const int longest = 150;
+        var (text, line) = (new StringBuilder(), 0);
+        foreach (var word in words.Split(' '))
+        {
+            var isNew = line > 0 && line + 1 + word.Length > longest;
+            text.Append(isNew ? $"\n{indent}" : line > 0 ? " " : "").Append(word);
+            line = (isNew ? indent.Length : line > 0 ? line + 1 : 0) + word.Length;
+        }
+
+        return text.Append('\n').ToString();
+    }
 
     private static string Cell(string text) => text.Replace("|", "\\|", StringComparison.Ordinal);
 }

@@ -37,7 +37,7 @@ public static class DxfRules
 
     public static readonly DiagnosticRule TooManyCurves = new("DXF0019", Severity.Error, "type", "place", "name");
 
-    public static readonly DiagnosticRule SplineWithoutKnots = new("DXF0021", Severity.Warning, "type", "place", "pointsAndRepair");
+    public static readonly DiagnosticRule SplineWithoutKnots = new("DXF0021", Severity.Warning, "type", "place", "repair");
 
     public static readonly DiagnosticRule PolylineWithoutEnd = new("DXF0022", Severity.Warning, "type", "place");
 

@@ -40,7 +40,7 @@ public sealed class JsonFields
     }
 
     /// <summary>The name that was probably meant, as the end of a sentence.</summary>
-    public static string Nearest(string name, IReadOnlyList<string> known) => NearestWord.Find(name, known) is { } nearest ? Wording.Get("JsonFields.Nearest", nearest) : Wording.Get("JsonFields.NoneNear");
+    public static string Nearest(string name, IReadOnlyList<string> known) => NearestWord.Find(name, known) is { } nearest ? Wording.Get("JsonFields.Nearest", nearest) : Wording.Get("JsonFields.NoSimilarName");
 
     /// <summary>The first with a path; null when there is none.</summary>
     public JsonField? Find(string path) => _fields.Where(field => field.Path == path).Select(field => (JsonField?)field).FirstOrDefault();

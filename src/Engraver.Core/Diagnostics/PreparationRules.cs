@@ -3,9 +3,9 @@ namespace Engraver.Core.Diagnostics;
 /// <summary>Findings before a job is run, when not everything visible is cut or it would be cut in another place. Lengths in the sentences are millimetres.</summary>
 public static class PreparationRules
 {
-    public static readonly DiagnosticRule NotCut = new("JOB0001", Severity.Warning, "counts", "are");
+    public static readonly DiagnosticRule NotCut = new("JOB0001", Severity.Warning, "counts");
 
-    public static readonly DiagnosticRule NotLevel = new("JOB0002", Severity.Warning, "curves", "low", "high");
+    public static readonly DiagnosticRule NotLevel = new("JOB0002", Severity.Warning, "count", "low", "high");
 
     public static readonly DiagnosticRule SeveralHeights = new("JOB0003", Severity.Warning, "count", "low", "high");
 
@@ -13,7 +13,7 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule TooLarge = new("JOB0005", Severity.Warning, "width", "height", "distance", "size", "far", "guess");
 
-    public static readonly DiagnosticRule NoOrigin = new("JOB0008", Severity.Error, "name", "x", "y", "height");
+    public static readonly DiagnosticRule NoOrigin = new("JOB0008", Severity.Error, "name", "position");
 
     public static readonly DiagnosticRule ZeroLost = new("JOB0009", Severity.Error, "name");
 

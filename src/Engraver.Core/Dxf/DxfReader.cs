@@ -79,10 +79,10 @@ public static class DxfReader
 
     private static string Beginning(ReadOnlySpan<byte> bytes)
     {
-        if (bytes.StartsWith(BinaryTagSource.Sentinel)) return Wording.Get("DxfReader.NothingFollowsMarkBinary");
+        if (bytes.StartsWith(BinaryTagSource.Sentinel)) return Wording.Get("DxfReader.BinaryWithoutContent");
         var start = Encoding.Latin1.GetString(bytes[..Math.Min(ShownStart, bytes.Length)]);
         var shown = string.Join(' ', start.Split((char[])['\r', '\n', '\t', ' '], StringSplitOptions.RemoveEmptyEntries));
-        return Wording.Get("DxfReader.BeginsWithHasNo", string.Concat(shown.Select(c => char.IsControl(c) ? '.' : c)));
+        return Wording.Get("DxfReader.NoSection", string.Concat(shown.Select(c => char.IsControl(c) ? '.' : c)));
     }
 
     private sealed class WholeBytes(ReadOnlyMemory<byte> file) : IArrivingBytes

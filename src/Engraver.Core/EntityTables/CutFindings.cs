@@ -31,12 +31,7 @@ public static class CutFindings
 
     private static void AddHeights(List<Diagnostic> findings, Drawing drawing, CutExtent extent)
     {
-        if (extent.Slanted is { Count: > 0 } slanted)
-        {
-            var curves = slanted.Count == 1 ? Wording.Get("CutFindings.CurvesRisesOrFalls") : Wording.Get("CutFindings.CurvesRiseOrFall", Whole(slanted.Count));
-            findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), curves, Number(slanted.Low), Number(slanted.High)));
-        }
-
+        if (extent.Slanted is { Count: > 0 } slanted) findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), Whole(slanted.Count), Number(slanted.Low), Number(slanted.High)));
         if (extent.Levels > 1) findings.Add(PreparationRules.SeveralHeights.At(default, Whole(extent.Levels), Number(extent.Low), Number(extent.High)));
         else if (Math.Abs(extent.Low) > extent.Tolerance && extent.Slanted.Count == 0) findings.Add(PreparationRules.OneHeight.At(default, Number(extent.Low)));
     }
@@ -53,12 +48,12 @@ public static class CutFindings
     private static string Guess(LengthUnit unit, Bounds2D bounds)
     {
         var size = Math.Max(bounds.Width, bounds.Height);
-        if (size <= LargestMm) return Wording.Get("CutFindings.SizeUsualButLies");
+        if (size <= LargestMm) return Wording.Get("CutFindings.FarFromOrigin");
         var asNumbers = size / unit.ToMillimetres;
-        var says = unit.Source == "INSUNITS" ? Wording.Get("CutFindings.DrawingSaysItsUnit", unit.Name) : Wording.Get("CutFindings.ItsUnitTaken", unit.Name);
+        var isStated = unit.Source == "INSUNITS";
         return asNumbers <= LargestMm && unit.ToMillimetres > 1.0
-            ? Wording.Get("CutFindings.ItsNumbersReadMillimetres", says, Number(bounds.Width / unit.ToMillimetres), Number(bounds.Height / unit.ToMillimetres))
-            : Wording.Get("CutFindings.SuchSizeBuildingOr", says);
+            ? Wording.Get(isStated ? "CutFindings.StatedUnitTooLarge" : "CutFindings.AssumedUnitTooLarge", unit.Name, Number(bounds.Width / unit.ToMillimetres), Number(bounds.Height / unit.ToMillimetres))
+            : Wording.Get(isStated ? "CutFindings.StatedUnitBuilding" : "CutFindings.AssumedUnitBuilding", unit.Name);
     }
 
     private static string Whole(int count) => count.ToString(CultureInfo.InvariantCulture);

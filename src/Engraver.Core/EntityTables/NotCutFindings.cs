@@ -35,34 +35,24 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         }
     }
 
-    /// <summary>For example "1 HATCH and 2 TEXT are"; "" when nothing is left.</summary>
-    public string Subject
-    {
-        get
-        {
-            string[] parts = [.. Counts.Select(pair => FormattableString.Invariant($"{pair.Value} {pair.Key}"))];
-            if (parts.Length == 0) return "";
-            var list = parts.Length == 1 ? parts[0] : Wording.Get("NotCutFindings.And", string.Join(", ", parts[..^1]), parts[^1]);
-            return $"{list} {Verb}";
-        }
-    }
+    /// <summary>For example "1 HATCH, 2 TEXT"; "" when nothing is left.</summary>
+    public string Subject => string.Join(", ", Counts.Select(pair => FormattableString.Invariant($"{pair.Value} {pair.Key}")));
 
-    /// <summary>The same as the last words about a job; "" when nothing is left.</summary>
+    /// <summary>The same as a part of a sentence about a job; "" when nothing is left.</summary>
     public string Clause => Counts.Count == 0 ? "" : Wording.Get("NotCutFindings.VisibleNotCut", Subject);
 
-    /// <summary>How to have it cut, with settings named by their keys; "" when nothing is left.</summary>
+    /// <summary>How to have it cut, instructions in a row, with settings named by their keys; "" when nothing is left.</summary>
     public string HowTo
     {
         get
         {
-            if (Counts.Count == 0) return "";
             var ways = Counts.Keys.ToLookup(WayOf);
             var parts = new List<string>();
             if (ways.Contains("NotCutFindings.Texts")) parts.Add(Wording.Get("NotCutFindings.Texts"));
             if (ways.Contains("NotCutFindings.Points")) parts.Add(Wording.Get("NotCutFindings.Points"));
-            if (ways.Contains("NotCutFindings.Outlines")) parts.Add(Wording.Get(ways.Count == 1 ? "NotCutFindings.Outline" : "NotCutFindings.Outlines", string.Join(", ", ways["NotCutFindings.Outlines"].Select(ChoiceOf).Distinct())));
+            if (ways.Contains("NotCutFindings.Outlines")) parts.Add(Wording.Get("NotCutFindings.Outlines", string.Join(", ", ways["NotCutFindings.Outlines"].Select(ChoiceOf).Distinct())));
             if (ways.Contains("NotCutFindings.Others")) parts.Add(Wording.Get("NotCutFindings.Others", string.Join(", ", ways["NotCutFindings.Others"])));
-            return Wording.Get("NotCutFindings.HowTo", parts.Count == 1 ? parts[0] : Wording.Get("NotCutFindings.And", string.Join(", ", parts[..^1]), parts[^1]));
+            return string.Join("; ", parts);
         }
     }
 
@@ -79,7 +69,5 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
     private static string? ChoiceOf(string type) => RecordKinds.ChoiceOf(RecordKinds.Find(type)) is not CutChoice.None and var choice ? choice.ToString().ToLowerInvariant() : null;
 
     /// <summary>The finding about it; null when nothing is left.</summary>
-    public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject, Verb) with { Advice = Wording.Get("NotCutFindings.Advice", char.ToUpperInvariant(HowTo[0]) + HowTo[1..]) };
-
-    private string Verb => Counts is { Count: 1 } && Counts.Values.First() == 1 ? Wording.Get("NotCutFindings.Is") : Wording.Get("NotCutFindings.Are");
+    public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject) with { Advice = Wording.Get("NotCutFindings.Advice", HowTo) };
 }

@@ -32,7 +32,7 @@ public abstract record ControllerAddress
 
     /// <exception cref="FormatException">The text is not an address; the message says what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
-        TryParse(text, out var address) ? address : throw new FormatException(Wording.Get("ControllerAddress.NoControllerAddressWrite", text, Forms));
+        TryParse(text, out var address) ? address : throw new FormatException(Wording.Get("ControllerAddress.NotAnAddress", text, Forms));
 
     public static bool TryParse(string text, [NotNullWhen(true)] out ControllerAddress? address)
     {

@@ -114,7 +114,7 @@ public sealed class JobControl
         lock (_guard)
         {
             if (_phase != JobPhase.Held || !_isHoldWanted || _isOver) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.NotHeld")));
-            if (_move is not null) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.Moves")));
+            if (_move is not null) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.MoveNotFinished")));
             _move = move;
         }
 

@@ -120,8 +120,10 @@ public static class SvgPlotWriter
         var closed = plot.Strokes.Count(stroke => stroke.Closed);
         Line(output, $"<rect class=\"caption\" y=\"{Number(top)}\" width=\"100%\" height=\"{Number(PlotFrame.CaptionHeight)}\"/>");
         Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{MarkupText.Escaped(Wording.Get("Plot.Size", plot.Title, Millimetres(drawn.Width), Millimetres(drawn.Height)))}</text>");
-        var travel = plot.ToolStart is null ? string.Empty : Wording.Get("Plot.Travel", Millimetres(plot.Travel));
-        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{MarkupText.Escaped(plot.Heat?.Caption ?? Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength), travel))}</text>");
+        var caption = plot.Heat?.Caption ?? (plot.ToolStart is null
+            ? Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength))
+            : Wording.Get("Plot.StrokesAndTravel", plot.Strokes.Count, Millimetres(plot.CutLength), Millimetres(plot.Travel)));
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{MarkupText.Escaped(caption)}</text>");
         var entries = new List<(string Class, string Text)> { ("cut closed", Wording.Get("Plot.Closed", closed)), ("cut open", Wording.Get("Plot.Open", plot.Strokes.Count - closed)) };
         if (plot.Heat is { } heat) entries = [($"cut {HeatClass(0)}", heat.Least), ($"cut {HeatClass(RunPlot.Steps - 1)}", heat.Most)];
         if (plot.ToolStart is not null) entries.AddRange([("rapid", Wording.Get("Plot.Rapid")), ("start", Wording.Get("Plot.Start"))]);

@@ -57,7 +57,7 @@ public sealed class ProgramRows(TextReader text)
 
     private void Keep(ReadOnlySpan<char> part)
     {
-        if (_line.Length + part.Length > Longest) throw new InvalidDataException(Wording.Get("ProgramRows.TooLong", Number + 1, Longest));
+        if (_line.Length + part.Length > Longest) throw new InvalidDataException(Wording.Get("ProgramRows.LineTooLong", Number + 1, Longest));
         _line.Append(part);
     }
 }

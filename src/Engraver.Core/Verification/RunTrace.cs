@@ -47,14 +47,14 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
     public static RunTrace Read(TextReader input)
     {
         ArgumentNullException.ThrowIfNull(input);
-        if (input.ReadLine() is not { } first || !first.StartsWith("# ", StringComparison.Ordinal)) throw new FormatException(Wording.Get("RunTrace.NoTrace", 1));
+        if (input.ReadLine() is not { } first || !first.StartsWith("# ", StringComparison.Ordinal)) throw new FormatException(Wording.Get("RunTrace.NotTrace", 1));
         var (source, version, drawing) = TitleOf(first[2..]);
-        if (version is null or < 1) throw new FormatException(Wording.Get("RunTrace.NoTrace", 1));
-        if (version > Version) throw new FormatException(Wording.Get("RunTrace.Newer", version, Version));
+        if (version is null or < 1) throw new FormatException(Wording.Get("RunTrace.NotTrace", 1));
+        if (version > Version) throw new FormatException(Wording.Get("RunTrace.NewerVersion", version, Version));
         var header = version == 1 ? FirstHeader : Header;
-        if (input.ReadLine() != header) throw new FormatException(Wording.Get("RunTrace.NoTrace", version == 1 ? 1 : 2));
+        if (input.ReadLine() != header) throw new FormatException(Wording.Get("RunTrace.NotTrace", version == 1 ? 1 : 2));
         var places = new List<RunTracePlace>();
-        for (var line = 3; input.ReadLine() is { } text; line++) places.Add(PlaceOf(text, header.Count(character => character == ',') + 1) ?? throw new FormatException(Wording.Get("RunTrace.NoTrace", line)));
+        for (var line = 3; input.ReadLine() is { } text; line++) places.Add(PlaceOf(text, header.Count(character => character == ',') + 1) ?? throw new FormatException(Wording.Get("RunTrace.NotTrace", line)));
         return new RunTrace(source, places) { Drawing = drawing };
     }
 

@@ -28,7 +28,7 @@ public sealed class OtherCountsTests : IDisposable
 
         Assert.Equal((ExitCode.Usage, ExitCode.DrawingError), (run.ExitCode, place.ExitCode));
         Assert.Contains("JOB0042", run.Error, StringComparison.Ordinal);
-        Assert.All([run.Error, place.Error, status.Out], said => Assert.Contains("G54 was set with 1000 counts per millimetre in X, and the machine profile in use has 800", said, StringComparison.Ordinal));
+        Assert.All([run.Error, place.Error, status.Out], said => Assert.Contains("G54 was set with 1000 counts per millimetre in X; the current machine profile has 800", said, StringComparison.Ordinal));
         Assert.All([run.Error, place.Error, status.Out], said => Assert.Contains("engraver zero", said, StringComparison.Ordinal));
         Assert.Equal(rows, controller.Record.Count);
         await DoneAsync(["goto", "3,0", "--machine", right, .. at]);
@@ -51,7 +51,7 @@ public sealed class OtherCountsTests : IDisposable
 
         Assert.StartsWith("NOT HOMED", status.Out, StringComparison.Ordinal);
         Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError), (place.ExitCode, zero.ExitCode));
-        Assert.All([status.Out, place.Error, zero.Error], said => Assert.Contains("homed with 1000 counts per millimetre in X, and the machine profile in use has 500", said, StringComparison.Ordinal));
+        Assert.All([status.Out, place.Error, zero.Error], said => Assert.Contains("homed with 1000 counts per millimetre in X; the current machine profile has 500", said, StringComparison.Ordinal));
         Assert.StartsWith("READY", await DoneAsync(["status", "--machine", right, .. at]), StringComparison.Ordinal);
         await DoneAsync(["home", "--machine", wrong, .. at]);
         Assert.Contains("G54 was set with 1000", await DoneAsync(["status", "--machine", wrong, .. at]), StringComparison.Ordinal);

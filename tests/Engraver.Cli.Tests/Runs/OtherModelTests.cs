@@ -10,7 +10,7 @@ public sealed class OtherModelTests : IDisposable
 
     [Theory]
     [InlineData("DMC2143 Rev 1.0o", 0, "")]
-    [InlineData("DMC4143 Rev 1.2", 0, "warning JOB0049: DMC4143 Rev 1.2 is a controller of the family DMC-41x3; jobs are tested on a simulated DMC-21x3 only.")]
+    [InlineData("DMC4143 Rev 1.2", 0, "warning JOB0049: DMC4143 Rev 1.2 is a controller of the family DMC-41x3; jobs have been tested on a simulated DMC-21x3 only.")]
     [InlineData("DMC52040", 0, "DMC-520x0")]
     [InlineData("DMC30010 Rev 1.2d", 4, "DMC30010 Rev 1.2d has one axis; a drawing needs two.")]
     public async Task A_job_on_another_model_runs_with_a_warning_and_not_on_one_axis(string model, int exit, string told)

@@ -44,6 +44,6 @@ public sealed class RunJsonTests
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Single(run.Error.Split('\n'), line => line.Contains("1 TEXT is visible", StringComparison.Ordinal));
         Assert.Single(run.Error.Split('\n'), line => line.Contains("millimetres were assumed", StringComparison.Ordinal));
-        Assert.Contains("1 TEXT is visible and NOT CUT", run.Out, StringComparison.Ordinal);
+        Assert.Contains("visible but NOT CUT (1 TEXT)", run.Out, StringComparison.Ordinal);
     }
 }

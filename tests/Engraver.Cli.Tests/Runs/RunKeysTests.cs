@@ -41,7 +41,7 @@ public class RunKeysTests
         Assert.Equal(0, run.ExitCode);
         var report = JsonText.Of(run);
         Assert.Equal(("complete", 1, 0.0), (report.GetProperty("outcome").GetString(), report.GetProperty("holds").GetInt32(), report.GetProperty("missingLength").GetDouble()));
-        Assert.Contains("does not stand held", run.Error, StringComparison.Ordinal); // the first arrow
+        Assert.Contains("job is not held", run.Error, StringComparison.Ordinal); // the first arrow
         var places = run.Error.Split('\n').Where(line => line.StartsWith("The machine is at ", StringComparison.Ordinal)).Select(line => line["The machine is at ".Length..^" mm.".Length].Split(',').Select(Double).ToList()).ToList();
         Assert.Equal(2, places.Count);
         Assert.Equal((0.0, 1.0), (Math.Round(places[1][0] - places[0][0], 3), Math.Round(places[1][1] - places[0][1], 3)));

@@ -63,7 +63,7 @@ public class SerialRunTests
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal(warned, run.Error.Contains("Warning MOT0020: At full feed the path needs ", StringComparison.OrdinalIgnoreCase));
+        Assert.Equal(warned, run.Error.Contains("Warning MOT0020: At full feed, the path needs ", StringComparison.OrdinalIgnoreCase));
         Assert.Equal((800, 0), (report.GetProperty("segmentsExecuted").GetInt32(), report.GetProperty("underruns").GetInt32()));
         Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
     }

@@ -61,7 +61,7 @@ public class HandVerbTests
             var run = await CliRun.RunAsync(words);
 
             Assert.Equal((words[0], ExitCode.DrawingError), (words[0], run.ExitCode));
-            Assert.Contains("the machine moves", run.Error, StringComparison.Ordinal);
+            Assert.Contains("the machine is moving", run.Error, StringComparison.Ordinal);
         }
 
         await other.GetStream().WriteAsync("STA\r"u8.ToArray(), patience.Token);

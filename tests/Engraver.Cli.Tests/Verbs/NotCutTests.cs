@@ -23,7 +23,7 @@ public sealed class NotCutTests
 
         Assert.Equal(0, json.ExitCode);
         Assert.Equal("""{"TEXT":1}""", Compact(JsonText.Of(json).GetProperty("notCut")));
-        Assert.Contains("1 TEXT is visible and NOT CUT: to have it cut, turn texts into lines in the CAD program", said.Out, StringComparison.Ordinal);
+        Assert.Contains("visible but NOT CUT (1 TEXT): convert texts to lines in the CAD program", said.Out, StringComparison.Ordinal);
         Assert.DoesNotContain("the whole drawing was cut", said.Out, StringComparison.Ordinal);
     }
 
@@ -36,15 +36,15 @@ public sealed class NotCutTests
 
         Assert.Equal("""{"HATCH":1}""", Compact(JsonText.Of(await CliRun.RunAsync("plan", file, "--json")).GetProperty("notCut")));
         var said = await CliRun.RunAsync("run", file, "--connect", "sim:", "--dry-run", "--quiet", "--journal", folder.PathOf("k"));
-        Assert.Contains("DRY RUN, tool off, nothing was cut; 1 HATCH is visible and NOT CUT: to have it cut, name it with --cut", said.Out, StringComparison.Ordinal);
+        Assert.Contains("DRY RUN, tool off, nothing was cut; visible but NOT CUT (1 HATCH): name outlines with --cut", said.Out, StringComparison.Ordinal);
     }
 
     /// <summary>--cut takes no dimension and no point: no advice names what is refused.</summary>
     [Theory]
-    [InlineData("DIMENSION", "To have it cut, explode DIMENSION into lines in the CAD program; put what is not meant")]
-    [InlineData("POINT", "To have it cut, draw a small circle or a short line at each point; put what is not meant")]
-    [InlineData("MLINE", "To have it cut, name it with --cut (mline); put what is not meant")]
-    [InlineData("TRACE", "To have it cut, name it with --cut (solid); put what is not meant")]
+    [InlineData("DIMENSION", "To cut them: explode DIMENSION into lines in the CAD program. Move what must not be cut")]
+    [InlineData("POINT", "To cut them: draw a small circle or a short line at each point. Move what must not be cut")]
+    [InlineData("MLINE", "To cut them: name outlines with --cut (mline). Move what must not be cut")]
+    [InlineData("TRACE", "To cut them: name outlines with --cut (solid). Move what must not be cut")]
     public async Task What_can_be_done_depends_on_the_type(string type, string advice)
     {
         using var folder = new TemporaryFolder();
@@ -83,7 +83,7 @@ public sealed class NotCutTests
         var run = await CliRun.RunAsync(verb, file);
 
         Assert.Equal(0, run.ExitCode);
-        Assert.Contains($"{file}(31): warning JOB0001: 2 TEXT are visible and are not cut.", run.Error, StringComparison.Ordinal);
+        Assert.Contains($"{file}(31): warning JOB0001: Visible but not cut: 2 TEXT.", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -140,8 +140,8 @@ public sealed class NotCutTests
 
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(2, JsonText.Of(run).GetProperty("contours").GetInt32());
-        Assert.Contains("(19): warning JOB0002: 1 of the curves rises or falls", run.Error, StringComparison.Ordinal);
-        Assert.Contains("JOB0003: The curves lie at 2 heights, from -2 to 0 mm", run.Error, StringComparison.Ordinal);
+        Assert.Contains("(19): warning JOB0002: Curves that are not level: 1, the first", run.Error, StringComparison.Ordinal);
+        Assert.Contains("JOB0003: The curves are at 2 heights, from -2 to 0 mm", run.Error, StringComparison.Ordinal);
     }
 
     [Theory]

@@ -5,8 +5,8 @@ namespace Engraver.Cli.Tests.Verbs;
 public class ProfileVerbTests
 {
     [Theory]
-    [InlineData("machine-default.json", "What machining costs is not said.")]
-    [InlineData("machine-mill.json", "The tool is held by Z: rapids at 4 mm over the work")]
+    [InlineData("machine-default.json", "The profile states no costs.")]
+    [InlineData("machine-mill.json", "Z moves the tool up and down: rapids are 4 mm above the work")]
     [InlineData("machine-laser.json", "one count is 0.0125 mm")]
     [InlineData("machine-eroder.json", "one count is 0.000635 mm (0.000025 inch)")]
     public async Task Every_example_is_checked_without_a_finding_and_explained(string name, string says)
@@ -40,7 +40,7 @@ public class ProfileVerbTests
         var json = JsonText.Of(await CliRun.RunAsync("profile", "check", folder.PathOf("bad.json"), "--json"));
 
         Assert.Equal((ExitCode.DrawingError, ""), (check.ExitCode, check.Out));
-        Assert.Contains("bad.json(2): error MOT0009: The machine profile has the field feedMmPerMinut, which does not exist; the nearest known name is feedMmPerMinute.", check.Error, StringComparison.Ordinal);
+        Assert.Contains("bad.json(2): error MOT0009: The machine profile has the unknown field feedMmPerMinut; the nearest known name is feedMmPerMinute.", check.Error, StringComparison.Ordinal);
         Assert.Contains("bad.json(3): error MOT0009", check.Error, StringComparison.Ordinal);
         Assert.Equal(["file", "ok", "findings", "meaning"], json.EnumerateObject().Select(field => field.Name));
         Assert.False(json.GetProperty("ok").GetBoolean());

@@ -115,8 +115,8 @@ public class SendVerbTests
         var nowhere = await CliRun.RunAsync("send", folder.PathOf("two.agie"), "--to", "serial:///dev/engraver-nothing", "--program", "2");
 
         Assert.Equal(ExitCode.DrawingError, all.ExitCode);
-        Assert.Contains("SND0004: The file holds 2 programs", all.Error, StringComparison.Ordinal);
-        Assert.Contains("SND0005: There is no program 3 in the file; it holds 2.", third.Error, StringComparison.Ordinal);
+        Assert.Contains("SND0004: The file contains 2 programs", all.Error, StringComparison.Ordinal);
+        Assert.Contains("SND0005: The file has no program 3; the number of its programs is 2.", third.Error, StringComparison.Ordinal);
         Assert.Equal(ExitCode.LinkLost, nowhere.ExitCode);
         Assert.Contains("No connection to /dev/engraver-nothing", nowhere.Error, StringComparison.Ordinal);
     }

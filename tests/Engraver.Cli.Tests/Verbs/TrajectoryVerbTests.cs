@@ -272,6 +272,6 @@ public class TrajectoryVerbTests
         Assert.Equal(0, run.ExitCode);
         Assert.Contains("class=\"cut heat15\"", picture, StringComparison.Ordinal);
         Assert.Contains("class=\"point\"", picture, StringComparison.Ordinal);
-        Assert.Contains("from what they follow (proven: 0.00", picture, StringComparison.Ordinal);
+        Assert.Contains("(proven: 0.00", picture, StringComparison.Ordinal);
     }
 }

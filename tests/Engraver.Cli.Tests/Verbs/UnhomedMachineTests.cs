@@ -21,7 +21,7 @@ public sealed class UnhomedMachineTests : IDisposable
         Assert.InRange(machine.FastestFrom(0), 7, 8); // 480 mm/min are 8 counts in a millisecond
         var beyond = await CliRun.RunAsync(["jog", "--x", "-500", .. at]);
         Assert.Equal(ExitCode.DrawingError, beyond.ExitCode);
-        Assert.Contains("500 mm is longer than the whole travel of axis X, 300 mm", beyond.Error, StringComparison.Ordinal);
+        Assert.Contains("500 mm is longer than the travel of axis X, 300 mm", beyond.Error, StringComparison.Ordinal);
 
         Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["home", .. at])).ExitCode);
         var rows = machine.Controller.Record.Count;

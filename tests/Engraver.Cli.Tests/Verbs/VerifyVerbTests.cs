@@ -177,7 +177,7 @@ public class VerifyVerbTests
         var wrong = await CliRun.RunAsync([.. verify, "--pen", "2"]);
 
         Assert.Equal((ExitCode.DrawingError, ExitCode.Done, ExitCode.Usage), (unsaid.ExitCode, said.ExitCode, wrong.ExitCode));
-        Assert.Contains("VER0013: The program says G55 in line", unsaid.Error, StringComparison.Ordinal);
+        Assert.Contains("VER0013: The program has G55 in line", unsaid.Error, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -128,7 +128,7 @@ public class FreeCurveTests
         var (whole, two) = (With([knots[0], .. knots, knots[^1]]), With(knots));
 
         Assert.Equal(whole.Curves[0].PlanLength, two.Curves[0].PlanLength);
-        Assert.Contains("two are missing", Assert.Single(two.Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Contains("two knots are missing", Assert.Single(two.Diagnostics).Message, StringComparison.Ordinal);
         Assert.Equal("DXF0021", two.Diagnostics[0].Id);
         Assert.Empty(whole.Diagnostics);
     }

@@ -36,8 +36,8 @@ public sealed class SystemReasonTests
 
     [Theory]
     [InlineData(SocketError.ConnectionRefused, "the connection is refused")]
-    [InlineData(SocketError.HostNotFound, "the name of the computer is unknown")]
-    [InlineData(SocketError.TimedOut, "there is no answer")]
+    [InlineData(SocketError.HostNotFound, "the host name is unknown")]
+    [InlineData(SocketError.TimedOut, "no reply was received")]
     public void Sockets_say_why(SocketError error, string reason)
     {
         Assert.Equal(reason, SystemReason.Of(new SocketException((int)error)));

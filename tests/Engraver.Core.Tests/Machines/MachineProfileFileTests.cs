@@ -82,12 +82,12 @@ public class MachineProfileFileTests
     [InlineData("\"travelX\": { \"min\": 5, \"max\": 5 }", "travelX to 5..5")]
     [InlineData("\"travelY\": { \"min\": 5 }", "travelY to 5..NaN")]
     [InlineData("\"travelY\": { \"min\": 5, \"most\": 7 }", "field travelY.most")]
-    [InlineData("\"travelY\": { \"min\": 5, \"max\": \"7\" }", "travelY.max a value that is no number")]
+    [InlineData("\"travelY\": { \"min\": 5, \"max\": \"7\" }", "value of travelY.max in the machine profile is not a valid number")]
     [InlineData("\"homing\": [{ \"axis\": \"W\", \"by\": \"switch\", \"direction\": \"plus\" }]", "homing.axis to W")]
     [InlineData("\"homing\": [{ \"axis\": \"X\", \"by\": \"switch\", \"direction\": \"plus\" }, { \"axis\": \"X\", \"by\": \"limit\", \"direction\": \"plus\" }]", "homing.axis to X")]
     [InlineData("\"homing\": [{ \"axis\": \"X\", \"by\": \"luck\", \"direction\": \"plus\" }]", "homing.X.by")]
     [InlineData("\"homing\": [{ \"axis\": \"X\", \"by\": \"switch\" }]", "homing.X.direction")]
-    [InlineData("\"homing\": [{ \"axis\": \"X\", \"by\": \"switch\", \"direction\": \"plus\", \"slowMmPerMinute\": 601 }]", "homing.X.slowMmPerMinute to 601; it must be at most fastMmPerMinute")]
+    [InlineData("\"homing\": [{ \"axis\": \"X\", \"by\": \"switch\", \"direction\": \"plus\", \"slowMmPerMinute\": 601 }]", "homing.X.slowMmPerMinute to 601; required: at most fastMmPerMinute")]
     [InlineData("\"homing\": [{ \"axis\": \"Y\", \"by\": \"switch\", \"direction\": \"plus\", \"backOff\": -1 }]", "homing.Y.backOff to -1")]
     [InlineData("\"homing\": [{ \"axis\": \"Y\", \"by\": \"switch\", \"direction\": \"minus\", \"zero\": -5 }], \"travelY\": { \"min\": 0, \"max\": 100 }", "it ends at -3 mm")]
     [InlineData("\"homing\": [{ \"axis\": \"Y\", \"by\": \"switch\", \"direction\": \"plus\", \"seconds\": 0 }]", "homing.Y.seconds to 0")]
@@ -117,13 +117,13 @@ public class MachineProfileFileTests
     }
 
     [Theory]
-    [InlineData("{\n \"feed\": 1 }", "MOT0009", 2, "field feed, which does not exist; the nearest known name is feedMmPerMinute")]
+    [InlineData("{\n \"feed\": 1 }", "MOT0009", 2, "unknown field feed; the nearest known name is feedMmPerMinute")]
     [InlineData("{\n \"ToolOuput\": 1 }", "MOT0009", 2, "nearest known name is toolOutput")]
-    [InlineData("{\n \"colour\": 1 }", "MOT0009", 2, "colour, which does not exist; no known name is like it")]
-    [InlineData("{\n \"travelX\": {\n \"minimum\": 1 } }", "MOT0009", 3, "travelX.minimum, which does not exist; the nearest known name is min")]
-    [InlineData("{\n \"homing\": [ {}, {\n \"axes\": \"X\" } ] }", "MOT0009", 3, "homing[1].axes, which does not exist; the nearest known name is axis")]
+    [InlineData("{\n \"colour\": 1 }", "MOT0009", 2, "unknown field colour; no known name is similar")]
+    [InlineData("{\n \"travelX\": {\n \"minimum\": 1 } }", "MOT0009", 3, "unknown field travelX.minimum; the nearest known name is min")]
+    [InlineData("{\n \"homing\": [ {}, {\n \"axes\": \"X\" } ] }", "MOT0009", 3, "unknown field homing[1].axes; the nearest known name is axis")]
     [InlineData("{ \"a.b\": 1 }", "MOT0009", 1, "field a.b")]
-    [InlineData("{\n \"costPerHour\": -1 }", "MOT0006", 2, "costPerHour to -1; it must be 0 to")]
+    [InlineData("{\n \"costPerHour\": -1 }", "MOT0006", 2, "costPerHour to -1; required: 0 to")]
     [InlineData("{\n\n \"toolOutput\": \"one\" }", "MOT0010", 3, "toolOutput")]
     [InlineData("{\n \"toolOutput\": 1.5 }", "MOT0010", 2, "toolOutput")]
     [InlineData("{\n \"toolOutput\": 1,\n \"toolOutput\": 2 }", "MOT0010", 3, "toolOutput")]
@@ -132,18 +132,18 @@ public class MachineProfileFileTests
     [InlineData("null", "MOT0008", 1, "null")]
     [InlineData("[1]", "MOT0008", 1, "object")]
     [InlineData("{ \"toolOutput\": 9 }", "MOT0006", 1, "toolOutput to 9")]
-    [InlineData("{ \"accelerationCounts\": 100000 }", "MOT0006", 1, "accelerationCounts to 100000; it must be a multiple of 1024")]
+    [InlineData("{ \"accelerationCounts\": 100000 }", "MOT0006", 1, "accelerationCounts to 100000; required: a multiple of 1024")]
     [InlineData("{ \"feedMmPerMinute\": 0 }", "MOT0006", 1, "feedMmPerMinute to 0")]
     [InlineData("{ \"rapidMmPerMinute\": 720001 }", "MOT0006", 1, "12000000")]
     [InlineData("{ \"countsPerMillimetreX\": 0 }", "MOT0006", 1, "countsPerMillimetreX to 0")]
-    [InlineData("{ \"axisX\": \"Q\" }", "MOT0006", 1, "axisX to Q; it must be one of the letters ABCDEFGH")]
+    [InlineData("{ \"axisX\": \"Q\" }", "MOT0006", 1, "axisX to Q; required: one of the letters ABCDEFGH")]
     [InlineData("{ \"axisY\": \"b\" }", "MOT0006", 1, "axisY to b")]
-    [InlineData("{ \"axisY\": \"BC\" }", "MOT0006", 1, "axisY to not one letter")]
-    [InlineData("{ \"axisY\": \"\" }", "MOT0006", 1, "axisY to not one letter")]
-    [InlineData("{ \"axisX\": \"B\" }", "MOT0006", 0, "axisY to B; it must be another axis than axisX")]
-    [InlineData("{ \"axisZ\": \"B\", \"countsPerMillimetreZ\": 400 }", "MOT0006", 1, "axisZ to B; it must be another axis than axisY")]
+    [InlineData("{ \"axisY\": \"BC\" }", "MOT0006", 1, "axisY to a value that is not one letter")]
+    [InlineData("{ \"axisY\": \"\" }", "MOT0006", 1, "axisY to a value that is not one letter")]
+    [InlineData("{ \"axisX\": \"B\" }", "MOT0006", 0, "axisY to B; required: an axis other than axisX")]
+    [InlineData("{ \"axisZ\": \"B\", \"countsPerMillimetreZ\": 400 }", "MOT0006", 1, "axisZ to B; required: an axis other than axisY")]
     [InlineData("{ \"axisZ\": \"C\" }", "MOT0006", 0, "countsPerMillimetreZ to 0")]
-    [InlineData("{ \"countsPerMillimetreZ\": 400 }", "MOT0006", 0, "axisZ to not one letter")]
+    [InlineData("{ \"countsPerMillimetreZ\": 400 }", "MOT0006", 0, "axisZ to a value that is not one letter")]
     [InlineData("{ \"sharpCornerDegrees\": -1 }", "MOT0006", 1, "sharpCornerDegrees to -1")]
     [InlineData("{ \"toolSettleSeconds\": 1e9 }", "MOT0006", 1, "toolSettleSeconds")]
     [InlineData("{ \"angleQuantumDegrees\": 0 }", "MOT0006", 1, "angleQuantumDegrees to 0")]
@@ -187,8 +187,8 @@ public class MachineProfileFileTests
     {
         const string Mill = "{ \"axisZ\": \"C\", \"countsPerMillimetreZ\": 400, \"toolDrive\": \"axis\",\n";
 
-        Assert.Contains("clearanceHeight to 0.5; it must be at least as high as retractHeight, 1", Assert.Single(MachineProfileFile.Read(Mill + "\"clearanceHeight\": 0.5 }", s_limits).Diagnostics).Message, StringComparison.Ordinal);
-        Assert.Contains("cutDepth to -2; it must be 0 or more", Assert.Single(MachineProfileFile.Read(Mill + "\"cutDepth\": -2 }", s_limits).Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Contains("clearanceHeight to 0.5; required: at least retractHeight, 1", Assert.Single(MachineProfileFile.Read(Mill + "\"clearanceHeight\": 0.5 }", s_limits).Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Contains("cutDepth to -2; required: 0 or more", Assert.Single(MachineProfileFile.Read(Mill + "\"cutDepth\": -2 }", s_limits).Diagnostics).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -211,14 +211,14 @@ public class MachineProfileFileTests
         };
         var meaning = ProfileMeaning.Of(profile);
 
-        Assert.Contains("X is axis C of the controller, mirrored: 80 counts for a millimetre, one count is 0.0125 mm (0.0004921 inch).", meaning);
-        Assert.Contains("X travels from 0 to 300 mm of the machine.", meaning);
+        Assert.Contains("X is axis C of the controller, mirrored: 80 counts per millimetre; one count is 0.0125 mm (0.0004921 inch).", meaning);
+        Assert.Contains("The travel of X is 0 to 300 mm (machine position).", meaning);
         Assert.Contains("Y has no soft limits.", meaning);
-        Assert.Contains("X and Y have different counts for a millimetre: arcs are cut as chords.", meaning);
-        Assert.Contains("It speeds up by 256 mm/s2, so that it has its feed after 0.078 s and 0.781 mm, and turns without a stop up to 10 degrees.", meaning);
-        Assert.Contains("The tool works while output 1 is off; the path waits 0.1 s behind switching it on and 0.1 s behind switching it off.", meaning);
-        Assert.Contains("X is homed at the home switch, searched towards smaller millimetres at 600 mm/min; it counts -1 mm there.", meaning);
-        Assert.Contains("Outputs have names: 3 = air.", meaning);
-        Assert.Contains("An hour costs 60, a metre of cut 2.5, each start 0.", meaning);
+        Assert.Contains("X and Y have different counts per millimetre: arcs are cut as chords.", meaning);
+        Assert.Contains("The acceleration is 256 mm/s2: the feed is reached after 0.078 s and 0.781 mm. Corners up to 10 degrees are cut without a stop.", meaning);
+        Assert.Contains("The tool is on while output 1 is off; the machine waits 0.1 s after switching it on and 0.1 s after switching it off.", meaning);
+        Assert.Contains("X is homed to the home switch, in the negative direction at 600 mm/min; the machine position there is -1 mm.", meaning);
+        Assert.Contains("Named outputs: 3 = air.", meaning);
+        Assert.Contains("Costs: 60 per hour, 2.5 per metre of cut, 0 per start.", meaning);
     }
 }

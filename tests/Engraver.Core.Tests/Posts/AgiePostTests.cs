@@ -104,7 +104,7 @@ public class AgiePostTests
         Assert.InRange(1000.0 * written.Forecast!.MaxClosure!.Value, 100.0, 1000.0);
         Assert.Null(written.Forecast.Blocks[^1].Closure);
         Assert.NotNull(written.Forecast.Blocks[^2].Closure);
-        Assert.Contains("left open by 0.", Assert.Single(written.Diagnostics).Sentence, StringComparison.Ordinal);
+        Assert.Contains("closed contour is 0.", Assert.Single(written.Diagnostics).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -113,7 +113,7 @@ public class AgiePostTests
         var written = Written(Path(new[] { Arc(0, 0, 31, 0.5, 60) }), "paper");
 
         Assert.Null(written.Forecast!.MaxClosure);
-        Assert.Contains("no contour comes back to where it was", Assert.Single(written.Diagnostics).Sentence, StringComparison.Ordinal);
+        Assert.Contains("the program has no closed contour", Assert.Single(written.Diagnostics).Sentence, StringComparison.Ordinal);
     }
 
     /// <summary>Contours of arcs of any radius and angle, each begun where the one before ends; the machine is followed by the test's own arithmetic.</summary>

@@ -60,7 +60,7 @@ public class SendTextTests
         var refused = SendText.Encode(lines, SendFormat.Default, CharacterFrame.SevenEven);
         Assert.Null(refused.Job);
         Assert.Equal(("SND0002", 2), (refused.Why!.Id, refused.Why.Source.Line));
-        Assert.Contains("Character 252 at column 4 of line 2 cannot be sent as 7E1.", refused.Why.Message, StringComparison.Ordinal);
+        Assert.Contains("Character 252 in column 4 of line 2 cannot be sent with the frame 7E1.", refused.Why.Message, StringComparison.Ordinal);
         Assert.NotNull(SendText.Encode(lines, SendFormat.Default, CharacterFrame.EightNone).Job);
         Assert.Equal("SND0001", SendText.Encode([], SendFormat.Default, CharacterFrame.EightNone).Why!.Id);
     }
@@ -75,7 +75,7 @@ public class SendTextTests
         Assert.Equal([2, 1], two.Select(program => program.Count));
         Assert.Single(SendText.AgiePrograms(full));
         Assert.Null(SendText.TooLong(full));
-        Assert.Equal("The program has 1000 blocks; the control numbers 999 at most.", SendText.TooLong(over)!.Sentence);
+        Assert.Equal("The program has 1000 blocks; the controller accepts at most 999.", SendText.TooLong(over)!.Sentence);
     }
 
     [Theory]

@@ -288,7 +288,7 @@ public class SequencerTests
 
         Assert.Equal(1, result.Table.EntityIndexOf(0));
         var said = Assert.Single(result.Diagnostics, d => d.Rule == SequencingRules.EntryStandsIn);
-        Assert.StartsWith("The entering entity A4 was drawn twice or is part of a recovered arc: entity A2 is cut for it", said.Message, StringComparison.Ordinal);
+        Assert.StartsWith("The entering entity A4 is a duplicate or part of a recovered arc. Entity A2 is cut instead", said.Message, StringComparison.Ordinal);
         Assert.DoesNotContain(result.Diagnostics, d => d.Rule == SequencingRules.EntryNotFound);
     }
 
@@ -355,7 +355,7 @@ public class SequencerTests
         var result = Sequence(new DrawingBuilder().Circle(0, 0, 1).Circle(5, 0, 1).Circle(0, 0, 1), Nearest);
 
         var finding = Assert.Single(result.Diagnostics);
-        Assert.StartsWith("1 segments lie on another one and are cut once; the first is entity A3.", finding.Message, StringComparison.Ordinal);
+        Assert.StartsWith("Segments that coincide with another one are cut once: 1, the first is entity A3.", finding.Message, StringComparison.Ordinal);
     }
 
     [Fact]

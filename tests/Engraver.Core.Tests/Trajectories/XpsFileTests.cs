@@ -185,7 +185,7 @@ public class XpsFileTests
         IReadOnlyList<string> Broken(double x, double y) => Assert.Single(TrajectoryFiles.Write(Shapes.Ellipse(10.0, 5.0), closed: true, new TrajectoryOptions(0.001), format, s_motion with { TravelX = x, TravelY = y }).Files).BrokenLimits;
 
         Assert.Empty(Broken(20.1, 10.1));
-        Assert.Matches("^it is (20|19\\.99|20\\.00)[0-9]* mm long in X, and the machine reaches 19\\.9", Assert.Single(Broken(19.9, 10.1)));
-        Assert.Contains("in Y, and the machine reaches 9.9", Assert.Single(Broken(20.1, 9.9)), StringComparison.Ordinal);
+        Assert.Matches("^it is (20|19\\.99|20\\.00)[0-9]* mm long in X; the travel of the machine is 19\\.9", Assert.Single(Broken(19.9, 10.1)));
+        Assert.Contains("in Y; the travel of the machine is 9.9", Assert.Single(Broken(20.1, 9.9)), StringComparison.Ordinal);
     }
 }

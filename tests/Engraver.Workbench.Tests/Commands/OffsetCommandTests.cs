@@ -115,7 +115,7 @@ public class OffsetCommandTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("OFFSET", "3", "20,8", "20,5", "100,100", "");
 
-        Assert.Contains("Nothing is left", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No contour remains", talk.Said, StringComparison.Ordinal);
         Assert.Contains("There is no object here", talk.Said, StringComparison.Ordinal);
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
     }

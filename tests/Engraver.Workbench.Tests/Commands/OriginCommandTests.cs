@@ -125,7 +125,7 @@ public class OriginCommandTests
         Assert.Contains("G54: the drawing's zero lies at X (not set), Y -4 mm of the machine.", talk.Said, StringComparison.Ordinal);
         var refused = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes"));
         Assert.Equal(CommandFailure.Refused, refused.Why);
-        Assert.Contains("The work origin G54 has no place for X.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The work origin G54 has no value for X.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "X"));
         Assert.Equal((12000, -4000), Active(talk));
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCZERO", "Y"));
@@ -184,7 +184,7 @@ public class OriginCommandTests
         foreach (var line in (string[])["MOA", "MTA=2"]) Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTERMINAL", line));
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why);
-        Assert.Contains("The machine's position is not to be trusted: ", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The machine position is not reliable: ", talk.Said, StringComparison.Ordinal);
         Assert.Contains("stepper", talk.Said, StringComparison.Ordinal);
         Assert.Equal((12000, -4000), Active(talk));
         await talk.TypeAsync("CNCTERMINAL", "SHA");

@@ -105,7 +105,7 @@ public class SaveAsTests
         (int, object)[] point = [(0, "POINT"), (10, 0.0), (20, 0.0)];
         await SavedAsync(talk, new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. s_raised, .. point, .. point, (0, "DIMENSION"), (0, "HATCH"), (91, 0), (0, "BODY")]).End());
 
-        Assert.Contains("DOC0003: 3 records are not written, because a drawing holds only curves, texts and points: 1 BODY, 1 DIMENSION, 1 HATCH.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("DOC0003: Records not written: 3 (1 BODY, 1 DIMENSION, 1 HATCH). A drawing holds curves, texts and points only.", talk.Said, StringComparison.Ordinal);
         Assert.True(talk.Said.IndexOf("DOC0003", StringComparison.Ordinal) < talk.Said.IndexOf("out.dxf written: 8 curves and 0 texts, 2 points", StringComparison.Ordinal), talk.Said);
     }
 

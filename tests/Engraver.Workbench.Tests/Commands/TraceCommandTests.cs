@@ -25,7 +25,7 @@ public class TraceCommandTests
         Assert.Equal(last.Trace.Places.Count, shown.Trace.Places.Count);
         Assert.Same(talk.State.Drawing, shown.Job.Drawing);
         Assert.True(talk.Session.View.Current.Shown.HasFlag(CanvasLayers.Recorded));
-        Assert.Contains("following error, at most 0 mm (record, ", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("following error, maximum 0 mm (record, ", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -74,7 +74,7 @@ public class TraceCommandTests
 
         await File.WriteAllTextAsync(talk.PathOf("old.trace.csv"), "# polled\nseconds,x,y,tool,deviation\n0,0,0,1,0\n1,5,0,1,0.5\n");
         await talk.TypeAsync("CNCTRACE", "File", "old.trace.csv");
-        Assert.Contains("deviation from the drawing, at most 0.5 mm (polled, 2 places)", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("deviation from the drawing, maximum 0.5 mm (polled, 2 positions)", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("no following error was kept", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCTRACE", "Colour", "Following");
         Assert.Contains("no following error was kept", talk.Said, StringComparison.Ordinal);

@@ -124,7 +124,7 @@ public class ArmingTests
         var file = Path.Combine(Directory.CreateTempSubdirectory("engraver-units-").FullName, "no-unit.dxf");
         await File.WriteAllTextAsync(file, (await File.ReadAllTextAsync(Commands.CommandTalk.Sample("paper-001.dxf"))).Replace("$INSUNITS", "$NOUNITS", StringComparison.Ordinal));
         await talk.TypeAsync("OPEN", file, "CNCCONNECT", "sim:", "CNCARM", "Stream");
-        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("WARN   The drawing does not say its unit", StringComparison.Ordinal));
+        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("WARN   The drawing does not state its unit", StringComparison.Ordinal));
         Directory.Delete(Path.GetDirectoryName(file)!, recursive: true);
     }
 
@@ -158,7 +158,7 @@ public class ArmingTests
 
         var refused = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, nowhere, default);
         Assert.False(refused.Passed);
-        Assert.Contains("G54 is not set on this machine, and the machine stands at 5, 0 mm", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
+        Assert.Contains("G54 is not set on this machine. The machine position is 5, 0 mm", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
         Assert.Contains("CNCZERO", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
         Assert.False(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, placement: null, default).Passed);
         var placed = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, new PlacementResult(new CountsPoint(12500, -3000), OriginSource.Work, null), default);

@@ -20,7 +20,7 @@ public class SettingWordingTests
     {
         Assert.All(DiagnosticTable.All, rule => Assert.DoesNotMatch("--[a-z]|\\bCNC[A-Z]", rule.Sentence + rule.Advice));
         Assert.All(DiagnosticTable.All, rule => Assert.DoesNotMatch("\\[[-+]?[a-z]|CNC(?!GOTO)", SettingWording.OnConsole(rule.At(default)).Advice));
-        Assert.Equal("Close the gap in the drawing, or raise --join-tolerance above it.", SettingWording.OnConsole(SequencingRules.SmallGap.At(default)).Advice);
+        Assert.Equal("Close the gap in the drawing, or set --join-tolerance above the gap.", SettingWording.OnConsole(SequencingRules.SmallGap.At(default)).Advice);
     }
 
     [Fact]
@@ -53,9 +53,9 @@ public class SettingWordingTests
         await talk.TypeAsync("CHECK");
         var derived = Engraver.Workbench.Documents.DerivedDocument.Create(talk.State, Engraver.Core.Machines.JobMode.Stream, CancellationToken.None);
 
-        Assert.Contains("warning SEQ0003: The contour is open at 10, 0: the nearest other open end is 0.25 mm away, on entity A2. Close the gap in the drawing, or raise CNCJOINTOL above it.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("warning SEQ0003: The contour is open at 10, 0: the nearest other open end is 0.25 mm away, on entity A2. Close the gap in the drawing, or set CNCJOINTOL above the gap.", talk.Said, StringComparison.Ordinal);
         Assert.EndsWith("\n0 errors, 2 warnings.", talk.Said, StringComparison.Ordinal);
-        Assert.Contains(derived.Findings, found => found.Message.EndsWith("or raise CNCJOINTOL above it.", StringComparison.Ordinal));
+        Assert.Contains(derived.Findings, found => found.Message.EndsWith("or set CNCJOINTOL above the gap.", StringComparison.Ordinal));
     }
 
     [Theory]

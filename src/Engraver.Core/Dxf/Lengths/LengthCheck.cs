@@ -43,7 +43,7 @@ internal sealed class LengthCheck(LayerTable layers)
     private static RecordIssue? Compare(EntityRecord record, double written, CurveShape? shape)
     {
         if (!(written > Rounding * (Math.Abs(record.Number(10, 0.0)) + Math.Abs(record.Number(20, 0.0)))) || (shape is not null && IsAtLeast(shape, SmallestPart * written))) return null;
-        return record.Finding(DxfRules.CurveLost, Wording.Get("LengthCheck.Lengths", written, shape is null ? 0.0 : Exact(shape)), refused: false);
+        return record.Finding(DxfRules.CurveLost, Wording.Get("LengthCheck.DescribedAndRead", written, shape is null ? 0.0 : Exact(shape)), refused: false);
     }
 
     /// <summary>By chords first, which are never longer than the curve; they tell enough of almost every one.</summary>

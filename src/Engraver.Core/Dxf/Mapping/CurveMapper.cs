@@ -25,7 +25,7 @@ internal sealed class CurveMapper
         var end = record.Point(11);
         // A line without length is kept too: the drawing's box includes its point, as other DXF readers have it.
         Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
-        if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, start.Z == end.Z ? "" : Wording.Get("CurveMapper.SeenFromAbove"));
+        if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, Wording.Get(start.Z == end.Z ? "CurveMapper.NoTwoPoints" : "CurveMapper.VerticalLine"));
         Finish(record);
     }
 
@@ -151,7 +151,7 @@ internal sealed class CurveMapper
         }
 
         if (wide) Note(record, DxfRules.WidthIgnored, "");
-        if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, Wording.Get("CurveMapper.OneItsVertices"));
+        if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, Wording.Get("CurveMapper.YOfVertex"));
     }
 
     /// <summary>Compares group 90 (announced number of vertices) with the vertices read, without relying on it: a damaged file may say anything.</summary>
@@ -160,13 +160,13 @@ internal sealed class CurveMapper
         var declared = record.Number(90, _vertices.Count);
         if (declared == _vertices.Count) return;
         if (atEndOfFile) record.Refuse(DxfRules.CutRecord, record.Line, "");
-        Note(record, DxfRules.VertexCount, Wording.Get("CurveMapper.AnnouncesVerticesHas", declared, _vertices.Count));
+        Note(record, DxfRules.VertexCount, Wording.Get("CurveMapper.VerticesDeclaredAndFound", declared, _vertices.Count));
     }
 
     private void Finish(EntityRecord record)
     {
         if (!Shape.IsInRange) record.Refuse(DxfRules.OutOfRange, record.Line, "");
-        if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, "");
+        if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, Wording.Get("CurveMapper.NoTwoPoints"));
         if (record.Oddity is { } odd) Shape.Oddities.Add(odd);
         if (record.RepeatedCode != 0) Note(record, DxfRules.RepeatedValue, record.RepeatedCode.ToString(CultureInfo.InvariantCulture));
     }

@@ -52,7 +52,7 @@ internal sealed class SplineMapper
     private void Add(EntityRecord record, CurveShape shape)
     {
         var isTorn = _controls.Exists(point => double.IsNaN(point.Y)) || _fitPoints.Exists(point => double.IsNaN(point.Y));
-        if (isTorn) record.Refuse(DxfRules.MissingValue, record.Line, Wording.Get("SplineMapper.OrOneItsPoints"));
+        if (isTorn) record.Refuse(DxfRules.MissingValue, record.Line, Wording.Get("SplineMapper.YOfPoint"));
         if (record.Fault is not null) return;
         var curve = _controls.Count > 0 && (_controls.Count > _degree || _fitPoints.Count < 2) ? FromControls(record, shape) : FromFitPoints(record, shape);
         if (curve is null) return;
@@ -91,7 +91,7 @@ internal sealed class SplineMapper
     {
         if (_degree < 1 || _degree > NurbsCurve.LargestDegree || _controls.Count <= _degree)
         {
-            record.Refuse(DxfRules.SplineUnusable, record.Line, Wording.Get("SplineMapper.DegreeWithControlPoints", _degree, _controls.Count));
+            record.Refuse(DxfRules.SplineUnusable, record.Line, Wording.Get("SplineMapper.DegreeAndControlPoints", _degree, _controls.Count));
             return null;
         }
 
@@ -106,8 +106,8 @@ internal sealed class SplineMapper
         if (NurbsCurve.AreUsable(knots, _degree, _controls.Count)) return knots;
         double[] completed = IsClamped(knots) ? [knots[0], .. knots, knots[^1]] : [];
         var isTwoShort = NurbsCurve.AreUsable(completed, _degree, _controls.Count);
-        var repair = isTwoShort ? Wording.Get("SplineMapper.TwoMissingSoFirst") : Wording.Get("SplineMapper.UniformKnotsUsed");
-        Note(record, shape, DxfRules.SplineWithoutKnots, Wording.Get("SplineMapper.ControlPointsDegree", _controls.Count, _degree, repair));
+        var repair = isTwoShort ? Wording.Get("SplineMapper.EndKnotsRepeated", _controls.Count, _degree) : Wording.Get("SplineMapper.UniformKnots", _controls.Count, _degree);
+        Note(record, shape, DxfRules.SplineWithoutKnots, repair);
         return isTwoShort ? completed : NurbsCurve.UniformKnots(_degree, _controls.Count);
     }
 
@@ -121,7 +121,7 @@ internal sealed class SplineMapper
         var smallest = _weights.DefaultIfEmpty(1.0).Min();
         var weighted = _weights.Count == _controls.Count && smallest > 0.0;
         if (weighted && largest / smallest > LargestRatio) record.Refuse(DxfRules.WeightsTooUnequal, record.Line, string.Create(CultureInfo.InvariantCulture, $"{largest / smallest:G3}"));
-        if (!weighted && _weights.Count > 0) Note(record, shape, DxfRules.SplineWeights, Wording.Get("SplineMapper.WeightsControlPoints", _weights.Count, _controls.Count));
+        if (!weighted && _weights.Count > 0) Note(record, shape, DxfRules.SplineWeights, Wording.Get("SplineMapper.WeightsAndControlPoints", _weights.Count, _controls.Count));
         var points = new double[_controls.Count * BezierSpan.Stride];
         for (var i = 0; i < _controls.Count; i++)
         {
@@ -143,7 +143,7 @@ internal sealed class SplineMapper
         }
 
         while (closed && points.Count > 1 && !VertexRun.AreApart(points[^1], points[0])) points.RemoveAt(points.Count - 1);
-        if (_fitPoints.Count < 2) record.Refuse(DxfRules.SplineUnusable, record.Line, Wording.Get("SplineMapper.NoControlPointsFit", _fitPoints.Count));
+        if (_fitPoints.Count < 2) record.Refuse(DxfRules.SplineUnusable, record.Line, Wording.Get("SplineMapper.FitPointsOnly", _fitPoints.Count));
         if (points.Count < 2) return null;
         Note(record, shape, DxfRules.SplineFromFitPoints, string.Create(CultureInfo.InvariantCulture, $"{_fitPoints.Count}"));
         return FitPointSpline.Through(points, _startTangent, _endTangent, closed && points.Count > 2);

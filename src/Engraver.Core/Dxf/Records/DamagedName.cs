@@ -9,8 +9,8 @@ internal static class DamagedName
     public static string? Fault(string type)
     {
         if (type.Length == 0) return Wording.Get("DamagedName.Empty");
-        if (type.Any(letter => char.IsControl(letter) || letter == '\uFFFD')) return Wording.Get("DamagedName.HoldsBytesNoText");
-        return s_cutTypes.FirstOrDefault(known => IsNearly(type, known)) is { } meant ? Wording.Get("DamagedName.ReadsAlmostLike", meant) : null;
+        if (type.Any(letter => char.IsControl(letter) || letter == '\uFFFD')) return Wording.Get("DamagedName.ContainsNonText");
+        return s_cutTypes.FirstOrDefault(known => IsNearly(type, known)) is { } meant ? Wording.Get("DamagedName.SimilarTo", meant) : null;
     }
 
     /// <summary>True when one letter differs, or the end of the name is missing.</summary>

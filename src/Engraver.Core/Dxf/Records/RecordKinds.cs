@@ -20,9 +20,9 @@ internal static class RecordKinds
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
     [
         (Wording.Get("RecordKinds.Cut"), TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
-        (Wording.Get("RecordKinds.CutWhereCutNames"), TypesOf(IsOutline)),
-        (Wording.Get("RecordKinds.TextKeptWithContent"), TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
-        (Wording.Get("RecordKinds.ConstructionDrawnReaderDrawing"), TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point or RecordKind.AttributeDefinition)),
+        (Wording.Get("RecordKinds.CutIfNamed"), TypesOf(IsOutline)),
+        (Wording.Get("RecordKinds.Text"), TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
+        (Wording.Get("RecordKinds.Construction"), TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point or RecordKind.AttributeDefinition)),
     ];
 
     public static RecordKind Find(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);

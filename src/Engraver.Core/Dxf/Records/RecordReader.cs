@@ -96,10 +96,10 @@ internal sealed class RecordReader
         {
             variables |= kind == RecordKind.SectionEnd && _tags.Code == VariableCode; // some programs end the header too early
             if (foreign is not null || variables || RecordKinds.MayHold(kind, type, _tags.Code)) continue;
-            foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.Line, Wording.Get("RecordReader.GroupWhichCannotHave", _tags.Code, ShownText()), Refused: true);
+            foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.Line, Wording.Get("RecordReader.GroupNotValid", _tags.Code, ShownText()), Refused: true);
         }
 
-        if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, Wording.Get("RecordReader.WhereGroupCodeDue", _tags.DamageText), Refused: true);
+        if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, Wording.Get("RecordReader.NotGroupCode", _tags.DamageText), Refused: true);
         if (foreign is { } trouble) _log.Add(trouble);
         Settle();
     }
@@ -255,7 +255,7 @@ internal sealed class RecordReader
     {
         value = 0.0;
         if (_tags.IsBinary || !ForeignNumber.TryParse(_tags.Value, out value)) return false;
-        record.Oddity ??= record.Finding(DxfRules.OddNumber, Wording.Get("RecordReader.GroupRead", ShownText(), code, value), refused: false) with { Line = _tags.ValueLine };
+        record.Oddity ??= record.Finding(DxfRules.OddNumber, Wording.Get("RecordReader.GroupReadAs", ShownText(), code, value), refused: false) with { Line = _tags.ValueLine };
         return true;
     }
 

@@ -14,5 +14,5 @@ public sealed class UnwritableEntityException : IOException
 
     /// <summary>Its handle, or its line where it has none.</summary>
     public static string NameOf(SourceRef source) =>
-        source.Handle ?? (source.Line > 0 ? Wording.Get("DxfWriter.AtLine", source.Line.ToString(CultureInfo.InvariantCulture)) : Wording.Get("DxfWriter.Unnamed"));
+        source.Handle ?? (source.Line > 0 ? Wording.Get("DxfWriter.AtLine", source.Line.ToString(CultureInfo.InvariantCulture)) : Wording.Get("DxfWriter.WithoutHandle"));
 }

@@ -124,7 +124,8 @@ public static class WorkPlacement
 
         if (place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };
         var scale = profile.Scale;
-        return Refused(PreparationRules.NoOrigin.At(default, memory.Active, Number(place.Position.X / scale.X), Number(place.Position.Y / scale.Y), profile.Axes.Z is null ? "" : $", {Number(scale.ToMillimetres(place.Position.Z))}"));
+        var plane = $"{Number(place.Position.X / scale.X)}, {Number(place.Position.Y / scale.Y)}";
+        return Refused(PreparationRules.NoOrigin.At(default, memory.Active, profile.Axes.Z is null ? plane : $"{plane}, {Number(scale.ToMillimetres(place.Position.Z))}"));
     }
 
     private static PlacementResult Placed(CountsPoint frame, OriginSource source) => new(frame, source, null);

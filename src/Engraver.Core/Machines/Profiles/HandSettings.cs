@@ -28,7 +28,7 @@ internal static class HandSettings
 
         IEnumerable<Diagnostic> Names(string field, LineNames names) => names.All
             .Where(entry => entry.Key < 1 || entry.Key > limits.Outputs || entry.Value.Trim().Length == 0 || entry.Value.Any(char.IsWhiteSpace) || int.TryParse(entry.Value, out _) || names.All.Any(other => other.Key < entry.Key && other.Value.Equals(entry.Value, StringComparison.OrdinalIgnoreCase)))
-            .Select(entry => Text($"{field}.{entry.Key}", entry.Value, Wording.Get("MachineProfileValidation.Names", limits.Outputs)));
+            .Select(entry => Text($"{field}.{entry.Key}", entry.Value, Wording.Get("MachineProfileValidation.LineName", limits.Outputs)));
     }
 
     private static IEnumerable<Diagnostic> Homing(char name, MachineAxis axis, AxisHoming homing, MachineLimits limits)
@@ -41,10 +41,10 @@ internal static class HandSettings
             if (!IsSpeed(speed / 60.0 * Math.Abs(axis.CountsPerMillimetre), limits)) yield return Finding($"homing.{name}.{field}", speed, AxisSpeeds(limits));
         }
 
-        if (homing.SlowMmPerMinute > homing.FastMmPerMinute) yield return Finding($"homing.{name}.slowMmPerMinute", homing.SlowMmPerMinute, Wording.Get("MachineProfileValidation.HomingSlow"));
+        if (homing.SlowMmPerMinute > homing.FastMmPerMinute) yield return Finding($"homing.{name}.slowMmPerMinute", homing.SlowMmPerMinute, Wording.Get("MachineProfileValidation.AtMostHomingFast"));
         if (!(homing.BackOff >= 0.0 && homing.BackOff < 1e6 && IsScale(axis.CountsPerMillimetre) && homing.BackOff * Math.Abs(axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.backOff", homing.BackOff, Wording.Get("MachineProfileValidation.HomingBackOff"));
         var rest = homing.Zero + ((homing.Plus ? -1.0 : 1.0) * homing.BackOff);
-        if (!(Math.Abs(homing.Zero * axis.CountsPerMillimetre) < int.MaxValue && Math.Abs(rest * axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.ParkCountable"));
+        if (!(Math.Abs(homing.Zero * axis.CountsPerMillimetre) < int.MaxValue && Math.Abs(rest * axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.PositionWithinCounters"));
         else if (axis.Travel is { } travel && (rest < travel.Least || rest > travel.Most)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.HomingInTravel", Number(rest), Number(travel.Least), Number(travel.Most)));
         if (homing.Seconds is not (> 0.0 and <= LongestHomingSeconds)) yield return Finding($"homing.{name}.seconds", homing.Seconds, Wording.Get("MachineProfileValidation.HomingSeconds", LongestHomingSeconds));
     }

@@ -231,5 +231,5 @@ internal sealed class MachineProfileDocument
 
     private static string Needs(string field, string value) => Beside($"\"{field}\": \"{value}\"");
 
-    private static string Beside(string field) => Wording.Get("MachineProfileValidation.GivenBeside", field);
+    private static string Beside(string field) => Wording.Get("MachineProfileValidation.NoValueWithout", field);
 }

@@ -40,10 +40,10 @@ public static class MachineProfileFile
 
     private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits, bool isWhole)
     {
-        if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.HoldsNullInsteadObject"))]);
+        if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.NullInsteadOfObject"))]);
         var profile = document.Over(MachineProfile.Default);
-        IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Where(field => isWhole || field.Field == "toolDrive").Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.Given"), field.Needs)), .. MachineProfileValidation.Check(profile, limits)];
-        if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", "", Wording.Get("MachineProfileValidation.NoAxisZ"))];
+        IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Where(field => isWhole || field.Field == "toolDrive").Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.AnyValue"), field.Needs)), .. MachineProfileValidation.Check(profile, limits)];
+        if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", Wording.Get("MachineProfileFile.AnyValue"), Wording.Get("MachineProfileValidation.NoAxisZ"))];
         if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
         return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);
     }
@@ -62,9 +62,9 @@ public static class MachineProfileFile
     private static Diagnostic Finding(JsonException trouble)
     {
         var place = new SourceRef((trouble.LineNumber ?? 0) + 1);
-        if (trouble.InnerException is JsonException) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.TextNoJsonLine", place.Line));
+        if (trouble.InnerException is JsonException) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.NotJson", place.Line));
         var field = trouble.Path is ['$', '.', .. var name] ? name : string.Empty;
-        if (field.Length == 0) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.NoJsonObject"));
+        if (field.Length == 0) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.NotJsonObject"));
         return MotionRules.ProfileValueUnreadable.At(place, field); // a field that is not known was told before anything was read
     }
 }

@@ -24,29 +24,29 @@ public static class MachineProfileValidation
 
     /// <summary>The feeds of this machine, mm/min, as text: what its slower axis resolves to what its finer axis can count.</summary>
     public static string FeedRange(MachineProfile profile, MachineLimits limits) =>
-        Wording.Get("MachineProfileValidation.To", 60.0 * limits.SlowestSpeed / profile.Scale.Smallest, 60.0 * limits.FastestSpeed / profile.Scale.Largest);
+        Wording.Get("MachineProfileValidation.FromTo", 60.0 * limits.SlowestSpeed / profile.Scale.Smallest, 60.0 * limits.FastestSpeed / profile.Scale.Largest);
 
     private static IEnumerable<Diagnostic> Findings(MachineProfile p, MachineLimits limits)
     {
-        var scale = Wording.Get("MachineProfileValidation.NumberOtherThanNegative");
+        var scale = Wording.Get("MachineProfileValidation.ScaleNotZero");
         foreach (var (name, axis) in Named(p.Axes).Where(named => !IsScale(named.Axis.CountsPerMillimetre))) yield return Finding("countsPerMillimetre" + name, axis.CountsPerMillimetre, scale);
         foreach (var (name, axis) in Named(p.Axes))
         {
-            if (!limits.Axes.Contains(axis.Letter)) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.OneLetters", limits.Axes));
-            else if (Named(p.Axes).TakeWhile(named => named.Name != name).FirstOrDefault(named => named.Axis.Letter == axis.Letter).Name is { } same) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.AnotherAxisThan", "axis" + same));
+            if (!limits.Axes.Contains(axis.Letter)) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.OneOfLetters", limits.Axes));
+            else if (Named(p.Axes).TakeWhile(named => named.Name != name).FirstOrDefault(named => named.Axis.Letter == axis.Letter).Name is { } same) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.OtherAxisThan", "axis" + same));
         }
 
         if (!IsSpeed(p.FeedMmPerMinute, p, limits)) yield return Finding("feedMmPerMinute", p.FeedMmPerMinute, AxisSpeeds(limits));
         if (!IsSpeed(p.RapidMmPerMinute, p, limits)) yield return Finding("rapidMmPerMinute", p.RapidMmPerMinute, AxisSpeeds(limits));
         if (!IsAcceleration(p.AccelerationCounts, limits)) yield return Finding("accelerationCounts", p.AccelerationCounts, Accelerations(limits));
         if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, Wording.Get("MachineProfileValidation.Degrees"));
-        if (p.FollowingErrorMm is not (null or (> 0.0 and <= LargestFollowingErrorMm))) yield return Finding("followingErrorMm", p.FollowingErrorMm.Value, Wording.Get("MachineProfileValidation.FollowingError", LargestFollowingErrorMm));
+        if (p.FollowingErrorMm is not (null or (> 0.0 and <= LargestFollowingErrorMm))) yield return Finding("followingErrorMm", p.FollowingErrorMm.Value, Wording.Get("MachineProfileValidation.LengthUpTo", LargestFollowingErrorMm));
         if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, Wording.Get("MachineProfileValidation.OutputFrom", limits.Outputs));
         if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
         foreach (var finding in ToolFindings(p, limits)) yield return finding;
-        if (p.ParkX is null != p.ParkY is null) yield return Finding(p.ParkX is null ? "parkY" : "parkX", p.ParkX ?? p.ParkY ?? 0.0, Wording.Get("MachineProfileValidation.ParkHasTwo"));
-        if (p.Park is { } park && !IsCountable(park, p)) yield return Finding("parkX", park.X, Wording.Get("MachineProfileValidation.ParkCountable"));
-        if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, Wording.Get("MachineProfileValidation.AboveMostDegree"));
+        if (p.ParkX is null != p.ParkY is null) yield return Finding(p.ParkX is null ? "parkY" : "parkX", p.ParkX ?? p.ParkY ?? 0.0, Wording.Get("MachineProfileValidation.ParkNeedsBoth"));
+        if (p.Park is { } park && !IsCountable(park, p)) yield return Finding("parkX", park.X, Wording.Get("MachineProfileValidation.PositionWithinCounters"));
+        if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, Wording.Get("MachineProfileValidation.UpToOneDegree"));
         foreach (var (field, rate) in new[] { ("costPerHour", p.Rates?.PerHour), ("costPerMetre", p.Rates?.PerMetre), ("costPerStart", p.Rates?.PerStart) })
         {
             if (rate is not (null or (>= 0.0 and <= LargestRate))) yield return Finding(field, rate.Value, Wording.Get("MachineProfileValidation.Rate", LargestRate));
@@ -62,7 +62,7 @@ public static class MachineProfileValidation
             yield return Finding("motorType" + name, axis.MotorType!.Value, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", limits.MotorTypes.Select(Text))));
         if (p.Spindle is { } spindle)
         {
-            if (spindle.Output < 1 || spindle.Output > limits.Outputs || (p.Height is null && spindle.Output == p.ToolOutput)) yield return Finding("spindleOutput", spindle.Output, Wording.Get("MachineProfileValidation.AnotherOutput", limits.Outputs));
+            if (spindle.Output < 1 || spindle.Output > limits.Outputs || (p.Height is null && spindle.Output == p.ToolOutput)) yield return Finding("spindleOutput", spindle.Output, Wording.Get("MachineProfileValidation.OtherOutputThanTool", limits.Outputs));
             if (spindle.SpinUpSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("spindleSeconds", spindle.SpinUpSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
             if (spindle.SpeedAxis is { } letter && (!limits.Axes.Contains(letter) || p.Axes.Letters.Contains(letter))) yield return Finding("spindleAxis", letter, Wording.Get("MachineProfileValidation.FreeAxis", limits.Axes));
             if (!(Math.Abs(spindle.SpeedVolts) <= limits.LargestVolts)) yield return Finding("spindleVolts", spindle.SpeedVolts, Wording.Get("MachineProfileValidation.Volts", limits.LargestVolts));
@@ -71,15 +71,15 @@ public static class MachineProfileValidation
         if (p.Height is not { } height) yield break;
         if (p.Axes.Z is not { } z)
         {
-            yield return Finding("axisZ", NoLetter, Wording.Get("MachineProfileValidation.GivenForDrive", limits.Axes));
+            yield return Finding("axisZ", NoLetter, Wording.Get("MachineProfileValidation.LetterForAxisDrive", limits.Axes));
             yield break;
         }
 
-        if (!(height.ClearanceHeight >= height.RetractHeight)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.AtLeast", Text(height.RetractHeight)));
-        if (!IsHeight(height.ClearanceHeight, p)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.HeightCountable"));
-        if (!(height.RetractHeight > 0.0)) yield return Finding("retractHeight", height.RetractHeight, Wording.Get("MachineProfileValidation.AboveNought"));
-        if (!(height.CutDepth >= 0.0) || !IsHeight(height.CutDepth, p)) yield return Finding("cutDepth", height.CutDepth, Wording.Get("MachineProfileValidation.NotNegative"));
-        if (height.DepthPerPass is { } step && !(step > 0.0 && Math.Abs(step * z.CountsPerMillimetre) >= 1.0)) yield return Finding("depthPerPass", step, Wording.Get("MachineProfileValidation.AboveCount"));
+        if (!(height.ClearanceHeight >= height.RetractHeight)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.AtLeastRetractHeight", Text(height.RetractHeight)));
+        if (!IsHeight(height.ClearanceHeight, p)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.HeightWithinCounters"));
+        if (!(height.RetractHeight > 0.0)) yield return Finding("retractHeight", height.RetractHeight, Wording.Get("MachineProfileValidation.AboveWork"));
+        if (!(height.CutDepth >= 0.0) || !IsHeight(height.CutDepth, p)) yield return Finding("cutDepth", height.CutDepth, Wording.Get("MachineProfileValidation.DepthNotNegative"));
+        if (height.DepthPerPass is { } step && !(step > 0.0 && Math.Abs(step * z.CountsPerMillimetre) >= 1.0)) yield return Finding("depthPerPass", step, Wording.Get("MachineProfileValidation.AtLeastOneCount"));
         if (!IsSpeed(height.PlungeMmPerMinute / 60.0 * Math.Abs(z.CountsPerMillimetre), limits)) yield return Finding("plungeMmPerMinute", height.PlungeMmPerMinute, AxisSpeeds(limits));
     }
 
@@ -103,9 +103,9 @@ public static class MachineProfileValidation
         counts >= limits.AccelerationStep && counts <= limits.LargestAcceleration && counts % limits.AccelerationStep == 0;
 
     internal static string AxisSpeeds(MachineLimits limits) =>
-        Wording.Get("MachineProfileValidation.SpeedCountsOnEach", limits.SlowestSpeed, limits.FastestSpeed);
+        Wording.Get("MachineProfileValidation.SpeedInCounts", limits.SlowestSpeed, limits.FastestSpeed);
 
-    private static string Accelerations(MachineLimits limits) => Wording.Get("MachineProfileValidation.MultipleFromCountsS2", limits.AccelerationStep, limits.LargestAcceleration);
+    private static string Accelerations(MachineLimits limits) => Wording.Get("MachineProfileValidation.AccelerationSteps", limits.AccelerationStep, limits.LargestAcceleration);
 
     internal static Diagnostic Finding(string setting, double value, string limit) =>
         MotionRules.SettingOutOfRange.At(default, setting, value.ToString("R", CultureInfo.InvariantCulture), limit);

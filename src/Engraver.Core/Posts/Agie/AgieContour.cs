@@ -27,7 +27,7 @@ public sealed partial record AgieContour(Point2D Start, IReadOnlyList<AgieBlock>
             if (isEnded) expected = 1;
             if (BlockForm().Match(row) is not { Success: true } form || Number(form, "number") != expected || Block(form) is not { } block)
             {
-                fault = PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), Wording.Get("AgieContour.NoBlock", expected.ToString("000", CultureInfo.InvariantCulture)));
+                fault = PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), Wording.Get("AgieContour.BlockExpected", expected.ToString("000", CultureInfo.InvariantCulture)));
                 return null;
             }
 
@@ -35,7 +35,7 @@ public sealed partial record AgieContour(Point2D Start, IReadOnlyList<AgieBlock>
             (isEnded, expected) = (form.Groups["end"].Success, expected + 1);
         }
 
-        fault = blocks.Count == 0 ? VerificationRules.ProgramEmpty.At(default) : isEnded ? null : PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), Wording.Get("AgieContour.NoEnd"));
+        fault = blocks.Count == 0 ? VerificationRules.ProgramEmpty.At(default) : isEnded ? null : PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), Wording.Get("AgieContour.LastBlockDoesNotEnd"));
         return fault is null ? new AgieContour(start, blocks) : null;
     }
 

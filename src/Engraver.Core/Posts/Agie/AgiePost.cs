@@ -56,7 +56,7 @@ public sealed class AgiePost : IPost
     private static Diagnostic WholeDegrees(PostForecast forecast)
     {
         var worst = forecast.Blocks.MaxBy(block => block.Error ?? 0.0)!;
-        return PostRules.ContourError.At(default, Text(forecast.MaxError), Text(worst.End.X), Text(worst.End.Y), Text(worst.Number), forecast.MaxClosure is { } closure ? Wording.Get("AgiePost.LeftOpen", Text(closure)) : Wording.Get("AgiePost.NoneCloses")) with { Place = worst.End };
+        return PostRules.ContourError.At(default, Text(forecast.MaxError), Text(worst.End.X), Text(worst.End.Y), Text(worst.Number), forecast.MaxClosure is { } closure ? Wording.Get("AgiePost.LeftOpen", Text(closure)) : Wording.Get("AgiePost.NoClosedContour")) with { Place = worst.End };
     }
 
     private static PostText Refused(Diagnostic why) => new([], [why]);

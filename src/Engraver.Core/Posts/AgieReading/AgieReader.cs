@@ -37,9 +37,9 @@ public sealed class AgieReader : IProgramReader
 
             var fields = row.Split('\t');
             if (fields[0] == "%" && !isInside && !isMarked) (isMarked, expected) = (true, 1);
-            else if (fields[0].Length > 0 || !(isInside || isMarked)) return Fault(line, Wording.Get(isInside || isMarked ? "AgieReader.NoMarkHere" : "AgieReader.NoMark", Shown(row)));
+            else if (fields[0].Length > 0 || !(isInside || isMarked)) return Fault(line, Wording.Get(isInside || isMarked ? "AgieReader.FirstFieldNotEmpty" : "AgieReader.NoMark", Shown(row)));
             if (Block(fields, expected, out var reason) is not { } block) return Fault(line, reason);
-            if (!machine.Execute(block)) return Fault(line, Wording.Get("AgieReader.Positioning"));
+            if (!machine.Execute(block)) return Fault(line, Wording.Get("AgieReader.ArcInPositioning"));
             (isMarked, isInside, expected) = (isMarked && !block.IsLast, !block.IsLast, expected + 1);
         }
 
@@ -50,15 +50,15 @@ public sealed class AgieReader : IProgramReader
     private static DemBlock? Block(string[] fields, int number, out string reason)
     {
         reason = "";
-        if (fields.Length is not (FieldsOfBlock or FieldsOfBlock + 1)) reason = Wording.Get("AgieReader.Fields", fields.Length - 1, FieldsOfBlock - 1);
-        else if (Digits(fields[1], 3) != number) reason = Wording.Get("AgieReader.Number", Shown(fields[1]), number.ToString("000", CultureInfo.InvariantCulture));
-        else if (Digits(fields[2], 2) is not (>= 1 and <= 3)) reason = Wording.Get("AgieReader.Interpolation", Shown(fields[2]));
-        else if (Digits(fields[3], 3) is not < 360) reason = Wording.Get("AgieReader.Angle", Shown(fields[3]));
-        else if (Digits(fields[4], 3) is not < 360) reason = Wording.Get("AgieReader.Angle", Shown(fields[4]));
-        else if (Signed(fields[5]) is null) reason = Wording.Get("AgieReader.Length", Shown(fields[5]));
-        else if (Signed(fields[6]) is null) reason = Wording.Get("AgieReader.Length", Shown(fields[6]));
-        else if (Digits(fields[7], 2) is not (1 or 2)) reason = Wording.Get("AgieReader.Mode", Shown(fields[7]));
-        else if (fields.Length > FieldsOfBlock && fields[8] != "02") reason = Wording.Get("AgieReader.End", Shown(fields[8]));
+        if (fields.Length is not (FieldsOfBlock or FieldsOfBlock + 1)) reason = Wording.Get("AgieReader.FieldCount", fields.Length - 1, FieldsOfBlock - 1);
+        else if (Digits(fields[1], 3) != number) reason = Wording.Get("AgieReader.BlockNumber", Shown(fields[1]), number.ToString("000", CultureInfo.InvariantCulture));
+        else if (Digits(fields[2], 2) is not (>= 1 and <= 3)) reason = Wording.Get("AgieReader.BadInterpolation", Shown(fields[2]));
+        else if (Digits(fields[3], 3) is not < 360) reason = Wording.Get("AgieReader.BadAngle", Shown(fields[3]));
+        else if (Digits(fields[4], 3) is not < 360) reason = Wording.Get("AgieReader.BadAngle", Shown(fields[4]));
+        else if (Signed(fields[5]) is null) reason = Wording.Get("AgieReader.BadLength", Shown(fields[5]));
+        else if (Signed(fields[6]) is null) reason = Wording.Get("AgieReader.BadLength", Shown(fields[6]));
+        else if (Digits(fields[7], 2) is not (1 or 2)) reason = Wording.Get("AgieReader.BadMode", Shown(fields[7]));
+        else if (fields.Length > FieldsOfBlock && fields[8] != "02") reason = Wording.Get("AgieReader.BadEnd", Shown(fields[8]));
         if (reason.Length > 0) return null;
         var block = new DemBlock(Digits(fields[2], 2)!.Value, Digits(fields[3], 3)!.Value, Digits(fields[4], 3)!.Value, Signed(fields[5])!.Value, Signed(fields[6])!.Value, fields[7] == "02", fields.Length > FieldsOfBlock);
         if (block.Interpolation == 1 && (block.Start != 0 || block.Work != 0)) reason = Wording.Get("AgieReader.LineWithAngles");

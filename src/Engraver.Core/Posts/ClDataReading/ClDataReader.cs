@@ -35,28 +35,28 @@ public sealed class ClDataReader : IProgramReader
             {
                 cancellation.ThrowIfCancellationRequested();
                 var line = lines.Number + 1;
-                if (!int.TryParse(first.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var code)) return Fault(line - 1, Wording.Get("ClDataReader.Code", Shown(first)));
-                if (lines.Next() is not { } value) return Fault(line - 1, Wording.Get("ClDataReader.NoEnd"));
+                if (!int.TryParse(first.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var code)) return Fault(line - 1, Wording.Get("ClDataReader.GroupCodeNotValid", Shown(first)));
+                if (lines.Next() is not { } value) return Fault(line - 1, Wording.Get("ClDataReader.EndMissing"));
                 if (code == 0 && value.Trim() == "EOF") return End(line);
                 if ((code == 0 ? Begin(value.Trim(), line) : Take(code, value, line)) is { } fault) return fault;
             }
 
-            return lines.Number == 0 ? VerificationRules.ProgramEmpty.At(default) : Fault(lines.Number, Wording.Get("ClDataReader.NoEnd"));
+            return lines.Number == 0 ? VerificationRules.ProgramEmpty.At(default) : Fault(lines.Number, Wording.Get("ClDataReader.EndMissing"));
         }
 
         private Diagnostic? End(int line)
         {
-            if (_section.Length > 0) return Fault(line, Wording.Get("ClDataReader.NoEnd"));
+            if (_section.Length > 0) return Fault(line, Wording.Get("ClDataReader.EndMissing"));
             return _hasEntities && _hasCut ? null : VerificationRules.ProgramEmpty.At(default);
         }
 
         private Diagnostic? Begin(string type, int line)
         {
             if (Finish() is { } fault) return fault;
-            if (type == "SECTION" && _section.Length > 0) return Fault(line, Wording.Get("ClDataReader.NoEnd"));
+            if (type == "SECTION" && _section.Length > 0) return Fault(line, Wording.Get("ClDataReader.EndMissing"));
             if (type == "SECTION") (_section, _isNamed) = ("?", false);
             else if (type == "ENDSEC") _section = "";
-            else if (_section == "ENTITIES" && type is not ("LINE" or "ARC" or "CIRCLE" or "ELLIPSE" or "SPLINE")) return Fault(line, Wording.Get("ClDataReader.Entity", Shown(type)));
+            else if (_section == "ENTITIES" && type is not ("LINE" or "ARC" or "CIRCLE" or "ELLIPSE" or "SPLINE")) return Fault(line, Wording.Get("ClDataReader.EntityNotAllowed", Shown(type)));
             else if (_section == "ENTITIES") _entity = new ClEntity(type, line);
             return null;
         }
@@ -65,7 +65,7 @@ public sealed class ClDataReader : IProgramReader
         {
             if (!_isNamed)
             {
-                if (code != 2) return Fault(line, Wording.Get("ClDataReader.Code", code));
+                if (code != 2) return Fault(line, Wording.Get("ClDataReader.GroupCodeNotValid", code));
                 (_section, _isNamed) = (value.Trim(), true);
                 _hasEntities |= _section == "ENTITIES";
             }
@@ -82,7 +82,7 @@ public sealed class ClDataReader : IProgramReader
         {
             if (_entity is not { } entity) return null;
             _entity = null;
-            if (entity.Layer is not ("CUT_CLOSED" or "CUT_OPEN" or "RAPID")) return Fault(entity.Line, Wording.Get("ClDataReader.Layer", Shown(entity.Layer)));
+            if (entity.Layer is not ("CUT_CLOSED" or "CUT_OPEN" or "RAPID")) return Fault(entity.Line, Wording.Get("ClDataReader.LayerNotAllowed", Shown(entity.Layer)));
             if (entity.Path(out var reason) is not { } path) return Fault(entity.Line, reason);
             if (entity.Height is { } height) request.Terms?.Differ(entity.Line, $"z {Shown(height)}", "z 0");
             var isCut = entity.Layer != "RAPID";
@@ -100,7 +100,7 @@ public sealed class ClDataReader : IProgramReader
         private void Join(Point2D start, int line)
         {
             if (_place is not { } place || place.DistanceTo(start) <= request.LongestJump) return;
-            request.Terms?.Differ(line, Wording.Get("ClDataReader.Begins", FactText.Of(start.X), FactText.Of(start.Y)), Wording.Get("ClDataReader.BeginsWhere", FactText.Of(place.X), FactText.Of(place.Y)));
+            request.Terms?.Differ(line, Wording.Get("ClDataReader.CutFrom", FactText.Of(start.X), FactText.Of(start.Y)), Wording.Get("ClDataReader.CutFromEndOfMove", FactText.Of(place.X), FactText.Of(place.Y)));
             foreach (var judge in request.Judges) judge.Add(new TraceSample(_seconds += 1.0, start.X, start.Y, Cutting: false));
         }
 

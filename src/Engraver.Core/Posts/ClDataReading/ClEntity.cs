@@ -26,7 +26,7 @@ internal sealed record ClEntity(string Type, int Line)
         reason = "";
         try
         {
-            if (_pairs.Any(pair => pair.Code is 60 or 67 && Parse(pair) != 0.0)) reason = Wording.Get("ClDataReader.Hidden");
+            if (_pairs.Any(pair => pair.Code is 60 or 67 && Parse(pair) != 0.0)) reason = Wording.Get("ClDataReader.HiddenOrOnPaper");
             else if (Maybe(210, 0.0) != 0.0 || Maybe(220, 0.0) != 0.0 || Math.Abs(Maybe(230, 1.0)) != 1.0) reason = Wording.Get("ClDataReader.Tilted");
             if (reason.Length > 0) return null;
             return Type switch
@@ -41,7 +41,7 @@ internal sealed record ClEntity(string Type, int Line)
         }
         catch (FormatException missing)
         {
-            reason = Wording.Get("ClDataReader.Value", missing.Message);
+            reason = Wording.Get("ClDataReader.BadGroupValue", missing.Message);
             return null;
         }
     }

@@ -36,7 +36,7 @@ internal readonly record struct GcodeArc(Point2D Centre, double From, double Swe
         var (first, last) = (Math.Sqrt(Square(start.X - centre.X) + Square(start.Y - centre.Y)), Math.Sqrt(Square(end.X - centre.X) + Square(end.Y - centre.Y)));
         var apart = Math.Abs(first - last);
         if (first == 0.0 || last == 0.0) reason = Wording.Get("GcodeReader.NoRadius");
-        else if (apart > LargestDifference || (apart > RadiusDifference && apart > RadiusPart * (isGrbl ? first : Math.Max(first, last)))) reason = Wording.Get("GcodeReader.EndsApart", apart);
+        else if (apart > LargestDifference || (apart > RadiusDifference && apart > RadiusPart * (isGrbl ? first : Math.Max(first, last)))) reason = Wording.Get("GcodeReader.RadiiDiffer", apart);
         if (reason.Length > 0) return null;
         var (from, to) = (Math.Atan2(start.Y - centre.Y, start.X - centre.X), Math.Atan2(end.Y - centre.Y, end.X - centre.X));
         var sweep = clockwise ? from - to : to - from;
@@ -52,7 +52,7 @@ internal readonly record struct GcodeArc(Point2D Centre, double From, double Swe
         var (x, y) = (end.X - start.X, end.Y - start.Y);
         var (chord, size) = (Math.Sqrt((x * x) + (y * y)), Math.Abs(radius));
         if (chord == 0.0) reason = Wording.Get("GcodeReader.RadiusNeedsChord");
-        else if (size < (chord / 2.0) - ShortRadius) reason = Wording.Get("GcodeReader.RadiusShort", size, chord);
+        else if (size < (chord / 2.0) - ShortRadius) reason = Wording.Get("GcodeReader.RadiusTooSmall", size, chord);
         if (reason.Length > 0) return null;
         var height = Math.Sqrt(Math.Max(0.0, (size * size) - (chord * chord / 4.0)));
         var left = clockwise == radius < 0.0 ? height : -height; // the centre of a short turn lies on the side to which it turns

@@ -41,15 +41,15 @@ internal sealed class GcodeBlock
         {
             var letter = char.ToUpperInvariant(text[at++]);
             if (Refusal(letter) is { } refusal) reason = refusal;
-            else if (at < text.Length && text[at] is '#' or '[') reason = Wording.Get("GcodeReader.Parameter");
-            else if (block.Has(letter.ToString()) && letter is not ('G' or 'M')) reason = Wording.Get("GcodeReader.Twice", letter);
-            else if (letter == 'N' && block._words.Count > 0) reason = Wording.Get("GcodeReader.NumberNotFirst");
+            else if (at < text.Length && text[at] is '#' or '[') reason = Wording.Get("GcodeReader.ParameterNotSupported");
+            else if (block.Has(letter.ToString()) && letter is not ('G' or 'M')) reason = Wording.Get("GcodeReader.WordTwice", letter);
+            else if (letter == 'N' && block._words.Count > 0) reason = Wording.Get("GcodeReader.LineNumberNotFirst");
             if (reason.Length > 0) return null;
             var from = at;
             while (at < text.Length && (char.IsAsciiDigit(text[at]) || text[at] == '.' || (at == from && text[at] is '+' or '-'))) at++;
             if (Number(text[from..at]) is not { } value)
             {
-                reason = Wording.Get("GcodeReader.NoNumber", letter, Shown(text[from..at]));
+                reason = Wording.Get("GcodeReader.NumberExpected", letter, Shown(text[from..at]));
                 return null;
             }
 
@@ -85,16 +85,16 @@ internal sealed class GcodeBlock
             }
         }
 
-        if (isComment && reason.Length == 0) reason = Wording.Get("GcodeReader.CommentOpen");
+        if (isComment && reason.Length == 0) reason = Wording.Get("GcodeReader.CommentNotClosed");
         return reason.Length == 0 ? text.ToString() : null;
     }
 
     private static string? Refusal(char letter) => letter switch
     {
-        '#' => Wording.Get("GcodeReader.Parameter"),
-        'O' => Wording.Get("GcodeReader.Flow"),
+        '#' => Wording.Get("GcodeReader.ParameterNotSupported"),
+        'O' => Wording.Get("GcodeReader.FlowNotSupported"),
         '/' => Wording.Get("GcodeReader.BlockDelete"),
-        _ => Known.Contains(letter, StringComparison.Ordinal) ? null : Wording.Get("GcodeReader.Letter", Shown(letter.ToString())),
+        _ => Known.Contains(letter, StringComparison.Ordinal) ? null : Wording.Get("GcodeReader.WordNotSupported", Shown(letter.ToString())),
     };
 
     /// <summary>A sign, digits and at most one point, at least one digit; no exponent.</summary>

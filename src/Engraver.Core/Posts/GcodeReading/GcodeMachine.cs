@@ -37,7 +37,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         foreach (var code in block.Codes('G')) if (Mode(code) is { } fault) return fault;
         Control(block);
         if (block.Codes('G').Where(GcodeCodes.IsMotion).Select(code => (int?)code).FirstOrDefault() is { } motion) _motion = motion;
-        if (block.Has("IJR") && _motion is not (20 or 30)) return Wording.Get("GcodeReader.NotArc");
+        if (block.Has("IJR") && _motion is not (20 or 30)) return Wording.Get("GcodeReader.ArcWordsWithoutArc");
         if ((block.Has("XYZ") || (block.Has("IJR") && _motion is 20 or 30)) && Move(block, line) is { } unmoved) return unmoved;
         return block.Codes('M').Any(code => code is 20 or 300) ? End() : null;
     }
@@ -56,7 +56,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     {
         if (GcodeCodes.IsWorkOffset(code))
         {
-            if (_teller.HasMoved && code != (_workOffset ?? GcodeCodes.UsualWorkOffset)) return Wording.Get("GcodeReader.OtherOffset");
+            if (_teller.HasMoved && code != (_workOffset ?? GcodeCodes.UsualWorkOffset)) return Wording.Get("GcodeReader.WorkOffsetChanged");
             _workOffset = code;
         }
 
@@ -80,14 +80,14 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     {
         if (_motion is null or GcodeCodes.NoMotion) return Wording.Get("GcodeReader.NoMotion");
         if (_motion != 0 && !(_feed > 0.0)) return Wording.Get("GcodeReader.NoFeed");
-        if (_motion != 0 && _profile.Spindle is not null && !_switches.Turns) return Wording.Get("GcodeReader.SpindleStands");
-        if (!_isAbsolute && !(Knows('X', block) && Knows('Y', block) && Knows('Z', block))) return Wording.Get("GcodeReader.WhereFrom");
+        if (_motion != 0 && _profile.Spindle is not null && !_switches.Turns) return Wording.Get("GcodeReader.SpindleOff");
+        if (!_isAbsolute && !(Knows('X', block) && Knows('Y', block) && Knows('Z', block))) return Wording.Get("GcodeReader.PositionUnknown");
         var to = new Vector3D(Coordinate(block['X'], _place.X), Coordinate(block['Y'], _place.Y), Coordinate(block['Z'], _place.Z));
         if (_profile.Height is null && to.Z != 0.0) return Wording.Get("GcodeReader.NoToolAxis");
         Judge(to, line);
         if (_motion is 20 or 30) return Turn(block, to, line);
-        if (_motion != 0 && !Learn(block)) return Wording.Get("GcodeReader.WhereFrom");
-        if (_motion == 0 && !_knowsZ && !block.Has("Z")) return Wording.Get("GcodeReader.HeightFirst");
+        if (_motion != 0 && !Learn(block)) return Wording.Get("GcodeReader.PositionUnknown");
+        if (_motion == 0 && !_knowsZ && !block.Has("Z")) return Wording.Get("GcodeReader.HeightUnknown");
         var (from, isKnown) = (_place, _knowsZ);
         Learn(block);
         _place = to;
@@ -109,7 +109,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     private string? Turn(GcodeBlock block, Vector3D to, int line)
     {
-        if (!(_knowsX && _knowsY && _knowsZ)) return Wording.Get("GcodeReader.WhereFrom");
+        if (!(_knowsX && _knowsY && _knowsZ)) return Wording.Get("GcodeReader.PositionUnknown");
         if (controller == GcodeController.Grbl && !block.Has("XY")) return Wording.Get("GcodeReader.ArcWithoutEnd");
         if (block.Has("R") == block.Has("IJ")) return Wording.Get("GcodeReader.CentreOrRadius");
         if (_isCentreAbsolute && block.Has("IJ") && !(block.Has("I") && block.Has("J"))) return Wording.Get("GcodeReader.BothCentres");
@@ -129,8 +129,8 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
     {
         HasEnded = true;
         _switches.EndWait();
-        if (_switches.IsOutputOn) return Wording.Get("GcodeReader.EndsOn");
-        return _profile.Height is { } drive && _teller.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsIn") : null;
+        if (_switches.IsOutputOn) return Wording.Get("GcodeReader.EndsWithToolOn");
+        return _profile.Height is { } drive && _teller.HasMoved && _place.Z < drive.RetractHeight ? Wording.Get("GcodeReader.EndsBelowRetractHeight") : null;
     }
 
     private bool Knows(char axis, GcodeBlock block) => block[axis] is null || (axis == 'X' ? _knowsX : axis == 'Y' ? _knowsY : _knowsZ);

@@ -25,7 +25,7 @@ public sealed class GcodeReader(GcodeController controller = GcodeController.Lin
             if (GcodeBlock.Parse(row, out var reason) is not { } block) return Fault(line, reason);
             if (block.IsMark)
             {
-                if (controller == GcodeController.Grbl || hasBegun) return Fault(line, Wording.Get("GcodeReader.MarkHere"));
+                if (controller == GcodeController.Grbl || hasBegun) return Fault(line, Wording.Get("GcodeReader.MarkNotAllowed"));
                 (hasBegun, isMarked) = (true, true);
                 continue;
             }
@@ -46,10 +46,10 @@ public sealed class GcodeReader(GcodeController controller = GcodeController.Lin
         {
             var text = row.Trim();
             if (text == "%" && isMarked) return null;
-            if (text.Length > 0) return Fault(lines.Number, Wording.Get("GcodeReader.BehindEnd"));
+            if (text.Length > 0) return Fault(lines.Number, Wording.Get("GcodeReader.TextAfterEnd"));
         }
 
-        return isMarked ? Fault(lines.Number, Wording.Get("GcodeReader.NoMark")) : null;
+        return isMarked ? Fault(lines.Number, Wording.Get("GcodeReader.EndMarkMissing")) : null;
     }
 
     private static Diagnostic Fault(int line, string reason) => PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), reason);

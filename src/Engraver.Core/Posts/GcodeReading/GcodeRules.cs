@@ -13,8 +13,8 @@ internal static class GcodeRules
     {
         var isGrbl = controller == GcodeController.Grbl;
         var longest = isGrbl ? LongestLineOfGrbl : LongestLine;
-        if (block.Length > longest) return Wording.Get("GcodeReader.TooLong", longest);
-        if (block['N'] is { } number && !(number >= 0.0 && number <= (isGrbl ? 9_999_999.0 : 99_999.0) && number == Math.Floor(number))) return Wording.Get("GcodeReader.LineNumber", Text(number));
+        if (block.Length > longest) return Wording.Get("GcodeReader.LineTooLong", longest);
+        if (block['N'] is { } number && !(number >= 0.0 && number <= (isGrbl ? 9_999_999.0 : 99_999.0) && number == Math.Floor(number))) return Wording.Get("GcodeReader.BadLineNumber", Text(number));
         return Codes(block, 'G', controller) ?? Codes(block, 'M', controller) ?? Values(block, isGrbl);
     }
 
@@ -25,7 +25,7 @@ internal static class GcodeRules
         {
             var code = (int)Math.Round(Math.Clamp(word.Value, -1.0, 1000.0) * 10.0);
             var group = Math.Abs((word.Value * 10.0) - code) > 1e-6 ? -1 : GcodeCodes.GroupOf(letter, code, controller);
-            if (group < 0) return Wording.Get("GcodeReader.Code", letter + Text(word.Value));
+            if (group < 0) return Wording.Get("GcodeReader.CodeNotSupported", letter + Text(word.Value));
             if (!groups.Add(group)) return Wording.Get("GcodeReader.SameGroup", letter + Text(word.Value));
         }
 
@@ -36,16 +36,16 @@ internal static class GcodeRules
     {
         var codes = block.Codes('G').ToList();
         var (dwells, switches, blends, isArc) = (codes.Contains(GcodeCodes.Dwell), block.Codes('M').Any(code => code is >= 620 and <= 650), codes.Contains(GcodeCodes.Blending), !block.Codes('G').Any(code => code is 0 or 10 or GcodeCodes.NoMotion));
-        if (block.Has("T")) return Wording.Get("GcodeReader.Letter", "T");
+        if (block.Has("T")) return Wording.Get("GcodeReader.WordNotSupported", "T");
         if (block.Has("K")) return Wording.Get("GcodeReader.OtherPlane");
-        if (block.Has("IJR") && !isArc) return Wording.Get("GcodeReader.NotArc");
+        if (block.Has("IJR") && !isArc) return Wording.Get("GcodeReader.ArcWordsWithoutArc");
         foreach (var letter in "FS") if (block[letter] is < 0.0) return Wording.Get("GcodeReader.Negative", letter);
         if (dwells && block['P'] is not >= 0.0) return Wording.Get("GcodeReader.DwellTime");
-        if (block.Has("Q") && !blends) return Wording.Get("GcodeReader.Letter", "Q");
-        if (blends && (block['P'] is < 0.0 || block['Q'] is < 0.0)) return Wording.Get("GcodeReader.Tolerance");
-        if (switches && !(block['P'] is { } output and >= 0.0 && output == Math.Floor(output))) return Wording.Get("GcodeReader.Output");
-        if ((dwells ? 1 : 0) + (switches ? 1 : 0) + (blends ? 1 : 0) > 1) return Wording.Get("GcodeReader.TwoOfP");
-        if (block.Has("P") && !(dwells || switches || blends) && (isGrbl || !isArc || block['P'] != 1.0)) return Wording.Get("GcodeReader.Turns");
+        if (block.Has("Q") && !blends) return Wording.Get("GcodeReader.WordNotSupported", "Q");
+        if (blends && (block['P'] is < 0.0 || block['Q'] is < 0.0)) return Wording.Get("GcodeReader.NegativeTolerance");
+        if (switches && !(block['P'] is { } output and >= 0.0 && output == Math.Floor(output))) return Wording.Get("GcodeReader.OutputNumber");
+        if ((dwells ? 1 : 0) + (switches ? 1 : 0) + (blends ? 1 : 0) > 1) return Wording.Get("GcodeReader.TwoCodesWithP");
+        if (block.Has("P") && !(dwells || switches || blends) && (isGrbl || !isArc || block['P'] != 1.0)) return Wording.Get("GcodeReader.ArcWithTurns");
         if (dwells && block.Has("XYZIJR")) return Wording.Get("GcodeReader.DwellMoves");
         return block.Has("F") && codes.Any(code => code is GcodeCodes.Inch or GcodeCodes.Millimetre) ? Wording.Get("GcodeReader.UnitAndFeed") : null;
     }

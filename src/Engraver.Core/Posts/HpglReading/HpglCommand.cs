@@ -35,14 +35,14 @@ internal sealed class HpglScanner(TextReader text)
             if (text.Peek() < 0) return null;
             if (!IsNamed(out var read))
             {
-                reason = Wording.Get("HpglReader.NoCommand", read);
+                reason = Wording.Get("HpglReader.UnknownCommand", read);
                 return null;
             }
         }
 
         var (name, line) = (new string(_name), Line);
         if (Numbers(out var wrong) is { } values) return new HpglCommand(name, values, line);
-        reason = Wording.Get("HpglReader.NoNumbers", name, wrong);
+        reason = Wording.Get("HpglReader.NumbersExpected", name, wrong);
         return null;
     }
 

@@ -44,13 +44,13 @@ internal sealed class HpglPlotter(ReplayRequest request)
             case ("SC", 4): return Scale(values);
             case ("PU" or "PD" or "PA" or "PR", _): return Plot(command);
             case ("AA" or "AR", 3 or 4): return Arc(command);
-            default: return Wording.Get("HpglReader.Unknown", command.Name, values.Count);
+            default: return Wording.Get("HpglReader.CommandNotSupported", command.Name, values.Count);
         }
     }
 
     private string? Select(double pen)
     {
-        if (pen is not (>= 0.0 and <= 8.0) || pen != Math.Floor(pen)) return Wording.Get("HpglReader.Pen", pen);
+        if (pen is not (>= 0.0 and <= 8.0) || pen != Math.Floor(pen)) return Wording.Get("HpglReader.PenNotValid", pen);
         if (IsDown && pen == 0.0) return Wording.Get("HpglReader.EndsDown");
         _pen = (int)pen;
         return null;
@@ -59,14 +59,14 @@ internal sealed class HpglPlotter(ReplayRequest request)
     /// <summary>Of every pen, or of the one that is named behind it.</summary>
     private string? Speed(IReadOnlyList<double> values)
     {
-        if (!(values[0] > 0.0)) return Wording.Get("HpglReader.Speed", values[0]);
+        if (!(values[0] > 0.0)) return Wording.Get("HpglReader.SpeedNotPositive", values[0]);
         if (values.Count == 1 || values[1] == (request.Terms?.Asked.Pen ?? _pen)) _speed = values[0] * 600.0;
         return null;
     }
 
     private string? Corners(IReadOnlyList<double> values)
     {
-        if (values[0] == values[2] || values[1] == values[3]) return Wording.Get("HpglReader.Frame");
+        if (values[0] == values[2] || values[1] == values[3]) return Wording.Get("HpglReader.FrameNotUsable");
         _corners = (values[0], values[1], values[2], values[3]);
         return null;
     }
@@ -74,8 +74,8 @@ internal sealed class HpglPlotter(ReplayRequest request)
     /// <summary>SC says which numbers the corners of IP have. Without IP the corners are the device's own, which a program does not say.</summary>
     private string? Scale(IReadOnlyList<double> values)
     {
-        if (_corners is not { } corners || values[0] == values[1] || values[2] == values[3]) return Wording.Get("HpglReader.Frame");
-        if (HasMoved) return Wording.Get("HpglReader.FrameLate");
+        if (_corners is not { } corners || values[0] == values[1] || values[2] == values[3]) return Wording.Get("HpglReader.FrameNotUsable");
+        if (HasMoved) return Wording.Get("HpglReader.FrameAfterMove");
         var (x, y) = ((corners.X2 - corners.X1) * PlotterUnit / (values[1] - values[0]), (corners.Y2 - corners.Y1) * PlotterUnit / (values[3] - values[2]));
         _frame = (x, y, (corners.X1 * PlotterUnit) - (values[0] * x), (corners.Y1 * PlotterUnit) - (values[2] * y));
         return null;
@@ -87,7 +87,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         {
             var was = IsDown;
             IsDown = command.Name == "PD";
-            if (IsDown && _pen == 0) return Wording.Get("HpglReader.NoPen");
+            if (IsDown && _pen == 0) return Wording.Get("HpglReader.NoPenSelected");
             if (was != IsDown) Stand();
         }
         else
@@ -104,9 +104,9 @@ internal sealed class HpglPlotter(ReplayRequest request)
     private string? Arc(HpglCommand command)
     {
         var (values, chord) = (command.Values, command.Values.Count == 4 ? command.Values[3] : UsualChord);
-        if (chord is not (>= 0.5 and <= 180.0)) return Wording.Get("HpglReader.Chord", chord);
-        if (Math.Abs(values[2]) is not (> 0.0 and <= 360.0)) return Wording.Get("HpglReader.Sweep", values[2]);
-        if (Math.Abs(Math.Abs(_frame.ScaleX) - Math.Abs(_frame.ScaleY)) > 1e-12 || _frame.ScaleX * _frame.ScaleY < 0.0) return Wording.Get("HpglReader.Frame");
+        if (chord is not (>= 0.5 and <= 180.0)) return Wording.Get("HpglReader.BadChordAngle", chord);
+        if (Math.Abs(values[2]) is not (> 0.0 and <= 360.0)) return Wording.Get("HpglReader.BadSweep", values[2]);
+        if (Math.Abs(Math.Abs(_frame.ScaleX) - Math.Abs(_frame.ScaleY)) > 1e-12 || _frame.ScaleX * _frame.ScaleY < 0.0) return Wording.Get("HpglReader.FrameNotUsable");
         var centre = Place(values[0], values[1], command.Name == "AA");
         var (x, y) = (_place.X - centre.X, _place.Y - centre.Y);
         var count = (int)Math.Ceiling(Math.Abs(values[2]) / chord);

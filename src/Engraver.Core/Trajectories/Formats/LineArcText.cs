@@ -87,8 +87,8 @@ public sealed class LineArcText
         var (arc, side) = (segment.Arc, Math.Sign(segment.Arc.Sweep.Degrees));
         var (radius, decimals) = (Rounded(arc.Radius), AngleDecimals(Math.Max(arc.Radius, _length)));
         var sweep = Math.Round(arc.Sweep.Degrees, decimals);
-        if (!(radius > 0.0)) _broken.Add(Wording.Get("Xps.ArcRadius", _elements));
-        if (sweep == 0.0 || Math.Abs(sweep) > 360.0) _broken.Add(Wording.Get("Xps.ArcSweep", _elements));
+        if (!(radius > 0.0)) _broken.Add(Wording.Get("Xps.ArcWithoutRadius", _elements));
+        if (sweep == 0.0 || Math.Abs(sweep) > 360.0) _broken.Add(Wording.Get("Xps.BadArcSweep", _elements));
         Turn(segment.StartTangent);
         var centre = _place + (new Vector2D(-_way.Y, _way.X) * (side * radius));
         var (drawn, ran) = (segment.Start - arc.Centre, _place - centre);

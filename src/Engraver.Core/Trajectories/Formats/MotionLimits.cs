@@ -14,8 +14,8 @@ internal static class MotionLimits
     {
         var box = run.Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
         if (box.IsEmpty) yield break;
-        if (box.Width > motion.TravelX) yield return Wording.Get("Xps.Travel", "X", Fact(box.Width), Fact(motion.TravelX.Value));
-        if (box.Height > motion.TravelY) yield return Wording.Get("Xps.Travel", "Y", Fact(box.Height), Fact(motion.TravelY.Value));
+        if (box.Width > motion.TravelX) yield return Wording.Get("Xps.TravelExceeded", "X", Fact(box.Width), Fact(motion.TravelX.Value));
+        if (box.Height > motion.TravelY) yield return Wording.Get("Xps.TravelExceeded", "Y", Fact(box.Height), Fact(motion.TravelY.Value));
     }
 
     /// <summary>The largest speed along the path at which no axis needs more acceleration than it has: at an even speed v the acceleration is v^2 times the curvature, across the path.</summary>

@@ -32,7 +32,7 @@ internal sealed class LineArcRun : TrajectoryRun
 
     public override Diagnostic? End()
     {
-        if (_turned.Degrees > _allowed.Degrees + Rounding) Differ(Said(_allowed.Degrees), Wording.Get("Xps.AtLeast", Said(_turned.Degrees), _turned.Line), _allowed.Line > 0 ? _allowed.Line : _turned.Line);
+        if (_turned.Degrees > _allowed.Degrees + Rounding) Differ(Said(_allowed.Degrees), Wording.Get("Xps.AngleNeeded", Said(_turned.Degrees), _turned.Line), _allowed.Line > 0 ? _allowed.Line : _turned.Line);
         else if (_allowed.Degrees > CornerAngle || _allowed.Degrees < UsualAngle) Differ(Said(_allowed.Degrees), Wording.Get("Xps.Between", UsualAngle, CornerAngle), _allowed.Line);
         return null;
     }

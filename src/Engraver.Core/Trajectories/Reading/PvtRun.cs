@@ -43,12 +43,12 @@ internal sealed class PvtRun : TrajectoryRun
         var (machine, way, after) = (Teller.Request.Machine, _place - from, _velocity);
         var feed = machine.FeedMmPerMinute / 60.0;
         var most = machine.AccelerationCounts / machine.Scale.Largest;
-        if (after.Length > feed * (1.0 + Share)) Differ(Wording.Get("Xps.SpeedSaid", after.Length), Wording.Get("Xps.SpeedAsked", feed));
+        if (after.Length > feed * (1.0 + Share)) Differ(Wording.Get("Xps.SpeedFound", after.Length), Wording.Get("Xps.MaxSpeed", feed));
         var (first, last) = ((way * (6.0 / (seconds * seconds))) - (before * (4.0 / seconds)) - (after * (2.0 / seconds)), (way * (-6.0 / (seconds * seconds))) + (before * (2.0 / seconds)) + (after * (4.0 / seconds)));
         var needed = new[] { first.X, first.Y, last.X, last.Y }.Max(Math.Abs);
-        if (needed > most * (1.0 + Share)) Differ(Wording.Get("Xps.AccelerationSaid", needed), Wording.Get("Xps.AccelerationAsked", most));
+        if (needed > most * (1.0 + Share)) Differ(Wording.Get("Xps.AccelerationFound", needed), Wording.Get("Xps.MaxAcceleration", most));
         var (length, expected) = (Length(from, before, seconds), (before.Length + after.Length) * seconds / 2.0);
-        if (Math.Abs(length - expected) > (Share * length) + Nothing) Differ(Wording.Get("Xps.TimeSaid", seconds), Wording.Get("Xps.TimeAsked", seconds * length / expected));
+        if (Math.Abs(length - expected) > (Share * length) + Nothing) Differ(Wording.Get("Xps.TimeFound", seconds), Wording.Get("Xps.TimeNeeded", seconds * length / expected));
     }
 
     private double Length(Point2D from, Vector2D before, double seconds)

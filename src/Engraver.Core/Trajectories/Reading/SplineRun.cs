@@ -23,7 +23,7 @@ internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTeller
         _points++;
         if (_points == 1) _z = z;
         if (_points > 1 && z != _z && Teller.Request.IsLevel) Differ($"z {FactText.Of(z)}", $"z {FactText.Of(_z)}");
-        if (_points == 2 && isRelative && (point != start || z != 0.0)) return Wrong(Wording.Get("Xps.StartNotZero"));
+        if (_points == 2 && isRelative && (point != start || z != 0.0)) return Wrong(Wording.Get("Xps.SecondLineNotZero"));
         if (_points == 2) Teller.GoTo(point);
         if (_points >= 4) Teller.CurveTo(_from + ((_to - _before) * (1.0 / 6.0)), _to - ((point - _from) * (1.0 / 6.0)), _to);
         (_before, _from, _to) = (_from, _to, point);

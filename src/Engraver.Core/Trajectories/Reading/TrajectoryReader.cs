@@ -132,7 +132,7 @@ internal abstract class TrajectoryRun(TrajectoryTeller teller)
     /// <summary>At the row that was taken last.</summary>
     protected Diagnostic Wrong(string reason) => Wrong(_line, reason);
 
-    public static Diagnostic Unreadable(int line, string words) => Wrong(line, Wording.Get("Xps.LineSays", words.Trim() is { Length: > 40 } all ? all[..40] : words.Trim()));
+    public static Diagnostic Unreadable(int line, string words) => Wrong(line, Wording.Get("Xps.LineContent", words.Trim() is { Length: > 40 } all ? all[..40] : words.Trim()));
 
     /// <summary>Apart by commas; null for anything else, and for numbers that no machine can mean.</summary>
     public static double[]? Numbers(string words)

@@ -121,7 +121,7 @@ public class WorkPlacementTests
     public void An_origin_with_one_axis_is_none_yet_and_the_sentence_names_the_other()
     {
         var half = MachineMemory.Empty.WithOrigin("G54", 5, null, null);
-        Assert.Contains("no place for Y", Work(half, At(0, 0)).Refusal!.Message, StringComparison.Ordinal);
+        Assert.Contains("no value for Y", Work(half, At(0, 0)).Refusal!.Message, StringComparison.Ordinal);
         Assert.Equal(new CountsPoint(5, 6), Work(half.WithOrigin("G54", null, 6, null), At(0, 0)).Frame);
     }
 
@@ -162,7 +162,7 @@ public class WorkPlacementTests
         Assert.Equal((default(CountsPoint), true), (fresh.Frame!.Value, fresh.IsAssumed));
         var refused = WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(new CountsPoint(0, 0, 6)), new OriginRequest.Work(), tall, default).Refusal!;
         Assert.Equal("JOB0008", refused.Id);
-        Assert.Contains("stands at 0, 0, 0.015 mm by its own zero", refused.Message, StringComparison.Ordinal); // the height is why
+        Assert.Contains("position is 0, 0, 0.015 mm", refused.Message, StringComparison.Ordinal); // the height is why
 
         var kept = MachineMemory.Empty.AssumeZero(hasHeight: true) with { Mark = 5 };
         var later = WorkPlacement.Find(kept, new ControllerPlace(new CountsPoint(0, 0, 2000), Mark: 5), new OriginRequest.Work(), tall, default);

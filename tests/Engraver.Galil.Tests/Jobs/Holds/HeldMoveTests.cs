@@ -276,10 +276,10 @@ public sealed class HeldMoveTests : IDisposable
         var second = await control.MoveAsync(HeldMove.By(new CountsPoint(100, 0)));
         control.Over(JobResult.NotStarted(0, "over"));
 
-        Assert.Contains("does not stand held", running.Sentence, StringComparison.Ordinal);
-        Assert.Contains("under way", second.Sentence, StringComparison.Ordinal);
+        Assert.Contains("job is not held", running.Sentence, StringComparison.Ordinal);
+        Assert.Contains("manual move is not finished", second.Sentence, StringComparison.Ordinal);
         Assert.Equal("over", (await first).Sentence);
-        Assert.Contains("does not stand held", (await control.MoveAsync(HeldMove.By(new CountsPoint(1, 0)))).Sentence, StringComparison.Ordinal);
+        Assert.Contains("job is not held", (await control.MoveAsync(HeldMove.By(new CountsPoint(1, 0)))).Sentence, StringComparison.Ordinal);
     }
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);

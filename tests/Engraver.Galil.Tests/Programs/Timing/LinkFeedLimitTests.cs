@@ -54,7 +54,7 @@ public class LinkFeedLimitTests
         var fit = LinkFeedFitting.Create(program, new SerialLine(19200), null);
 
         var finding = Assert.Single(fit.Diagnostics);
-        Assert.Matches("^At full feed the path needs 200 segments a second and 19200 baud carry [0-9]{2,3}, so the feed is lowered in 1 of the vector sequences, at worst to [0-9.]+ instead of 1200 mm/min", finding.Message);
+        Assert.Matches("^At full feed, the path needs 200 segments per second, but 19200 baud can transfer [0-9]{2,3}\\. The feed is lowered in 1 of the vector sequences, to a minimum of [0-9.]+ instead of 1200 mm/min", finding.Message);
         Assert.Equal(program.SegmentCount, fit.Program.SegmentCount);
         Assert.Empty(LinkFeedFitting.Create(fit.Program, new SerialLine(19200), null).Diagnostics);
     }

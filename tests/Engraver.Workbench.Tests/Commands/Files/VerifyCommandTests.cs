@@ -28,7 +28,7 @@ public class VerifyCommandTests
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("MOVE", "ALL", "", "0,0", "0.02,0", "VERIFY", ""));
         Assert.Equal(CommandFailure.Drawing, failed.Why);
-        Assert.Matches(@"\njob\.dmc: error VER0008: The program cuts 0\.02\d* mm beside the drawing at ", talk.Said);
+        Assert.Matches(@"\njob\.dmc: error VER0008: The program deviates from the drawing by 0\.02\d* mm at ", talk.Said);
         Assert.Contains("\nNOT OK: ", talk.Said, StringComparison.Ordinal);
     }
 

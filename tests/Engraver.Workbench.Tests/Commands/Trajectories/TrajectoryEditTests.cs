@@ -97,7 +97,7 @@ public class TrajectoryEditTests
         Assert.DoesNotContain("edited", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync(["MOVE", "H", "A3", "", "0,0", "0,1", .. command, "Y"]);
 
-        Assert.Contains("Trajectories follow what was drawn before it was edited: 1, the first of them traj0_path", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Trajectories that do not match the edited drawing: 1, the first is traj0_path", talk.Said, StringComparison.Ordinal);
     }
 
     /// <summary>A written drawing gives its objects other handles; the file beside it has these.</summary>

@@ -87,7 +87,7 @@ public class TrajectoryRunTests
         await talk.TypeAsync("SACEDEEPENGRAVING", "H", "A3", "", "0.5", "1", "SACEHELICALDRILL", "20,5", "1.25", "0.25", "1", "0.4", "");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("SACESIMULATE"));
-        Assert.Contains("TRJ0007: Trajectories have heights from -1 to 0 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("TRJ0007: The trajectories have heights from -1 to 0 mm", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("JOB00", talk.Said, StringComparison.Ordinal);
         Assert.Equal(0.0, talk.Session.Machine.LastRun!.Judgement.MissingLengthMm);
     }
