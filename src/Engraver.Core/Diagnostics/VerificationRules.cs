@@ -21,7 +21,7 @@ public static class VerificationRules
 
     public static readonly DiagnosticRule NotCut = new("VER0009", Severity.Error, "length", "x", "y");
 
-    public static readonly DiagnosticRule OtherFeed = new("VER0010", Severity.Error, "feed", "line", "least", "most");
+    public static readonly DiagnosticRule OtherFeed = new("VER0010", Severity.Error, "feed", "line", "expected");
 
     public static readonly DiagnosticRule BlendsTooFar = new("VER0011", Severity.Error, "blend", "line", "deviation", "tolerance");
 

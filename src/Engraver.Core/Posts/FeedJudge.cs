@@ -38,7 +38,14 @@ public sealed class FeedJudge(double feed, double? plunge)
         var most = plunge is { } down && fall > 0.0 ? fall >= length * StraightDown ? down : Math.Min(feed, down * length / fall) : feed;
         var least = fall == 0.0 ? feed : 0.0;
         var within = (most * Rounding) + quantum;
-        if (Finding is null && (mmPerMinute > most + within || mmPerMinute < least - within || !(mmPerMinute > 0.0))) Finding = VerificationRules.OtherFeed.At(new SourceRef(line), double.IsFinite(mmPerMinute) ? FactText.Of(mmPerMinute) : Wording.Get("FeedJudge.Rapid"), FactText.Of(line), FactText.Of(least), FactText.Of(most));
+        if (Finding is null && (mmPerMinute > most + within || mmPerMinute < least - within || !(mmPerMinute > 0.0))) Finding = Other(line, mmPerMinute, least, most);
+    }
+
+    private static Diagnostic Other(int line, double mmPerMinute, double least, double most)
+    {
+        var feed = double.IsFinite(mmPerMinute) ? Wording.Get("FeedJudge.Feed", FactText.Of(mmPerMinute)) : Wording.Get("FeedJudge.RapidSpeed");
+        var expected = least == most ? Wording.Get("FeedJudge.Feed", FactText.Of(most)) : Wording.Get("FeedJudge.FeedRange", FactText.Of(least), FactText.Of(most));
+        return VerificationRules.OtherFeed.At(new SourceRef(line), feed, FactText.Of(line), expected);
     }
 
     /// <summary>A cut reached this height.</summary>
