@@ -53,7 +53,7 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule StepBeyondTravel = new("JOB0045", Severity.Error, "step", "axis", "travel");
 
-    public static readonly DiagnosticRule SetByOtherAxis = new("JOB0046", Severity.Error, "name", "then", "axis", "now");
+    public static readonly DiagnosticRule SetByOtherAxis = new("JOB0046", Severity.Error, "name", "axis", "then", "now");
 
     public static readonly DiagnosticRule NotSetWhileMoving = new("JOB0047", Severity.Error);
 

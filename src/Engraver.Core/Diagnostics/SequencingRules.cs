@@ -5,11 +5,11 @@ public static class SequencingRules
 {
     public static readonly DiagnosticRule DuplicatesRemoved = new("SEQ0001", Severity.Info, "count", "handle");
 
-    public static readonly DiagnosticRule OpenEnds = new("SEQ0002", Severity.Info, "count", "gap", "x", "y");
+    public static readonly DiagnosticRule OpenEnds = new("SEQ0002", Severity.Info, "gap", "count", "x", "y");
 
     public static readonly DiagnosticRule SmallGap = new("SEQ0003", Severity.Warning, "x", "y", "gap", "handle");
 
-    public static readonly DiagnosticRule ShortSegments = new("SEQ0004", Severity.Info, "count", "tolerance", "x", "y");
+    public static readonly DiagnosticRule ShortSegments = new("SEQ0004", Severity.Info, "tolerance", "count", "x", "y");
 
     public static readonly DiagnosticRule EntryNotFound = new("SEQ0006", Severity.Warning);
 

@@ -51,7 +51,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (nearby.Count > nearby.Measured.Count) _counts[SequencingRules.SmallGap] = nearby.Count;
         if (nearby.FirstFar < 0) return;
         var (place, row) = (ends.PlaceOf(nearby.FirstFar), ends.RowOf(nearby.FirstFar));
-        Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, Number(ends.Count - nearby.Count), Number(options.SuspiciousGap), Number(place.X), Number(place.Y));
+        Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, Number(options.SuspiciousGap), Number(ends.Count - nearby.Count), Number(place.X), Number(place.Y));
     }
 
     /// <summary>Says of which rules there are more findings than are listed. To be called once, when all are in.</summary>
@@ -98,7 +98,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
         if (count == 0) return;
         var place = segments[first].Start;
-        Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), place, Number(count), Number(options.JoinTolerance), Number(place.X), Number(place.Y));
+        Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), place, Number(options.JoinTolerance), Number(count), Number(place.X), Number(place.Y));
     }
 
     private void Add(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts)

@@ -54,7 +54,7 @@ public class LooseRecordTests
         (int, object)[] content = [(0, type), (67, paper), (10, 0), (20, 0), (11, 3), (21, 4)];
         var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", content)).Section("ENTITIES", s_line).End());
 
-        Assert.Equal(told, drawing.Diagnostics.Count(one => one.Id == "DXF0043" && one.Message.Contains(" has 1 entity of its own", StringComparison.Ordinal)));
+        Assert.Equal(told, drawing.Diagnostics.Count(one => one.Id == "DXF0043" && one.Message.Contains(" contains 1 entity, read as part of the drawing.", StringComparison.Ordinal)));
         Assert.Empty(Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", [])).Section("ENTITIES", s_line).End()).Diagnostics);
     }
 

@@ -94,7 +94,7 @@ public class MachineProfileFileTests
     [InlineData("\"inputs\": { \"9\": \"door\" }", "inputs.9 to door")]
     [InlineData("\"outputs\": { \"1\": \"a fan\" }", "outputs.1 to a fan")]
     [InlineData("\"outputs\": { \"1\": \"fan\", \"2\": \"FAN\" }", "outputs.2 to FAN")]
-    [InlineData("\"outputs\": { \"1\": 7 }", "outputs.1 a value")]
+    [InlineData("\"outputs\": { \"1\": 7 }", "value of outputs.1 in the machine profile is not a valid number")]
     [InlineData("\"jogMmPerMinute\": 0", "jogMmPerMinute to 0")]
     public void What_hand_moves_and_homing_go_by_is_checked_with_the_field_named(string fields, string sentence)
     {
@@ -171,7 +171,7 @@ public class MachineProfileFileTests
     [InlineData("\"jogMmPerMinute\": 3001", "jogMmPerMinute to 3001, but rapidMmPerMinute is 3000")]
     [InlineData("\"parkX\": 5, \"parkY\": 7, \"travelX\": { \"min\": 6, \"max\": 9 }", "parkX to 5, but travelX is 6 to 9")]
     [InlineData("\"axisZ\": \"C\", \"countsPerMillimetreZ\": 400, \"toolDrive\": \"axis\", \"plungeMmPerMinute\": 3001", "plungeMmPerMinute to 3001, but rapidMmPerMinute is 3000")]
-    [InlineData("\"axisZ\": \"C\", \"countsPerMillimetreZ\": 400, \"toolDrive\": \"axis\", \"cutDepth\": 7, \"travelZ\": { \"min\": -6, \"max\": 5.5 }", "clearanceHeight to 5, but cutDepth is 7 and travelZ -6 to 5.5")]
+    [InlineData("\"axisZ\": \"C\", \"countsPerMillimetreZ\": 400, \"toolDrive\": \"axis\", \"cutDepth\": 7, \"travelZ\": { \"min\": -6, \"max\": 5.5 }", "clearanceHeight to 5, but cutDepth is 7 and travelZ is -6 to 5.5")]
     public void Settings_that_contradict_each_other_are_warned_of_and_the_profile_can_be_used(string fields, string sentence)
     {
         var read = MachineProfileFile.Read("{ " + fields + " }", s_limits);

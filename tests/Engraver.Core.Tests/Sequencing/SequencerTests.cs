@@ -205,7 +205,7 @@ public class SequencerTests
 
         Assert.Equal(100, result.Diagnostics.Count(finding => finding.Id == "SEQ0003"));
         var rest = Assert.Single(result.Diagnostics, finding => finding.Id == "SEQ0014");
-        Assert.Contains("SEQ0003 was found 1000 times", rest.Message, StringComparison.Ordinal);
+        Assert.Contains("SEQ0003 occurred 1000 times", rest.Message, StringComparison.Ordinal);
         Assert.Equal((1002, 1000), (result.Discontinuities.Count, result.Discontinuities.Count(end => end.DiagnosticId == "SEQ0003")));
     }
 
@@ -223,7 +223,7 @@ public class SequencerTests
 
         var small = result.Discontinuities.Count(end => end.Gap < SequencingOptions.Default.SuspiciousGap);
         var counted = result.Diagnostics.SingleOrDefault(finding => finding.Id == "SEQ0014" && finding.Facts[0] == "SEQ0003")?.Facts[1] ?? $"{result.Diagnostics.Count(finding => finding.Id == "SEQ0003")}";
-        var wide = result.Diagnostics.SingleOrDefault(finding => finding.Id == "SEQ0002")?.Facts[0] ?? "0";
+        var wide = result.Diagnostics.SingleOrDefault(finding => finding.Id == "SEQ0002")?.Facts[1] ?? "0";
         Assert.Equal(($"{small}", $"{result.Discontinuities.Count - small}"), (counted, wide));
         Assert.Equal(result.Discontinuities.Where(end => end.DiagnosticId == "SEQ0003").Select(end => end.Place).Take(100), result.Diagnostics.Where(finding => finding.Id == "SEQ0003").Select(finding => finding.Place!.Value));
     }
@@ -301,7 +301,7 @@ public class SequencerTests
 
         Assert.Equal(2, result.Table.Count);
         Assert.Equal(1, result.Table.EntityIndexOf(0));
-        Assert.Contains(result.Diagnostics, d => d.Rule == SequencingRules.EntryStandsIn && d.Message.Contains("entity AF was", StringComparison.Ordinal));
+        Assert.Contains(result.Diagnostics, d => d.Rule == SequencingRules.EntryStandsIn && d.Message.Contains("entity AF is a duplicate or part", StringComparison.Ordinal));
 
         static Point2D OnCircle(int step) => new(80 + (5 * Math.Cos(step * Math.PI / 36)), 5 * Math.Sin(step * Math.PI / 36));
     }

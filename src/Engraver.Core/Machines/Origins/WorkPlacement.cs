@@ -56,7 +56,7 @@ public static class WorkPlacement
     private static Diagnostic? OtherAxes(string name, WorkOrigin origin, MachineProfile profile) => origin.Axes.DifferenceFrom(profile) switch
     {
         null => null,
-        { IsOtherLetter: true } other => PreparationRules.SetByOtherAxis.At(default, name, $"{other.Then.Letter}", other.Axis, $"{other.Now.Letter}"),
+        { IsOtherLetter: true } other => PreparationRules.SetByOtherAxis.At(default, name, other.Axis, $"{other.Then.Letter}", $"{other.Now.Letter}"),
         { } other => PreparationRules.SetByOtherCounts.At(default, name, Number(other.Then.Counts), other.Axis, Number(other.Now.Counts)),
     };
 

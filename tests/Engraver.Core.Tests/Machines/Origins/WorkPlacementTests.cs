@@ -68,7 +68,7 @@ public class WorkPlacementTests
 
         var refusal = WorkPlacement.Find(set, place, new OriginRequest.Work(), swapped, default).Refusal!;
         Assert.Equal("JOB0046", refusal.Id);
-        Assert.Equal(["G54", "A", "X", "B"], refusal.Facts);
+        Assert.Equal(["G54", "X", "A", "B"], refusal.Facts);
         Assert.NotNull(WorkPlacement.Find(set.WithOrigin("G54", 0, 0, null, KeptAxes.Of(swapped)), place, new OriginRequest.Work(), swapped, default).Frame);
         Assert.Equal(new KeptAxis(1000, 'A'), set.UsedBy(MachineProfile.Default).ActiveOrigin!.Axes.X);
     }
