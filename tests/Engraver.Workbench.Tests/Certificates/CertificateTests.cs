@@ -57,8 +57,8 @@ public class CertificateTests
 
         Assert.Equal((CertificateState.Stale, "join-tolerance order"), (other.State, string.Join(' ', other.Differs)));
         Assert.Equal((CertificateState.Stale, "profile"), (fed.State, string.Join(' ', fed.Differs)));
-        Assert.Contains("--join-tolerance, --order changed", SettingWording.OnConsole(other.Sentence), StringComparison.Ordinal);
-        Assert.Contains("CNCJOINTOL, CNCORDER changed", SettingWording.AtCommandLine(other.Sentence), StringComparison.Ordinal);
+        Assert.Contains("changed: --join-tolerance, --order;", SettingWording.OnConsole(other.Sentence), StringComparison.Ordinal);
+        Assert.Contains("changed: CNCJOINTOL, CNCORDER;", SettingWording.AtCommandLine(other.Sentence), StringComparison.Ordinal);
     }
 
     /// <summary>The machine is sent another program in another mode; each has its own certificate, and none replaces another.</summary>
@@ -194,9 +194,9 @@ public class CertificateTests
         var stale = List(part.Standing(settings: part.Settings with { MaxErrorMm = 0.002 }));
 
         Assert.All([none, stands, stale], list => Assert.True(list.Passed));
-        Assert.Equal([("note", false), ("ok", false), ("LOOK", true)], new[] { none, stands, stale }.Select(list => (list.Checks[2].Line.Split(' ')[0], list.Checks[2].IsWarning)));
-        Assert.Contains("CERTIFY reads the program back", none.Checks[2].Sentence, StringComparison.Ordinal);
+        Assert.Equal([("note", false), ("ok", false), ("WARN", true)], new[] { none, stands, stale }.Select(list => (list.Checks[2].Line.Split(' ')[0], list.Checks[2].IsWarning)));
+        Assert.Contains("CERTIFY verifies the program", none.Checks[2].Sentence, StringComparison.Ordinal);
         Assert.StartsWith("The certificate is valid: the program was verified on 2026-11-23", stands.Checks[2].Sentence, StringComparison.Ordinal);
-        Assert.Contains("CNCMAXERR changed since", stale.Checks[2].Sentence, StringComparison.Ordinal);
+        Assert.Contains("changed: CNCMAXERR", stale.Checks[2].Sentence, StringComparison.Ordinal);
     }
 }

@@ -21,7 +21,7 @@ public class AliasTableTests
     {
         var table = AliasTable.Empty.With("\nR, *CNCRUN", (alias, _) => alias.Length > 2);
 
-        Assert.Contains("line 2: R ", Assert.Single(table.Findings), StringComparison.Ordinal);
+        Assert.Contains("line 2: the alias R is too short for ", Assert.Single(table.Findings), StringComparison.Ordinal);
         Assert.Null(table.CommandOf("R"));
     }
 }

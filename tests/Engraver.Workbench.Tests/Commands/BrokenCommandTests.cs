@@ -21,7 +21,7 @@ public sealed class BrokenCommandTests : IDisposable
         await using var session = Session(late);
 
         var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token));
-        Assert.Equal((CommandFailure.Internal, "BREAKDOWN ended by an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
+        Assert.Equal((CommandFailure.Internal, "BREAKDOWN ended with an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
         Assert.IsType<KeyNotFoundException>(failed.Bug);
         Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // where it was
         var alarm = Assert.Single(session.Machine.Alarms.Open);

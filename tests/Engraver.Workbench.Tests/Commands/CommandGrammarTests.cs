@@ -70,7 +70,7 @@ public class CommandGrammarTests
         await talk.TypeAsync("3,4", "CNCCONNECT", "sim:", "CNCRUN", "No");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
-        Assert.Contains("CNCRUN starts motion and is not repeated by Enter", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("CNCRUN starts motion and is not repeated with Enter", talk.Said, StringComparison.Ordinal);
         Assert.Null(talk.Session.Machine.LastRun);
     }
 

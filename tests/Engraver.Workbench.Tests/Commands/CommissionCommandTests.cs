@@ -177,7 +177,7 @@ public class CommissionCommandTests
 
         await talk.TypeAsync("Go", "2", "3", "Yes", "Yes");
 
-        Assert.Contains("Output 2 is on already", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Output 2 is already on", talk.Said, StringComparison.Ordinal);
         Assert.Contains("Output 3 switches the tool.", talk.Said, StringComparison.Ordinal);
         var rows = controller.Record.Snapshot().Skip(before).ToList();
         var on = rows.First(row => (row.Outputs & 4) != 0);

@@ -109,7 +109,7 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCZERO", "All", "CNCGOTO", "20,5");
 
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCZERO", "All"));
-        Assert.Contains("G54 is set already", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.Contains("G54 is already set", talk.Session.Prompt.Text, StringComparison.Ordinal);
         await talk.TypeAsync("No");
         Assert.Equal((12000, -4000), Active(talk));
     }

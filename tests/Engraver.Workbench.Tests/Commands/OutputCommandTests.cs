@@ -25,7 +25,7 @@ public class OutputCommandTests
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCOUTPUT", $"{output}", to));
 
-        Assert.Contains($"Output {output} carries the tool", failed.Sentence, StringComparison.Ordinal);
+        Assert.Contains($"Output {output} controls the tool", failed.Sentence, StringComparison.Ordinal);
         await Assert.ThrowsAsync<InvalidOperationException>(() => talk.Session.Machine.SetOutputAsync(output, to == "ON", CancellationToken.None));
         Assert.Equal(before, talk.Session.Machine.Status.Outputs);
     }

@@ -120,13 +120,13 @@ public class PropertyTests
     [Theory]
     [InlineData("A3", "Radius", "-1", "Radius cannot be -1")]
     [InlineData("A3", "Radius", "0", "Radius cannot be 0")]
-    [InlineData("A3", "Radius", "wide", "wide is no number")]
-    [InlineData("A3", "Radius", "NaN", "NaN is no number")]
+    [InlineData("A3", "Radius", "wide", "'wide' is not a number")]
+    [InlineData("A3", "Radius", "NaN", "'NaN' is not a number")]
     [InlineData("A3", "CenterX", "1e200", "leave the drawing range")]
-    [InlineData("A1", "EX", "0", "nothing would be left of LINE A1")]
+    [InlineData("A1", "EX", "0", "nothing would remain of LINE A1")]
     [InlineData("A2", "EndAngle", "350", "End angle cannot be 350")]
     [InlineData("A1", "LAyer", "nowhere", "Layer nowhere does not exist")]
-    [InlineData("A1", "Color", "mauve", "mauve is no color")]
+    [InlineData("A1", "Color", "mauve", "'mauve' is not a colour")]
     [InlineData("A4", "Closed", "maybe", "'maybe' is not valid. Nothing was changed. Enter Yes or No.")]
     public async Task A_wrong_value_is_told_and_nothing_changes(string handle, string property, string value, string told)
     {

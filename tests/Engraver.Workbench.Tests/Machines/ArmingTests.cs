@@ -134,7 +134,7 @@ public class ArmingTests
         await using var talk = new Commands.CommandTalk();
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
         await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=4", "CNCARM", "Stream");
-        Assert.DoesNotContain("LOOK", talk.Said, StringComparison.Ordinal);
+        Assert.DoesNotContain("WARN", talk.Said, StringComparison.Ordinal);
         var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Status is { ToolCommanded: true, WorkPosition.X: > 60 }) cutting.TrySetResult(); };
         var job = talk.TypeAsync("CNCRUN");
@@ -143,8 +143,8 @@ public class ArmingTests
         await job.WaitAsync(limit.Token);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
-        var said = talk.Said.Split('\n').Last(line => line.StartsWith("LOOK", StringComparison.Ordinal));
-        Assert.Contains("The last job on this machine ended early (stopped by the operator).", said, StringComparison.Ordinal);
+        var said = talk.Said.Split('\n').Last(line => line.StartsWith("WARN", StringComparison.Ordinal));
+        Assert.Contains("The last job on this machine ended early: stopped by the operator.", said, StringComparison.Ordinal);
         Assert.Contains("The drawing's zero is at machine position 0,0 mm.", talk.Said, StringComparison.Ordinal); // set by the first job, wherever the stop left the machine
         Assert.True(Assert.Single(talk.Session.Machine.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
     }

@@ -13,7 +13,7 @@ public class CertifyCommandTests
         File.Copy(CommandTalk.Sample("paper-001.dxf"), talk.PathOf("part.dxf"));
         await talk.TypeAsync("OPEN", "part.dxf", "CNCCONNECT", "sim:");
         await talk.TypeAsync("CNCARM", "Stream");
-        Assert.Contains("No certificate stands beside the drawing; CERTIFY", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The drawing has no certificate; CERTIFY", talk.Said, StringComparison.Ordinal);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CERTIFY", "Galil"));
         await talk.TypeAsync("CNCARM", "Stream");
@@ -21,7 +21,7 @@ public class CertifyCommandTests
         Assert.Contains("The certificate is valid:", talk.Said, StringComparison.Ordinal);
 
         await talk.TypeAsync("CNCMAXERR", "0.002", "CNCARM", "Stream");
-        Assert.Contains("is of another job: CNCMAXERR changed since", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("is for another job; changed: CNCMAXERR", talk.Said, StringComparison.Ordinal);
     }
 
     /// <summary>As `certify --dialect grbl` of the console: the same file, read back by the rules of grbl.</summary>
