@@ -55,7 +55,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await using var session = NewSession();
         Assert.Contains("CNCCONNECT", await FailedAsync(session, "CNCGOTO"), StringComparison.Ordinal);
         await ConnectAsync(session);
-        Assert.Contains("G54 is not set. CNCZERO", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
+        Assert.Contains("G54 is not set. Set it with CNCZERO", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
         Assert.Contains("no park position", await FailedAsync(session, "CNCGOTO", "Park"), StringComparison.Ordinal);
         Assert.Contains("32 bits", await FailedAsync(session, "CNCGOTO", "3000000,0"), StringComparison.Ordinal);
         await TypeAsync(session, "CNCMOTORS", "OFF");

@@ -130,7 +130,7 @@ public sealed class MachineJobTests : IDisposable
         talk.Session.Machine.Alarms.Raise(AlarmCause.JobStopped, "It stopped.", "there", "Look.");
         await talk.TypeAsync("ALARMS", "?");
         Assert.Contains("1 ", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("active, not acknowledged, first: It stopped. (there) Look.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("active, not acknowledged, first alarm: It stopped. (there) Look.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("ALARMS", "1");
         Assert.Equal(AlarmState.Acknowledged, talk.Session.Machine.Alarms.All.Single().State);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("ALARMS", "1"));

@@ -25,7 +25,7 @@ internal sealed class ArrayCommand : ICommand
         foreach (var map in maps)
         {
             cancellation.ThrowIfCancellationRequested();
-            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CannotCopy"));
+            if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, Wording.Get("Array.CopyOutOfRange"));
         }
 
         DrawingChange.Take(context, DrawingChange.Along(context, selected, takesLocked: true).Copied(edited, maps), selected);

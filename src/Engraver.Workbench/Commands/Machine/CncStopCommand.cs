@@ -10,7 +10,7 @@ internal sealed class CncStopCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var connected = context.Machine.Description is not null;
-        context.Say(context.Machine.Stop() ? Wording.Get("CncStop.Stopping") : connected ? Wording.Get("CncStop.AxesStopped") : Wording.Get("CncStop.NoJobRuns"));
+        context.Say(context.Machine.Stop() ? Wording.Get("CncStop.Stopping") : connected ? Wording.Get("CncStop.StopSent") : Wording.Get("CncStop.NoJobRuns"));
         return Task.CompletedTask;
     }
 }
