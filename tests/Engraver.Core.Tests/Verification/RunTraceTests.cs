@@ -73,7 +73,7 @@ public class RunTraceTests
     }
 
     [Theory]
-    [InlineData("# record; version 3; drawing ab\nseconds,x,y,tool,deviation,following\n", "version 3")]
+    [InlineData("# record; version 3; drawing ab\nseconds,x,y,tool,deviation,following\n", "version is 3")]
     [InlineData("# record; version 2; drawing ab\nseconds,x,y,tool,deviation\n", "line 2")]
     [InlineData("# record; version two\nseconds,x,y,tool,deviation,following\n", "line 1")]
     [InlineData("# record; version 2; drawing ab\nseconds,x,y,tool,deviation,following\n0,0,0,1,0\n", "line 3")]
