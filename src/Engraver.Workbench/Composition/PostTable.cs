@@ -54,7 +54,7 @@ public static class PostTable
     /// <summary>The text of docs/posts.md.</summary>
     public static string ToMarkdown()
     {
-        var page = new StringBuilder("# Posts\n\nWritten from the program's own table; `./test --update-golden` writes it anew.\n\n");
+        var page = new StringBuilder("# Posts\n\nThis page is generated from the program's own table (`./test --update-golden`).\n\n");
         page.Append("| Target | Writes | File | Written from | Options | `verify` |\n|---|---|---|---|---|---|\n");
         foreach (var (post, _, reader) in All)
         {
