@@ -47,6 +47,6 @@ public sealed class LostDisplayTests
         desktop.LoseDisplay();
 
         Assert.Equal(1, desktop.WaitForExit());
-        Assert.Contains(desktop.Heard, line => line.EndsWith("engraver-desktop: The connection to the display was lost; the program ends. No machine was moving.", StringComparison.Ordinal));
+        Assert.Contains(desktop.Heard, line => line.EndsWith("engraver-desktop: The connection to the display was lost; the program closes. No machine was moving.", StringComparison.Ordinal));
     }
 }
