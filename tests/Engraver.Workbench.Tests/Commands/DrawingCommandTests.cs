@@ -259,7 +259,7 @@ public class DrawingCommandTests
         await talk.TypeAsync("HELP", "", "HELP", "move");
 
         Assert.All(talk.Session.Catalog.All, info => Assert.Contains($"  {info.Name} ", talk.Said, StringComparison.Ordinal));
-        Assert.Contains("MOVE: Moves objects by a displacement.\nShort: M", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("MOVE: Moves objects by a displacement.\nAliases: M", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("HELP", "fly"));
     }
 

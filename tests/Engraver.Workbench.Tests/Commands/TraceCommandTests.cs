@@ -58,7 +58,7 @@ public class TraceCommandTests
         Assert.Contains("No run of gasket.dxf is stored", Failure(await talk.TypeAsync("CNCTRACE", "LAst")), StringComparison.Ordinal);
         Assert.Contains("cannot be read", Failure(await talk.TypeAsync("CNCTRACE", "File", "nowhere.jsonl")), StringComparison.Ordinal);
         await File.WriteAllTextAsync(talk.PathOf("odd.trace.csv"), "# record; version 9; drawing x\n");
-        Assert.Contains("version 9", Failure(await talk.TypeAsync("CNCTRACE", "File", "odd.trace.csv")), StringComparison.Ordinal);
+        Assert.Contains("its version is 9", Failure(await talk.TypeAsync("CNCTRACE", "File", "odd.trace.csv")), StringComparison.Ordinal);
         Assert.Same(before, talk.Session.Machine.Recorded);
     }
 
