@@ -16,7 +16,7 @@ public sealed record MachinePlacePrompt(string Instruction) : ValuePrompt<Machin
         var z = 0.0;
         return (parts.Length == 2 || (MayHaveHeight && parts.Length == 3 && NumberPrompt.TryNumber(parts[2], out z))) && NumberPrompt.TryNumber(parts[0], out var x) && NumberPrompt.TryNumber(parts[1], out var y)
             ? new Reading<MachinePlace>.Value(new MachinePlace(x, y, parts.Length == 3 ? z : null))
-            : new Reading<MachinePlace>.Wrong(Wording.Get(MayHaveHeight ? "MachinePlacePrompt.NoPositionWithHeight" : "MachinePlacePrompt.NoMachinePositionType", typed));
+            : new Reading<MachinePlace>.Wrong(Wording.Get(MayHaveHeight ? "MachinePlacePrompt.InvalidPositionWithHeight" : "MachinePlacePrompt.InvalidPosition", typed));
     }
 }
 

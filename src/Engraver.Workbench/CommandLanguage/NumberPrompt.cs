@@ -14,13 +14,14 @@ public sealed record NumberPrompt(string Instruction) : ValuePrompt<double>(Inst
 
     public override Reading<double> Read(string typed, Point2D lastPoint)
     {
-        if (!TryNumber(typed, out var value) || (Whole && value != Math.Floor(value))) return new Reading<double>.Wrong(Wording.Get("NumberPrompt.NoNumberTypeOne", typed, Whole ? Wording.Get("NumberPrompt.Whole") : ""));
-        return value >= Least && value <= Most ? new Reading<double>.Value(value) : new Reading<double>.Wrong(Wording.Get("NumberPrompt.NotAllowedHere", typed, Limits));
+        if (!TryNumber(typed, out var value)) return new Reading<double>.Wrong(Wording.Get("NumberPrompt.NotANumber", typed));
+        if (Whole && value != Math.Floor(value)) return new Reading<double>.Wrong(Wording.Get("NumberPrompt.NotAWholeNumber", typed));
+        return value >= Least && value <= Most ? new Reading<double>.Value(value) : new Reading<double>.Wrong(WhyNot(typed));
     }
 
-    private string Limits => Most == double.MaxValue
-        ? Wording.Get("NumberPrompt.MustOrMore", Least)
-        : Wording.Get("NumberPrompt.MustFrom", Least, Most);
+    private string WhyNot(string typed) => Most == double.MaxValue
+        ? Wording.Get("NumberPrompt.TooSmall", typed, Least)
+        : Wording.Get("NumberPrompt.OutOfRange", typed, Least, Most);
 
     /// <summary>A finite number, spelled with a point whatever the culture.</summary>
     public static bool TryNumber(string typed, out double value) =>

@@ -26,9 +26,9 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
         var relative = typed[0] == '@';
         var body = typed[0] is '@' or '#' ? typed[1..] : typed;
         if (relative && body.Length == 0) return new Reading<Point2D>.Value(lastPoint);
-        if (Coordinates(body) is not { } vector) return new Reading<Point2D>.Wrong(Wording.Get("PointPrompt.NoPointTypeX", typed));
+        if (Coordinates(body) is not { } vector) return new Reading<Point2D>.Wrong(Wording.Get("PointPrompt.InvalidPoint", typed));
         var point = relative ? lastPoint + vector : Point2D.Origin + vector;
-        return point.IsFinite ? new Reading<Point2D>.Value(point) : new Reading<Point2D>.Wrong(Wording.Get("PointPrompt.PointOutRange"));
+        return point.IsFinite ? new Reading<Point2D>.Value(point) : new Reading<Point2D>.Wrong(Wording.Get("PointPrompt.OutOfRange"));
     }
 
     private static Vector2D? Coordinates(string body)

@@ -12,11 +12,11 @@ public sealed record ZoomPrompt(string Instruction) : ValuePrompt<ZoomRequest>(I
         ArgumentNullException.ThrowIfNull(typed);
         var relative = typed[^1] is 'x' or 'X';
         if (NumberPrompt.TryNumber(relative ? typed[..^1] : typed, out var factor))
-            return factor > 0.0 ? new Reading<ZoomRequest>.Value(new ZoomRequest.Scale(factor, relative)) : new Reading<ZoomRequest>.Wrong(Wording.Get("ZoomPrompt.ScaleFactorMustAbove"));
+            return factor > 0.0 ? new Reading<ZoomRequest>.Value(new ZoomRequest.Scale(factor, relative)) : new Reading<ZoomRequest>.Wrong(Wording.Get("ZoomPrompt.ScaleFactorNotPositive"));
         return new PointPrompt(Instruction).Read(typed, lastPoint) switch
         {
             Reading<Point2D>.Value point => new Reading<ZoomRequest>.Value(new ZoomRequest.Corner(point.Of)),
-            _ => new Reading<ZoomRequest>.Wrong(Wording.Get("ZoomPrompt.NoCornerNoScale", typed)),
+            _ => new Reading<ZoomRequest>.Wrong(Wording.Get("ZoomPrompt.InvalidInput", typed)),
         };
     }
 }

@@ -153,8 +153,8 @@ internal static class ObjectSelection
             var again = found.Count(known.Contains);
             var hit = found.ToHashSet();
             Selected = Adding ? [.. Selected, .. found.Where(entity => !known.Contains(entity))] : [.. Selected.Where(entity => !hit.Contains(entity))];
-            var what = Adding ? (again > 0 ? Wording.Get("ObjectSelection.Duplicate", again) : "") : Wording.Get("ObjectSelection.Removed", again);
-            return Wording.Get("ObjectSelection.FoundTotal", found.Count, what, Selected.Count);
+            if (!Adding) return Wording.Get("ObjectSelection.FoundRemoved", found.Count, again, Selected.Count);
+            return again > 0 ? Wording.Get("ObjectSelection.FoundDuplicate", found.Count, again, Selected.Count) : Wording.Get("ObjectSelection.FoundTotal", found.Count, Selected.Count);
         }
 
         public void Undo() => Selected = _before.TryPop(out var earlier) ? earlier : Selected;

@@ -15,7 +15,7 @@ internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt
     {
         if (typed.Length == 0 && Prompt.Default is null && Prompt.EnterEnds) return Take(new Answer<T>.Ended());
         var input = typed.Length == 0 ? Prompt.Default : typed;
-        if (input is null) return Wording.Get("PendingValue.AnswerNeeded", Prompt.Text);
+        if (input is null) return Wording.Get("PendingValue.InputRequired", Prompt.Text);
         if (Keyword.Find(Prompt.Options, input) is { } option) return Take(new Answer<T>.Chosen(option.Name));
         return prompt.Read(input, lastPoint) switch
         {

@@ -35,7 +35,7 @@ internal sealed class ScriptQueue
 
     private void Push(string path, string text)
     {
-        if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, Wording.Get("ScriptQueue.ScriptsCallEachOther", Deepest));
+        if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, Wording.Get("ScriptQueue.TooDeep", Deepest));
         _scripts.Push((path, ScriptText.Read(text).GetEnumerator()));
     }
 

@@ -19,7 +19,7 @@ public sealed class TypedAhead(CommandSession session)
     {
         ArgumentNullException.ThrowIfNull(input);
         if (input.Trim().Length == 0) return Wording.Get("TypedAhead.EnterAlone");
-        if (session.IsMachineAtWork) return session.WhyNotBeside(input) ?? Wording.Get("TypedAhead.MachineAtWork", input.Trim());
+        if (session.IsMachineAtWork) return session.WhyNotBeside(input) ?? Wording.Get("TypedAhead.MachineBusy", input.Trim());
         return Meant(input) is { } command && MayMove(command) ? Wording.Get("TypedAhead.ActsOnTheMachine", command.Name) : null;
     }
 
@@ -31,7 +31,7 @@ public sealed class TypedAhead(CommandSession session)
     {
         if (typedAt != Flushed || before is not (InputResult.Done or InputResult.Asking)) return Dropped(Wording.Get("TypedAhead.NotRun", input));
         var asks = session.Prompt.Command is { } name ? session.Catalog.Find(name)?.Info : null;
-        if (asks is { } asking && MayMove(asking)) return Dropped(Wording.Get("TypedAhead.NoAnswer", input, asking.Name));
+        if (asks is { } asking && MayMove(asking)) return Dropped(Wording.Get("TypedAhead.NotAnAnswer", input, asking.Name));
         return asks is null && WhyNot(input) is { } forbidden ? Dropped(forbidden) : await session.EnterAsync(input, cancellation).ConfigureAwait(false);
     }
 

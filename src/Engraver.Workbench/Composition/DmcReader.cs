@@ -61,8 +61,8 @@ public sealed class DmcReader : IProgramReader
             var (status, hasRested) = controller.AdvanceToRest(longest, s_longestRest, SliceSteps);
             report();
             if (status.IsIdle) return null;
-            if (hasRested) return Wording.Get("ProgramReplayer.NothingHasMovedMachine", LongestRest);
-            if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.StillMovesAfterMachine", longest.TotalSeconds);
+            if (hasRested) return Wording.Get("ProgramReplayer.NoMotion", LongestRest);
+            if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.TooLong", longest.TotalSeconds);
         }
     }
 }

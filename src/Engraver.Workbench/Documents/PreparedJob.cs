@@ -40,7 +40,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public string WithoutProgram => (Faults.Count, Motion.Program) switch
     {
         ( > 0, _) => NotAsDrawn(Faults),
-        (_, null) => Wording.Get("PreparedJob.MachineCannotCutWhat", Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))),
+        (_, null) => Wording.Get("PreparedJob.MachineCannotCut", Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))),
         _ => NothingCut(NotCut),
     };
 
@@ -53,10 +53,10 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     }
 
     /// <summary>The toolpath has these faults; without a full stop.</summary>
-    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get("PreparedJob.ToolpathNotWhatDrawn", Ids(faults));
+    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get("PreparedJob.ToolpathDeviates", Ids(faults));
 
     /// <summary>No curve is left on the layers that are cut; without a full stop.</summary>
-    internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? Wording.Get("PreparedJob.NoCurveDrawingCut") : Wording.Get("PreparedJob.NoCurveDrawingCut2", notCut.Clause);
+    internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? Wording.Get("PreparedJob.NothingToCut") : Wording.Get("PreparedJob.NothingToCutBecause", notCut.Clause);
 
     private static string Ids(IEnumerable<Diagnostic> findings) => string.Join(", ", findings.Select(finding => finding.Id).Distinct());
 }

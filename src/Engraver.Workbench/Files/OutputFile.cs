@@ -28,7 +28,7 @@ public static class OutputFile
 
     private static string TargetOf(string path)
     {
-        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException(Wording.Get("OutputFile.ThereNoFolder", folder));
+        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException(Wording.Get("OutputFile.FolderNotFound", folder));
         if (Directory.Exists(path)) throw new IOException(Wording.Get("OutputFile.Folder"));
         return new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
     }

@@ -27,7 +27,7 @@ internal sealed record MachineMove(
     /// <param name="isStep">The place is told from where the machine stands: then it need not be homed.</param>
     public static MachineMove To(CountsPoint goal, bool withHeight, bool isStep, MachineProfile profile, string journal, IProgress<JobProgress> progress) => new(
         isStep ? "CNCJOG" : "CNCGOTO",
-        isStep ? Wording.Get("MachineSession.Jogging") : Wording.Get("MachineSession.OnTheWay"),
+        isStep ? Wording.Get("MachineSession.Jogging") : Wording.Get("MachineSession.Positioning"),
         journal,
         (memory, place) => (isStep ? null : WorkPlacement.NotHomed(memory, place, profile)) switch
         {
@@ -70,7 +70,7 @@ internal sealed record MachineMove(
     /// <param name="known">The machine's own profile, by which it was homed and which tells its travel in millimetres.</param>
     public static MachineMove Test(CountsPoint goal, MachineProfile known, string journal, IProgress<JobProgress> progress) => new(
         "CNCCOMMISSION",
-        Wording.Get("MachineSession.OnTheWay"),
+        Wording.Get("MachineSession.Positioning"),
         journal,
         (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, goal, withHeight: true) : null,
         (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight: true, options, progress, stop)) { Known = known };
@@ -79,7 +79,7 @@ internal sealed record MachineMove(
     /// <param name="known">The machine's own profile, by which it was homed.</param>
     public static MachineMove Path(MotionProgram path, MachineProfile known, string journal, IProgress<JobProgress> progress) => new(
         "CNCCOMMISSION",
-        Wording.Get("MachineSession.OnTheWay"),
+        Wording.Get("MachineSession.Positioning"),
         journal,
         (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, path, place.Position, dryRun: true) : null,
         (machine, _, options, stop) => machine.RunAsync(path, options, progress, stop)) { Known = known };
@@ -88,7 +88,7 @@ internal sealed record MachineMove(
     /// <param name="known">The machine's own profile, by which it was homed.</param>
     public static MachineMove Pulse(MachineProfile known, string journal) => new(
         "CNCCOMMISSION",
-        Wording.Get("MachineSession.OutputOn"),
+        Wording.Get("MachineSession.OutputTest"),
         journal,
         (_, _) => null,
         (machine, program, options, stop) => machine.Setup!.PulseAsync(program, options with { DryRun = false }, stop)) { Known = known };

@@ -26,7 +26,7 @@ public sealed partial class MachineSession
 
     private async Task<JobResult> FrameWatchedAsync(MachineConnection connection, MotionProgram frame, string journal, CancellationToken stop)
     {
-        _status.MoveBegins(Wording.Get("MachineSession.RoundTheJob"));
+        _status.MoveBegins(Wording.Get("MachineSession.Frame"));
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {

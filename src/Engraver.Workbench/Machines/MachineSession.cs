@@ -221,7 +221,7 @@ public sealed partial class MachineSession : IAsyncDisposable
     {
         await FreeAsync().ConfigureAwait(false);
         if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("Common.NotConnected"))];
-        if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("MachineSession.JobRunsNothingSent"))];
+        if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("MachineSession.JobRunning"))];
         Disarm();
         var answers = await watch.AnswerAsync(line, cancellation).ConfigureAwait(false);
         if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) _status.NoteRefusal(refusal);

@@ -31,7 +31,7 @@ public sealed record JobSheet(string Drawing, double CutLength, double Travel, i
         (Wording.Get("JobSheet.Starts"), Wording.Get("JobSheet.Number", Starts)),
         (Wording.Get("JobSheet.Cutting"), Wording.Get("JobSheet.Seconds", Times.Cutting)),
         (Wording.Get("JobSheet.Rapid"), Wording.Get("JobSheet.Seconds", Times.Rapid)),
-        (Wording.Get("JobSheet.Standing"), Wording.Get("JobSheet.Seconds", Times.Dwell)),
+        (Wording.Get("JobSheet.Dwell"), Wording.Get("JobSheet.Seconds", Times.Dwell)),
         (Wording.Get("JobSheet.Time"), Wording.Get("JobSheet.Seconds", Times.Total)),
         .. Rates is { } rates && Cost is { } cost
             ? (IEnumerable<(string, string)>)

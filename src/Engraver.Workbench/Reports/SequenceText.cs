@@ -9,13 +9,13 @@ public static class SequenceText
 {
     public static void Write(TextWriter output, SequencingResult result)
     {
-        output.WriteLine(Wording.Get("SequenceText.ClosedOpenMmCut", CountText.Format(result.Contours, "Contour"), result.Closed, result.Open, CountText.Format(result.Segments, "Segment"), result.PathLength));
-        output.WriteLine(Wording.Get("SequenceText.TurnedRoundLeftOut", CountText.Format(result.Reversed, "Segment"), CountText.Format(result.DuplicatesRemoved, "Duplicate")));
-        output.WriteLine(Wording.Get("SequenceText.TravelMmMmDrawn", result.Travel, result.TravelAsDrawn, result.TravelAndBack));
+        output.WriteLine(Wording.Get("SequenceText.Contours", CountText.Format(result.Contours, "Contour"), result.Closed, result.Open, CountText.Format(result.Segments, "Segment"), result.PathLength));
+        output.WriteLine(Wording.Get("SequenceText.Changes", CountText.Format(result.Reversed, "Segment"), CountText.Format(result.DuplicatesRemoved, "Duplicate")));
+        output.WriteLine(Wording.Get("SequenceText.Travel", result.Travel, result.TravelAsDrawn, result.TravelAndBack));
         foreach (var stroke in result.Strokes)
         {
             var inside = stroke.Inside < 0 ? "" : Wording.Get("SequenceText.Inside", stroke.Inside + 1);
-            output.WriteLine(Wording.Get("SequenceText.SegmentsMmFrom", stroke.Index + 1, stroke.Closed ? Wording.Get("SequenceText.Closed") : Wording.Get("SequenceText.Open"), stroke.Segments, stroke.Length, stroke.Start.X, stroke.Start.Y, stroke.End.X, stroke.End.Y, inside));
+            output.WriteLine(Wording.Get("SequenceText.Stroke", stroke.Index + 1, stroke.Closed ? Wording.Get("SequenceText.Closed") : Wording.Get("SequenceText.Open"), stroke.Segments, stroke.Length, stroke.Start.X, stroke.Start.Y, stroke.End.X, stroke.End.Y, inside));
         }
 
         if (result.Discontinuities.Count > 0) WriteOpenEnds(output, result);

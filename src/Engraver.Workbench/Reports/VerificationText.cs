@@ -6,5 +6,5 @@ namespace Engraver.Workbench.Reports;
 /// <summary>Reports of a verification for people.</summary>
 public static class VerificationText
 {
-    public static string Sentence(VerificationReport report) => Wording.Get("VerificationText.WorstMmBesideDrawing", report.Ok ? Wording.Get("VerificationText.Ok") : Wording.Get("VerificationText.NotOk"), report.MaxDeviationMm is { } deviation ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : "?", report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm);
+    public static string Sentence(VerificationReport report) => Wording.Get("VerificationText.Result", report.Ok ? Wording.Get("VerificationText.Ok") : Wording.Get("VerificationText.NotOk"), report.MaxDeviationMm is { } deviation ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : "?", report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm);
 }

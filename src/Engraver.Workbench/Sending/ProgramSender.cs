@@ -112,7 +112,7 @@ public sealed class ProgramSender
         }
         catch (TimeoutException never)
         {
-            throw new TimeoutException(Wording.Get("ProgramSender.HeldTooLong", _pace.LongestHold.TotalSeconds), never);
+            throw new TimeoutException(Wording.Get("ProgramSender.XoffTimeout", _pace.LongestHold.TotalSeconds), never);
         }
     }
 

@@ -10,7 +10,7 @@ public static class SendWording
         {
             SendOutcome.Complete => Wording.Get("Sending.Complete", result.Lines, result.Characters, result.Seconds, result.Holds),
             SendOutcome.Stopped => Wording.Get("Sending.Stopped", result.Lines, result.AllLines),
-            _ => Wording.Get("Sending.Broken", result.Reason, result.Lines, result.AllLines),
+            _ => Wording.Get("Sending.Failed", result.Reason, result.Lines, result.AllLines),
         };
     }
 }

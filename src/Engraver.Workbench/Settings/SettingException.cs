@@ -19,8 +19,16 @@ public sealed class SettingException : Exception
     {
     }
 
-    public static SettingException UnknownLayers(IReadOnlyList<string> unknown, IReadOnlyList<Layer> layers) => new(
-        Wording.Get("SettingException.DrawingHasNoLayer", string.Join(", ", unknown.Select(name => $"'{name}'")), string.Join(", ", layers.Take(20).Select(layer => $"'{layer.Name}'")), layers.Count > 20 ? Wording.Get("SettingException.Others") : ""));
+    /// <summary>More layers of the drawing are not named.</summary>
+    private const int MostLayers = 20;
 
-    public static SettingException UnknownHandle(string handle) => new(Wording.Get("SettingException.EnterNoCurveDrawing", handle));
+    public static SettingException UnknownLayers(IReadOnlyList<string> unknown, IReadOnlyList<Layer> layers)
+    {
+        var (missing, known) = (Quoted(unknown), Quoted(layers.Take(MostLayers).Select(layer => layer.Name)));
+        return new(layers.Count > MostLayers ? Wording.Get("SettingException.LayerNotFoundOfMany", missing, known, MostLayers) : Wording.Get("SettingException.LayerNotFound", missing, known));
+    }
+
+    public static SettingException UnknownHandle(string handle) => new(Wording.Get("SettingException.HandleNotFound", handle));
+
+    private static string Quoted(IEnumerable<string> names) => string.Join(", ", names.Select(name => $"'{name}'"));
 }

@@ -23,7 +23,7 @@ public static class SettingsFile
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotReadDefaults", path, SystemReason.Of(unreadable)));
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.CannotRead", path, SystemReason.Of(unreadable)));
         }
     }
 
@@ -41,11 +41,11 @@ public static class SettingsFile
         try
         {
             File.Move(path, aside);
-            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotUnderstoodFile", path, why, aside));
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.Invalid", path, why, aside));
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotUnderstoodThey", path, why, SystemReason.Of(stuck)));
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.InvalidNotRenamed", path, why, SystemReason.Of(stuck)));
         }
     }
 

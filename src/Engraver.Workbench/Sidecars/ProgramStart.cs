@@ -40,7 +40,7 @@ public readonly record struct ProgramStart(Point2D? Place, string? Sentence)
             var (root, start) = (json.RootElement, json.RootElement.GetProperty("start"));
             var place = new Point2D(start.GetProperty("x").GetDouble(), start.GetProperty("y").GetDouble());
             if (root.GetProperty("version").GetInt32() != 1 || !place.IsFinite) return Unused("ProgramStart.Unreadable", file);
-            return root.GetProperty("program").GetProperty("sha256").GetString() == ContentHash.OfFile(program) ? new ProgramStart(place, null) : Unused("ProgramStart.Other", file);
+            return root.GetProperty("program").GetProperty("sha256").GetString() == ContentHash.OfFile(program) ? new ProgramStart(place, null) : Unused("ProgramStart.OtherProgram", file);
         }
         catch (Exception other) when (other is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or IOException or UnauthorizedAccessException)
         {

@@ -53,7 +53,7 @@ public static class SidecarText
         return (new Sidecar { Trajectories = list, Others = [.. json.Others ?? []], Minor = minor }, json.Drawing?.Fingerprint);
     }
 
-    internal static JsonException Wrong(string what) => new(Wording.Get("Sidecar.Wrong", what));
+    internal static JsonException Wrong(string what) => new(Wording.Get("Sidecar.Invalid", what));
 
     private static TrajectorySettings SettingsOf(TrajectorySettingsJson? json)
     {

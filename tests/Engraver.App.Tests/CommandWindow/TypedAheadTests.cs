@@ -14,7 +14,7 @@ public sealed class TypedAheadTests(DesktopFixture fixture)
         Type(here, "erase", "all", "cncconnect", "");
         Assert.Contains("A command is running; erase starts when it has ended.", here.History);
         Assert.Contains(here.History, line => line.StartsWith("CNCCONNECT acts on the machine", StringComparison.Ordinal));
-        Assert.Contains(here.History, line => line.Contains("Enter alone is not kept", StringComparison.Ordinal));
+        Assert.Contains(here.History, line => line.Contains("Enter without input is ignored", StringComparison.Ordinal));
         Assert.DoesNotContain(here.History, line => line.EndsWith(" erase", StringComparison.Ordinal));
 
         pipe.Give(Paper());
@@ -41,7 +41,7 @@ public sealed class TypedAheadTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.Null(here.Desk.Prompt.Command);
-        Assert.Equal(2, here.History.Count(line => line.EndsWith("that did not end as it should: it is not run.", StringComparison.Ordinal)));
+        Assert.Equal(2, here.History.Count(line => line.EndsWith("was typed ahead and not run: the command before it failed or was cancelled.", StringComparison.Ordinal)));
     });
 
     private static byte[] Paper() => File.ReadAllBytes(Path.Combine(RepositoryFolder.Samples, "paper-001.dxf"));

@@ -22,6 +22,6 @@ public sealed class EarlyStopTests(DesktopFixture fixture)
 
         Assert.Equal(MachineState.Ready, here.Commands.Machine.Status.State);
         if (here.Commands.Machine.LastRun is { } run) Assert.Equal(JobOutcome.Stopped, run.Result.Outcome); // the first segment was faster
-        else Assert.Contains(here.History, line => line.Contains("stopped before anything moved", StringComparison.Ordinal));
+        else Assert.Contains(here.History, line => line.Contains("stopped before any axis moved", StringComparison.Ordinal));
     });
 }

@@ -38,7 +38,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         Type(here, "NameBox", "traj1_path");
 
         Assert.Equal("traj0_path", here.Find<TextBox>("NameBox").Text);
-        Assert.Contains(here.History, line => line.Contains("There is a trajectory traj1_path already", StringComparison.Ordinal));
+        Assert.Contains(here.History, line => line.Contains("Trajectory traj1_path already exists", StringComparison.Ordinal));
     });
 
     [Fact]

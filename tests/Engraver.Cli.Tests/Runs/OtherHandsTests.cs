@@ -33,7 +33,7 @@ public sealed class OtherHandsTests
             var run = await CliRun.RunAsync(words);
 
             Assert.Equal((words[0], ExitCode.Refused), (words[0], run.ExitCode));
-            Assert.Contains("is in other hands", run.Error + run.Out, StringComparison.Ordinal);
+            Assert.Contains("is in use by", run.Error + run.Out, StringComparison.Ordinal);
         }
 
         Assert.All(controller.Record.Snapshot(), sample => Assert.Equal((0, 0), (sample.A, sample.B)));

@@ -155,9 +155,9 @@ public sealed class ResumeRunTests : IDisposable
         await DoneAsync([.. run, "--resume", journal, "--journal", _folder.PathOf("dry.jsonl"), "--origin", "work", "--dry-run"]);
 
         await RefusedAsync("33,0", resume);
-        await RefusedAsync("another place", [.. resume, "--origin", "20,0"]);
-        await RefusedAsync("another place", [.. resume, "--origin", "1e12,0"]);
-        await RefusedAsync("another place", [.. resume, "--origin", "here"]);
+        await RefusedAsync("another position", [.. resume, "--origin", "20,0"]);
+        await RefusedAsync("another position", [.. resume, "--origin", "1e12,0"]);
+        await RefusedAsync("another position", [.. resume, "--origin", "here"]);
         await DoneAsync("origin", "G54", "--at", "0,0", "--connect", address);
         await DoneAsync(resume);
         await RefusedAsync("already resumed", resume);

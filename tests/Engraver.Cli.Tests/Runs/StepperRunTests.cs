@@ -30,11 +30,11 @@ public class StepperRunTests
         Assert.Equal(["X", "Y"], JsonText.Of(await CliRun.RunAsync("history", "--search", drawing, "--json")).GetProperty("entries")[0].GetProperty("openLoop").EnumerateArray().Select(axis => axis.GetString()));
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("page.html"));
         var page = await File.ReadAllTextAsync(folder.PathOf("page.html"));
-        Assert.Equal(3, page.Split("The deviation is that of the commanded positions: the motors of X, Y are steppers, and nothing tells whether they lost steps.").Length); // below the picture and above the figures
-        Assert.Contains("Largest deviation of the commanded positions, mm", page, StringComparison.Ordinal);
+        Assert.Equal(3, page.Split("The deviation is that of the commanded positions: the motors of X, Y are steppers without feedback, and lost steps are not detected.").Length); // below the picture and above the figures
+        Assert.Contains("Maximum deviation of the commanded positions, mm", page, StringComparison.Ordinal);
         Assert.EndsWith(" mm Sollwert; verlorene Schritte werden nicht erkannt (Schrittmotoren: X, Y)", (await CliRun.RunAsync("history", "--search", drawing, "--culture", "de")).Out.TrimEnd().Split('\n')[^2], StringComparison.Ordinal);
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("seite.html"), "--culture", "de");
-        Assert.Contains("Die Abweichung ist die der Sollpositionen: Die Motoren von X, Y sind Schrittmotoren, und nichts sagt, ob sie Schritte verloren.", await File.ReadAllTextAsync(folder.PathOf("seite.html")), StringComparison.Ordinal);
+        Assert.Contains("Die Abweichung ist die der Sollpositionen: Die Motoren von X, Y sind Schrittmotoren ohne Rückmeldung, verlorene Schritte werden nicht erkannt.", await File.ReadAllTextAsync(folder.PathOf("seite.html")), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -61,7 +61,7 @@ public class ReplayVerbTests
         var gone = await CliRun.RunAsync("replay", folder.PathOf("nowhere.jsonl"));
 
         Assert.Equal((ExitCode.Usage, ExitCode.Usage), (old.ExitCode, gone.ExitCode));
-        Assert.Contains("not what was said to the controller", old.Error, StringComparison.Ordinal);
+        Assert.Contains("does not contain the commands sent to the controller", old.Error, StringComparison.Ordinal);
         Assert.Contains("nowhere.jsonl", gone.Error, StringComparison.Ordinal);
     }
 }

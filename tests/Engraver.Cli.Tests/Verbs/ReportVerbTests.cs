@@ -65,11 +65,11 @@ public class ReportVerbTests
         await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("drawing.html"));
 
         Assert.Equal("run: complete", Verdict("same"));
-        Assert.DoesNotContain("This run was not of the job", Section(Read(folder.PathOf("same.html")), "run").Value, StringComparison.Ordinal);
-        Assert.Equal("run of another state of this job: complete", Verdict("setting"));
-        Assert.Contains("This run was not of the job on this page: --max-error, the machine profile changed since.", Section(Read(folder.PathOf("setting.html")), "run").Value, StringComparison.Ordinal);
-        Assert.Equal("run of another state of this job: complete", Verdict("drawing"));
-        Assert.Contains("This run was not of the job on this page: the drawing changed since.", Section(Read(folder.PathOf("drawing.html")), "run").Value, StringComparison.Ordinal);
+        Assert.DoesNotContain("This run is of a different state of the job", Section(Read(folder.PathOf("same.html")), "run").Value, StringComparison.Ordinal);
+        Assert.Equal("run of a different state of this job: complete", Verdict("setting"));
+        Assert.Contains("This run is of a different state of the job. Changed since then: --max-error, the machine profile.", Section(Read(folder.PathOf("setting.html")), "run").Value, StringComparison.Ordinal);
+        Assert.Equal("run of a different state of this job: complete", Verdict("drawing"));
+        Assert.Contains("This run is of a different state of the job. Changed since then: the drawing.", Section(Read(folder.PathOf("drawing.html")), "run").Value, StringComparison.Ordinal);
 
         string Verdict(string name) => Read(folder.PathOf(name + ".html")).Descendants(Html + "p").Single(part => part.Attribute("class")?.Value == "verdict").Value;
     }
@@ -129,7 +129,7 @@ public class ReportVerbTests
         Assert.Equal((ExitCode.Done, ExitCode.Usage, ExitCode.DrawingError), (other.ExitCode, gone.ExitCode, unreadable.ExitCode));
         Assert.StartsWith("engraver: the page does not show the recorded path of the machine: ", other.Error, StringComparison.Ordinal);
         Assert.Empty(Section(Read(folder.PathOf("a.html")), "deviation").Descendants("{http://www.w3.org/2000/svg}svg"));
-        Assert.Contains("Nothing of this drawing can be cut", Read(folder.PathOf("c.html")).Root!.Value, StringComparison.Ordinal);
+        Assert.Contains("Nothing in this drawing can be cut", Read(folder.PathOf("c.html")).Root!.Value, StringComparison.Ordinal);
         Assert.All(["b.html", "d.html"], name => Assert.False(File.Exists(folder.PathOf(name))));
     }
 
@@ -147,7 +147,7 @@ public class ReportVerbTests
     private static double Figure(XElement section, string name) => double.Parse(Cell(section, name).Attribute("data-value")!.Value, NumberStyles.Float, CultureInfo.InvariantCulture);
 
     /// <summary>Without the line that says when the page was made.</summary>
-    private static string Body(string text) => string.Concat(text.Split('\n').Where(line => !line.Contains("made on", StringComparison.Ordinal)));
+    private static string Body(string text) => string.Concat(text.Split('\n').Where(line => !line.Contains("Job report, created", StringComparison.Ordinal)));
 
     /// <summary>As it was found: such a page said that the job had not been run.</summary>
     [Fact]
@@ -162,6 +162,6 @@ public class ReportVerbTests
 
         Assert.Equal(ExitCode.Done, report.ExitCode);
         Assert.Contains("run: complete", page, StringComparison.Ordinal);
-        Assert.Contains("told by its journal alone", page, StringComparison.Ordinal);
+        Assert.Contains("comes from its journal only", page, StringComparison.Ordinal);
     }
 }

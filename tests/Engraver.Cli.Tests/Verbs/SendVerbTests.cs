@@ -84,7 +84,7 @@ public class SendVerbTests
         var run = await sending.WaitAsync(s_patience);
 
         Assert.Equal((ExitCode.StoppedByOperator, ""), (run.ExitCode, run.Out));
-        Assert.Matches("^engraver: Stopped: [0-9]+ of 5000 lines are out.\n$", run.Error);
+        Assert.Matches("^engraver: Stopped: [0-9]+ of 5000 lines were sent.\n$", run.Error);
         Assert.InRange(int.Parse(run.Error.Split(' ')[2], System.Globalization.CultureInfo.InvariantCulture), 10, 4999);
     }
 

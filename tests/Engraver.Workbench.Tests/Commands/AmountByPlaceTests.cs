@@ -40,7 +40,7 @@ public class AmountByPlaceTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("SCALE", "H", "A1", "", "4,4");
 
-        Assert.Contains("0 is not allowed here", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("4,4")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("0 is out of range", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("4,4")).Sentence, StringComparison.Ordinal);
         Assert.Contains("is not a number or a point", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("long")).Sentence, StringComparison.Ordinal);
         Assert.Equal("SCALE", talk.Session.Prompt.Command);
     }

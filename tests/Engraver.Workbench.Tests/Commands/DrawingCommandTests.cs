@@ -74,7 +74,7 @@ public class DrawingCommandTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("SELECT", "L", "ALL", "");
 
-        Assert.Contains("4 found, 1 duplicate, 4 total", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("4 found (1 duplicate), 4 total", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -118,7 +118,7 @@ public class EditingGhostTests
         var question = talk.Session.Prompt.Text;
         await talk.TypeAsync("99,99");
         Assert.Equal((question, 0), (talk.Session.Prompt.Text, talk.Session.Lit.Count));
-        Assert.Contains("no object here", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No object at this point", talk.Said, StringComparison.Ordinal);
 
         await talk.TypeAsync(answers[^1]);
         Assert.NotEqual(question, talk.Session.Prompt.Text);

@@ -122,7 +122,7 @@ public class FileCommandTests
         string[] inputs = [.. command.Split(' '), name];
 
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync(inputs));
-        Assert.StartsWith($"{name} is there already. Replace it? [Yes/No] <No>", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.StartsWith($"{name} already exists. Replace it? [Yes/No] <No>", talk.Session.Prompt.Text, StringComparison.Ordinal);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync(""));
         Assert.Equal("precious", await File.ReadAllTextAsync(talk.PathOf(name)));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync([.. inputs, "Yes"]));

@@ -42,7 +42,7 @@ public sealed class LockedLayerTests
         await talk.TypeAsync(inputs);
 
         Assert.Equal(before, Locked(talk));
-        Assert.Contains("2 on a locked layer: not taken.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("On a locked layer and not changed: 2.", talk.Said, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -71,7 +71,7 @@ public sealed class LockedLayerTests
         await talk.TypeAsync("TRIM", "", "2,0", "");
         Assert.Equal(5.0, talk.State.Drawing!.Parts[talk.State.Drawing.Entities[0].FirstPart].InPlan().Start.X);
         await talk.TypeAsync("SELECT", "10,6", "", "GRIPEDIT");
-        Assert.Contains("1 on a locked layer: not taken.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("On a locked layer and not changed: 1.", talk.Said, StringComparison.Ordinal);
         Assert.Equal("Command:", talk.Session.Prompt.Text.Trim());
     }
 

@@ -73,7 +73,7 @@ public class OffsetCommandTests
         Assert.Equal(5, talk.State.Drawing!.Entities.Count);
         await talk.TypeAsync("U", "U", "", "U");
 
-        Assert.Contains("nothing yet", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Nothing to undo", talk.Said, StringComparison.Ordinal);
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
     }
 
@@ -115,8 +115,8 @@ public class OffsetCommandTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("OFFSET", "3", "20,8", "20,5", "100,100", "");
 
-        Assert.Contains("No contour remains", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("There is no object here", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("nothing would remain", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No object at this point", talk.Said, StringComparison.Ordinal);
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
     }
 

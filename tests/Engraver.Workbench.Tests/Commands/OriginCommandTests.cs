@@ -26,7 +26,7 @@ public class OriginCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "All"));
         Assert.Equal((12000, -4000), Active(talk));
         Assert.Equal(new Point2D(0, 0), talk.Session.Machine.Status.WorkPosition);
-        Assert.EndsWith("G54: the drawing's zero lies at X 12 mm, Y -4 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("Work origin G54: machine position X 12 mm, Y -4 mm.", talk.Said, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -122,7 +122,7 @@ public class OriginCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Y"));
         Assert.Equal((null, -4000), Active(talk));
         Assert.Null(talk.Session.Machine.Status.WorkPosition);
-        Assert.Contains("G54: the drawing's zero lies at X (not set), Y -4 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Work origin G54: machine position X (not set), Y -4 mm.", talk.Said, StringComparison.Ordinal);
         var refused = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes"));
         Assert.Equal(CommandFailure.Refused, refused.Why);
         Assert.Contains("The work origin G54 has no value for X.", talk.Said, StringComparison.Ordinal);
@@ -158,7 +158,7 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCORIGIN", "List");
 
         Assert.EndsWith(
-            "G54: the drawing's zero lies at X 12 mm, Y -4 mm of the machine.\nG55 is not set.\nG56 is not set. This is the active work origin.\nG57 is not set.\nG58 is not set.\nG59 is not set.",
+            "Work origin G54: machine position X 12 mm, Y -4 mm.\nWork origin G55 is not set.\nWork origin G56 is not set. This is the active work origin.\nWork origin G57 is not set.\nWork origin G58 is not set.\nWork origin G59 is not set.",
             talk.Said,
             StringComparison.Ordinal);
         Assert.Equal("G56", talk.Session.Machine.Hold!.Memory.Active);
@@ -200,9 +200,9 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
 
         await talk.TypeAsync("CNCZERO", "Z");
-        Assert.EndsWith("G54: the drawing's zero lies at X (not set), Y (not set), Z 6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("Work origin G54: machine position X (not set), Y (not set), Z 6.5 mm.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCORIGIN", "List");
-        Assert.Contains("G54: the drawing's zero lies at X 12 mm, Y -4 mm, Z 6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Work origin G54: machine position X 12 mm, Y -4 mm, Z 6.5 mm.", talk.Said, StringComparison.Ordinal);
     }
 
     /// <summary>Over a feeler gauge of 0.5 mm, say; and every sentence about the present place tells it.</summary>
@@ -218,7 +218,7 @@ public class OriginCommandTests
         Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCZERO", "Height", "high"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("0.5"));
         Assert.Equal((null, null, 4800), (Active(talk).Item1, Active(talk).Item2, talk.Session.Machine.Hold!.Memory.ActiveOrigin?.Z));
-        Assert.EndsWith("Z 6 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("Z 6 mm.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Height", "-1.25", "Yes")); // it was set
         Assert.Equal(6200, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Z);
         Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height", "1e9", "Yes")).Sentence, StringComparison.Ordinal);
@@ -244,9 +244,9 @@ public class OriginCommandTests
 
         await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCORIGIN", "G56");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "10,-3,6.5"));
-        Assert.EndsWith("G56: the drawing's zero lies at X 10 mm, Y -3 mm, Z 6.5 mm of the machine. This is the active work origin.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("Work origin G56: machine position X 10 mm, Y -3 mm, Z 6.5 mm. This is the active work origin.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "11,-3", "Yes"));
-        Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm of the machine. This is the active work origin.", talk.Said, StringComparison.Ordinal);
+        Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm. This is the active work origin.", talk.Said, StringComparison.Ordinal);
     }
 
     private static (long?, long?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);

@@ -65,7 +65,7 @@ public class PocketCommandTests
         await talk.TypeAsync("2");
         Assert.Equal(2.0, Widest(talk), 9);
         await talk.TypeAsync("0.5", "Contour", "Allowance");
-        Assert.Contains("left at the walls", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.Contains("allowance on the walls", talk.Session.Prompt.Text, StringComparison.Ordinal);
         await talk.TypeAsync("0.25", "From", "Centre");
         var shown = talk.Session.Prompt.Preview!(default).ToList();
         await talk.TypeAsync("0");
@@ -116,7 +116,7 @@ public class PocketCommandTests
         Assert.Equal((0.0, true), (heights[0].C, heights[0].Item2 < 0.0)); // a way down first
         Assert.Contains((-0.5, -0.5), heights);
         Assert.Equal((-1.0, -1.0), heights[^1]);
-        Assert.Contains("The job is the layer POCKET alone", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The job cuts only layer POCKET", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("half a tool diameter", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
         var judged = talk.Session.Machine.LastRun!.Judgement;
@@ -132,7 +132,7 @@ public class PocketCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A4", "", "2", "0.5", "Contour", "Job");
-        Assert.Contains("Everything cuts the outlines too, half a tool diameter into the wall", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.Contains("Everything also cuts the outlines, half a tool diameter into the wall", talk.Session.Prompt.Text, StringComparison.Ordinal);
         Assert.EndsWith("<Pocket>:", talk.Session.Prompt.Text.TrimEnd(), StringComparison.Ordinal);
         await talk.TypeAsync("Everything", "0");
         Assert.Null(talk.State.Settings.Layers);

@@ -26,7 +26,7 @@ public class ResumeCommandTests
         Assert.Equal(mode, talk.Session.Machine.Part.Mode.ToString());
         await talk.TypeAsync("CNCARM", "");
         Assert.NotNull(talk.Session.Machine.Armed);
-        Assert.Contains("segments count as cut already", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("segments are treated as already cut", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
 
         var run = talk.Session.Machine.LastRun!;
@@ -77,7 +77,7 @@ public class ResumeCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(change));
 
         Assert.Null(talk.Session.Machine.Part);
-        Assert.Contains("START cuts the whole drawing again", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("START cuts the whole drawing.", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -110,7 +110,7 @@ public class ResumeCommandTests
         var refused = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN"));
 
         Assert.Contains("Not started", refused.Sentence, StringComparison.Ordinal);
-        Assert.Contains("begun with the drawing's zero at 0,0 mm, and the work origin G55 lies at 80,40 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("started with the drawing zero at 0,0 mm, but work origin G55 is now at 80,40 mm", talk.Said, StringComparison.Ordinal);
         Assert.Equal(there, talk.Session.Machine.Status.MachinePosition);
         await talk.TypeAsync("CNCRESUME", "Origin", journal, "CNCARM", "Stream");
         Assert.True(talk.Session.Machine.Part!.Request.AtOrigin);

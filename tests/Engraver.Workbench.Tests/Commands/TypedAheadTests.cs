@@ -46,7 +46,7 @@ public class TypedAheadTests
         ahead.Flush();
         Assert.IsType<InputResult.Cancelled>(await ahead.EnterAsync("UNDO", typedAt, s_done, CancellationToken.None));
 
-        Assert.Equal(4, talk.Said.Split('\n').Count(line => line == "'UNDO' was typed while a command worked that did not end as it should: it is not run."));
+        Assert.Equal(4, talk.Said.Split('\n').Count(line => line == "'UNDO' was typed ahead and not run: the command before it failed or was cancelled."));
         Assert.Null(talk.Session.Prompt.Command);
     }
 
@@ -60,7 +60,7 @@ public class TypedAheadTests
         var result = await talk.Session.Ahead.EnterAsync("10,10", talk.Session.Ahead.Flushed, new InputResult.Asking(), CancellationToken.None);
 
         Assert.IsType<InputResult.Cancelled>(result);
-        Assert.Contains("'10,10' was typed before CNCGOTO asked, which acts on the machine: it is no answer to it.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("'10,10' was typed before the prompt of CNCGOTO appeared. CNCGOTO acts on the machine, so the input was ignored.", talk.Said, StringComparison.Ordinal);
         Assert.Equal(("CNCGOTO", false), (talk.Session.Prompt.Command, talk.Session.Machine.IsRunning));
     }
 }

@@ -63,7 +63,7 @@ public class SpoiledToolpathTests
         var lost = PostedProgram.FromSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions);
         Assert.Null(lost.Text);
         Assert.Contains(lost.Diagnostics, finding => finding.Id == "VER0021");
-        Assert.Equal("The toolpath is not what is drawn (VER0021)", lost.WithoutProgram);
+        Assert.Equal("The toolpath deviates from the drawing (VER0021)", lost.WithoutProgram);
     }
 
     [Fact]

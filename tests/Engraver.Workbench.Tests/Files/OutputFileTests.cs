@@ -28,8 +28,8 @@ public class OutputFileTests
     }
 
     [Theory]
-    [InlineData("missing/out.txt", "There is no folder ")]
-    [InlineData("inner", "That is a folder.")]
+    [InlineData("missing/out.txt", "does not exist.")]
+    [InlineData("inner", "The path is a folder.")]
     public void A_place_that_cannot_be_written_is_told_without_the_temporary_name(string name, string said)
     {
         var folder = Directory.CreateTempSubdirectory("engraver-test-");

@@ -71,7 +71,7 @@ public sealed partial class OptionLanguageTests
         Assert.Equal("Enter language [Auto/English/German] <Auto>:", talk.Session.Prompt.Text);
         await talk.TypeAsync("German");
         Assert.Equal("de", talk.Session.Settings.Current.Language);
-        Assert.Contains("when it is started again", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("changes at the next start", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("LANGUAGE", "English");
         Assert.Equal("en", talk.Session.Settings.Current.Language);
         await talk.TypeAsync("LANGUAGE", "Auto");

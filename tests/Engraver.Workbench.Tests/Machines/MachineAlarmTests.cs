@@ -30,7 +30,7 @@ public class MachineAlarmTests
 
         var alarm = Assert.Single(log.All);
         Assert.Equal((cause, "The cable was cut.", $"{Link}, after 3 segments", AlarmState.Unacknowledged), (alarm.Cause, alarm.What, alarm.Where, alarm.State));
-        Assert.Contains("look at the work piece before another start", alarm.ToDo, StringComparison.Ordinal);
+        Assert.Contains("Check the workpiece before the next start", alarm.ToDo, StringComparison.Ordinal);
     }
 
     [Fact]

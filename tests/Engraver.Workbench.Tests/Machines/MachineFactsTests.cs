@@ -53,10 +53,10 @@ public class MachineFactsTests
 
     [Theory]
     [InlineData(JobOutcome.Complete, MachineState.Complete, "")]
-    [InlineData(JobOutcome.Deviated, MachineState.Deviated, "what was cut is not what is drawn; the alarm says where")]
+    [InlineData(JobOutcome.Deviated, MachineState.Deviated, "the cut deviates from the drawing; see the alarm")]
     [InlineData(JobOutcome.Stopped, MachineState.Stopped, "stopped by the operator")]
-    [InlineData(JobOutcome.LinkLost, MachineState.Stopped, "the link was lost")]
-    [InlineData(JobOutcome.Refused, MachineState.Stopped, "the controller refused to go on")]
+    [InlineData(JobOutcome.LinkLost, MachineState.Stopped, "connection lost")]
+    [InlineData(JobOutcome.Refused, MachineState.Stopped, "refused by the controller")]
     public void How_a_job_ended_is_the_state_until_the_job_is_history(JobOutcome outcome, MachineState state, string reason)
     {
         var ended = s_idle with { Ended = outcome, Progress = s_told, Told = s_told };

@@ -167,7 +167,7 @@ public sealed class MachineJobTests : IDisposable
         machine.Stop();
         await running.WaitAsync(_limit.Token);
 
-        Assert.Contains("A job runs", answer.Text, StringComparison.Ordinal);
+        Assert.Contains("A job is running", answer.Text, StringComparison.Ordinal);
     }
 
     public void Dispose()

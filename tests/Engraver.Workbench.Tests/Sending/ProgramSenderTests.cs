@@ -69,7 +69,7 @@ public class ProgramSenderTests
         var result = await FinishAsync(ProgramSender.SendAsync(line, Job(20, 20), pace, null, time, CancellationToken.None), time);
 
         Assert.Equal((SendOutcome.HeldTooLong, 4, 20, 1), (result.Outcome, result.Lines, result.AllLines, result.Holds));
-        Assert.Equal("The sending broke off: the other side sent XOFF and did not let us go on within 5 s; 4 of 20 lines are out.", SendWording.Of(result));
+        Assert.Equal("Sending failed: the receiver sent XOFF and did not send XON within 5 s. 4 of 20 lines were sent.", SendWording.Of(result));
         Assert.False(line.WasDrained);
     }
 
@@ -95,7 +95,7 @@ public class ProgramSenderTests
         var result = await FinishAsync(sending, time);
 
         Assert.Equal((SendOutcome.Stopped, 4, 20), (result.Outcome, result.Lines, result.AllLines));
-        Assert.Equal("Stopped: 4 of 20 lines are out.", SendWording.Of(result));
+        Assert.Equal("Stopped: 4 of 20 lines were sent.", SendWording.Of(result));
     }
 
     [Fact]

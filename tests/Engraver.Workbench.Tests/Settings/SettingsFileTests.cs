@@ -79,7 +79,7 @@ public sealed class SettingsFileTests : IDisposable
         session.Change(settings => settings with { Scale = 2 });
 
         Assert.Equal(2.0, session.Current.Scale);
-        Assert.Contains("cannot be kept", session.Finding, StringComparison.Ordinal);
+        Assert.Contains("cannot be saved", session.Finding, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -28,7 +28,7 @@ internal static class ProfileEnd
         {
             var name = await context.ValueAsync(new TextPrompt(Wording.Get("Commission.EnterFileName")) { Default = context.CommissionedProfile }).ConfigureAwait(false);
             var path = context.FileToWrite(name);
-            if (File.Exists(path) && !await context.ConfirmAsync(Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false)) continue;
+            if (File.Exists(path) && !await context.ConfirmAsync(Wording.Get("ResultFile.ReplaceExisting", name)).ConfigureAwait(false)) continue;
             if (!TryWrite(context, path, name, machine.Profile)) continue;
             context.Say(Wording.Get("Commission.Written", name, context.Spell("[machine]")), MessageKind.Result);
             if (machine.Profile.Axes.X.Letter != machine.Start.Axes.X.Letter) context.Say(context.Spell(Wording.Get("Commission.SetOriginsAgain")), MessageKind.Warning);

@@ -14,7 +14,7 @@ internal sealed class JoinCommand : ICommand
         var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
         var tolerance = context.Document.Current.Settings.JoinToleranceMm / drawing.Unit.ToMillimetres;
         var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
-        if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Join.NoTwoTheseObjects"));
+        if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Join.NoCommonEnds"));
         DrawingChange.Take(context, rebuilt, joined);
         context.Say(Wording.Get("Editing.Converted", CountText.Format(count, "Object"), CountText.Format(joined.Count, "Polyline")));
     }

@@ -54,7 +54,7 @@ internal sealed class LayerCommand : ICommand
     private static async Task SwitchAsync(CommandContext context, LayerEdit edit, string option)
     {
         DrawingColour? colour = option == "Color" ? await ColourAsync(context).ConfigureAwait(false) : null;
-        var prompt = new TextPrompt(Wording.Get("Layer.EnterLayerNamesSeparated")) { Refusal = typed => edit.WhyUnknown(NamesIn(edit, typed).Where(name => name != Every)) };
+        var prompt = new TextPrompt(Wording.Get("Layer.EnterNames")) { Refusal = typed => edit.WhyUnknown(NamesIn(edit, typed).Where(name => name != Every)) };
         var names = NamesIn(edit, await context.ValueAsync(prompt).ConfigureAwait(false));
         edit.Change(layer => names.Any(name => name == Every || LayerEdit.Is(layer, name)), layer => colour is { } chosen ? layer with { Colour = chosen } : Switched(layer, option));
     }
@@ -64,9 +64,9 @@ internal sealed class LayerCommand : ICommand
 
     private static async Task<DrawingColour> ColourAsync(CommandContext context)
     {
-        var prompt = new TextPrompt(Wording.Get("Layer.NewColorNameOr"))
+        var prompt = new TextPrompt(Wording.Get("Layer.EnterColor"))
         {
-            Refusal = typed => ColourName.Parse(typed) is null ? Wording.Get("Layer.NoColorNameOne", typed, string.Join(", ", ColourName.Known)) : null,
+            Refusal = typed => ColourName.Parse(typed) is null ? Wording.Get("Layer.InvalidColor", typed, string.Join(", ", ColourName.Known)) : null,
         };
         return ColourName.Parse(await context.ValueAsync(prompt).ConfigureAwait(false))!.Value;
     }

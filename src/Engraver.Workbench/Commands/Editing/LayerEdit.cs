@@ -28,7 +28,7 @@ internal sealed class LayerEdit
     public string? WhyUnknown(IEnumerable<string> names)
     {
         var unknown = names.Where(name => Find(name) is null).ToList();
-        return unknown.Count == 0 ? null : Wording.Get("Layer.DrawingHasNoLayer", string.Join(", ", unknown.Select(name => $"'{name}'")));
+        return unknown.Count == 0 ? null : Wording.Get("Layer.NotFound", string.Join(", ", unknown.Select(name => $"'{name}'")));
     }
 
     /// <summary>Says why no layer of this name can be made and set: the name is not allowed, or there is one that is frozen; null where it can.</summary>
@@ -83,7 +83,7 @@ internal sealed class LayerEdit
 
     private static string NameOf(CommandContext context) => CurrentLayer.IndexOf(context.Drawing, context.Document.Current.CurrentLayer) is { } index ? context.Drawing.Layers[index].Name : context.Document.Current.CurrentLayer;
 
-    private static string? WhyNoName(string name) => name.Length is 0 or > LongestName || name.Any(Forbidden.Contains) ? Wording.Get("Layer.NoName", name, Forbidden) : null;
+    private static string? WhyNoName(string name) => name.Length is 0 or > LongestName || name.Any(Forbidden.Contains) ? Wording.Get("Layer.InvalidName", name, Forbidden) : null;
 
     private int? Find(string name) => _layers.FindIndex(layer => Is(layer, name)) is >= 0 and var index ? index : null;
 

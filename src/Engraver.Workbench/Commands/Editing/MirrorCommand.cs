@@ -14,7 +14,7 @@ internal sealed class MirrorCommand : ICommand
         var ghost = new SelectionGhost(context.Drawing, selected);
         var first = await context.ValueAsync(new PointPrompt(Wording.Get("Mirror.SpecifyFirstPointMirror"))).ConfigureAwait(false);
         var second = await context.ValueAsync(new PointPrompt(Wording.Get("Mirror.SpecifySecondPointMirror")) { From = first, Ghost = place => place == first ? [] : ghost.Mapped(Transform2D.MirrorAt(first, place)) }).ConfigureAwait(false);
-        if (first == second) throw new CommandException(CommandFailure.Usage, Wording.Get("Mirror.MirrorLineNeedsTwo"));
+        if (first == second) throw new CommandException(CommandFailure.Usage, Wording.Get("Mirror.PointsCoincide"));
         var question = new ChoicePrompt(Wording.Get("Mirror.EraseSourceObjects")) { Options = Keyword.List("Yes", "No"), Default = "No", Preview = _ => ghost.Mapped(Transform2D.MirrorAt(first, second)) };
         var erase = await context.AskAsync(question).ConfigureAwait(false) is Answer<string>.Chosen { Option: "Yes" };
         DrawingChange.Transform(context, selected, Transform2D.MirrorAt(first, second), copy: !erase);

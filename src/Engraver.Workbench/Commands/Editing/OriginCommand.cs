@@ -11,9 +11,9 @@ internal sealed class OriginCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var answer = await context.AskAsync(new PointPrompt(Wording.Get("Origin.SpecifyPlaceBecomes")) { Options = Keyword.List("Lowerleft", "Center") }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new PointPrompt(Wording.Get("Origin.SpecifyPoint")) { Options = Keyword.List("Lowerleft", "Center") }).ConfigureAwait(false);
         var box = context.View.ExtentsOf(drawing);
-        if (answer is Answer<Point2D>.Chosen && box.IsEmpty) throw new CommandException(CommandFailure.Usage, Wording.Get("Origin.NothingDrawingSeen"));
+        if (answer is Answer<Point2D>.Chosen && box.IsEmpty) throw new CommandException(CommandFailure.Usage, Wording.Get("Origin.NothingVisible"));
         var place = answer switch
         {
             Answer<Point2D>.Value { Of: var point } => point,

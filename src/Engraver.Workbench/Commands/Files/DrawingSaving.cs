@@ -29,7 +29,7 @@ internal static class DrawingSaving
         var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
         OutputFile.Write(path, output => DxfWriter.Write(sheet, output));
         context.Document.MarkHandles(path, EditedDrawing.HandlesIn(sheet, drawing));
-        context.Say(Wording.Get("SaveAs.WrittenOnUnitBlocks", name, CountText.Format(sheet.Entities.Count, "Curve"), sheet.Points.Count > 0 ? $"{CountText.Format(sheet.Texts.Count, "Text")}, {CountText.Format(sheet.Points.Count, "PointObject")}" : CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
+        context.Say(Wording.Get("SaveAs.Written", name, CountText.Format(sheet.Entities.Count, "Curve"), sheet.Points.Count > 0 ? $"{CountText.Format(sheet.Texts.Count, "Text")}, {CountText.Format(sheet.Points.Count, "PointObject")}" : CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 
     /// <summary>Writes what belongs to the drawing beside a file of it. A file there that this session neither read nor wrote is kept under another name.</summary>

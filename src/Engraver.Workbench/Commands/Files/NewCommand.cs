@@ -49,6 +49,6 @@ internal static class DrawingBeginning
         context.Take(new DocumentState { Drawing = drawing, Settings = settings, Sidecar = DrawingSaving.WithSettingsOf(before.Sidecar) });
         context.Document.MarkOpened();
         context.View.SetCentre(new Point2D(SheetWidth / 2.0, SheetHeight / 2.0), SheetHeight);
-        context.Say(Wording.Get("New.Begun", drawing.FileName, unit.Name));
+        context.Say(Wording.Get("New.Created", drawing.FileName, unit.Name));
     }
 }

@@ -10,9 +10,9 @@ internal sealed class RecentCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var files = context.Settings.Current.RecentFiles;
-        if (files.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Recent.NoDrawingOpenedYet"));
+        if (files.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Recent.Empty"));
         context.SayResult(output => Write(files, output));
-        var prompt = new NumberPrompt(Wording.Get("Recent.EnterNumberDrawingOpen")) { EnterEnds = true, Least = 1, Most = files.Count, Whole = true };
+        var prompt = new NumberPrompt(Wording.Get("Recent.EnterNumber")) { EnterEnds = true, Least = 1, Most = files.Count, Whole = true };
         if (await context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var number }) DrawingOpening.Open(context, files[(int)number - 1], files[(int)number - 1], cancellation);
     }
 

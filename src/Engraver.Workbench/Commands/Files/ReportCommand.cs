@@ -41,7 +41,7 @@ internal static class JobPageFile
     public static Task WriteAsync(CommandContext context, HistoryEntry entry, DrawingSettings settings, CancellationToken cancellation)
     {
         var drawing = DrawingFile.Open(entry.Drawing, settings, cancellation);
-        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Report.DrawingGone", entry.Drawing, drawing.Diagnostics[0].Message));
+        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Report.DrawingUnreadable", entry.Drawing, drawing.Diagnostics[0].Message));
         var mode = entry.Mode switch { "calls" => JobMode.Calls, "program" => JobMode.Program, _ => JobMode.Stream };
         var address = entry.Address is { } word && ControllerAddress.TryParse(word, out var known) ? known : null;
         var request = new JobReportRequest(drawing, settings, mode, context.Time.GetUtcNow()) { Address = address, Run = entry, Journal = entry.Journal, Spell = SettingWording.AtCommandLine };

@@ -14,7 +14,7 @@ internal static class ResultFile
     public static async Task<string?> WriteAsync(CommandContext context, string kind, string ending, Action<TextWriter> write)
     {
         var wanted = new FileWanted(kind, true, ending) { Suggested = context.BesideDrawing(ending), MayShow = true };
-        var answer = await context.AskAsync(new FilePrompt(Wording.Get("ResultFile.EnterFileNameOr"), wanted) { EnterEnds = true }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new FilePrompt(Wording.Get("ResultFile.EnterFileName"), wanted) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is Answer<string>.Value { Of: var name })
         {
             if (!context.IsScripted) await ReplacePrompt.ConfirmAsync(context, context.FileToWrite(name), name).ConfigureAwait(false);
@@ -45,6 +45,6 @@ internal static class ReplacePrompt
     /// <exception cref="CommandException">The operator does not want it replaced.</exception>
     public static async Task ConfirmAsync(CommandContext context, string path, string name)
     {
-        if (File.Exists(path) && !FileKind.IsStream(path)) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false);
+        if (File.Exists(path) && !FileKind.IsStream(path)) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ReplaceExisting", name)).ConfigureAwait(false);
     }
 }

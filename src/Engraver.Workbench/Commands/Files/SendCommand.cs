@@ -21,7 +21,7 @@ internal sealed class SendCommand : ICommand
         var file = Read(context.FileToRead(name));
         int? program = file.Programs.Count == 1 ? null : (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Send.EnterNumber", file.Programs.Count)) { Least = 1, Most = file.Programs.Count, Whole = true, Default = "1" }).ConfigureAwait(false);
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Send.EnterLine")) { Default = context.Remembered(LineName) }).ConfigureAwait(false);
-        if (!SendAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("Send.NoLine", typed, SendAddress.Forms));
+        if (!SendAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("Send.InvalidLine", typed, SendAddress.Forms));
         var encoded = file.Encode(program, SendFormat.Default, address.Frame);
         if (encoded.Why is { } why) FindingMessages.Say(context, name, [why], Severity.Error);
         if (encoded.Job is not { } job) throw new CommandException(CommandFailure.Drawing, Wording.Get("Send.NotSent", name));

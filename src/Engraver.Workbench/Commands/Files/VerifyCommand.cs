@@ -41,14 +41,14 @@ internal sealed class VerifyCommand : ICommand
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         FindingMessages.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);
-        if (!report.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Verify.DoesNotCutOpen", name));
+        if (!report.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Verify.DoesNotMatch", name));
     }
 
     /// <summary>The program, and before its name what it was posted with beside the settings of the drawing.</summary>
     private static async Task<(string Name, PostChoice? Target, PostedWith Posted)> AskAsync(CommandContext context)
     {
         var (posted, target) = (PostedWith.Defaults, (PostChoice?)null);
-        var prompt = new FilePrompt(Wording.Get("Verify.EnterNameProgramVerify"), new FileWanted("program", false, PostTable.ReadEndings) { Suggested = context.Remembered(Name) is { } last ? Path.GetFullPath(context.FileToRead(last)) : null }) { Default = context.Remembered(Name), Options = s_options };
+        var prompt = new FilePrompt(Wording.Get("Verify.EnterName"), new FileWanted("program", false, PostTable.ReadEndings) { Suggested = context.Remembered(Name) is { } last ? Path.GetFullPath(context.FileToRead(last)) : null }) { Default = context.Remembered(Name), Options = s_options };
         while (true)
         {
             switch (await context.AskAsync(prompt).ConfigureAwait(false))

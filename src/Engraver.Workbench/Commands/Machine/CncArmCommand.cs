@@ -27,7 +27,7 @@ internal sealed class CncArmCommand : ICommand
         var job = mode.RunsTrajectories ? JobStart.Followed(context, mode.Mode) : await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
         JobStart.SayPart(context, job, mode.Mode);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
-        var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
+        var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.ContinueWithErrors")).ConfigureAwait(false);
         var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
         var certificate = job.Motion.Program is { } certified ? await StandingAsync(context, job, context.Machine.FitToLink(certified, mode.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
         var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow(), certificate?.Check);

@@ -26,7 +26,7 @@ internal sealed class CncFrameCommand : ICommand
         var result = await context.Machine.FrameAsync(frame, context.NewRunJournal("frame"), cancellation).ConfigureAwait(false);
         FindingMessages.Say(context, job.Drawing.FileName, result.Diagnostics, Severity.Warning);
         foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
-        if (result.FrameOrigin is null && result.Outcome == JobOutcome.Refused) throw new CommandException(CommandFailure.Refused, result.Diagnostics.Count > 0 ? Wording.Get("JobStart.NotPlaced") : result.Sentence);
+        if (result.FrameOrigin is null && result.Outcome == JobOutcome.Refused) throw new CommandException(CommandFailure.Refused, result.Diagnostics.Count > 0 ? Wording.Get("JobStart.WorkOriginUnknown") : result.Sentence);
         if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
         context.Say(Wording.Get("CncFrame.Done"), MessageKind.Result);
     }

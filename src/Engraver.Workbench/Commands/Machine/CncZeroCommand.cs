@@ -94,7 +94,7 @@ internal static class OriginText
         if (origin is null) return Wording.Get("Origins.NotSet", name);
         var (x, y) = (Axis(origin.X, profile.Scale.X), Axis(origin.Y, profile.Scale.Y));
         var place = profile.Axes.Z is null ? Wording.Get("Origins.Place", x, y) : Wording.Get("Origins.PlaceWithZ", x, y, Axis(origin.Z, profile.Scale.Z));
-        return Wording.Get(origin.IsAssumed ? "Origins.LiesAssumed" : "Origins.Lies", name, place);
+        return Wording.Get(origin.IsAssumed ? "Origins.Assumed" : "Origins.IsSet", name, place);
     }
 
     /// <summary>Sets the active origin by where the machine stands, and says where it lies.</summary>
@@ -111,7 +111,7 @@ internal static class OriginText
     /// <param name="before">The part that was chosen before.</param>
     public static void TellPart(CommandContext context, JobPart? before)
     {
-        if (before is not null && context.Machine.Part is null) context.Say(Wording.Get("Origins.PartDropped"), MessageKind.Warning);
+        if (before is not null && context.Machine.Part is null) context.Say(Wording.Get("Origins.ResumeDropped"), MessageKind.Warning);
     }
 
     private static string Axis(long? counts, double countsPerMillimetre) => counts is { } set ? Wording.Get("Origins.Millimetres", set / countsPerMillimetre) : Wording.Get("Origins.AxisNotSet");

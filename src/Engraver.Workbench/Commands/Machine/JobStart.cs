@@ -27,7 +27,7 @@ internal static class JobStart
         FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
         if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
-        if (hasErrors && !await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("JobStart.NotStartedDrawingHas"));
+        if (hasErrors && !await context.ConfirmAsync(Wording.Get("Machine.ContinueWithErrors")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("JobStart.DrawingHasErrors"));
         return job;
     }
 
@@ -75,7 +75,7 @@ internal static class JobStart
         }
         catch (OperationCanceledException)
         {
-            context.Say(Wording.Get("JobStart.StoppedBefore"), MessageKind.Warning); // what has moved ends with a report
+            context.Say(Wording.Get("JobStart.StoppedBeforeMotion"), MessageKind.Warning); // what has moved ends with a report
             throw;
         }
         finally
@@ -91,13 +91,13 @@ internal static class JobStart
         if (report.ResumeRefusal is { } unresumed)
         {
             FindingMessages.Say(context, job.Drawing.FileName, [unresumed], Severity.Error);
-            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotPlaced"));
+            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotResumed"));
         }
 
         if (report.Placement?.Refusal is { } unplaced)
         {
             FindingMessages.Say(context, job.Drawing.FileName, [unplaced], Severity.Error);
-            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotPlaced"));
+            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.WorkOriginUnknown"));
         }
 
         context.Say(RunText.Sentence(job, report, SettingWording.AtCommandLine), MessageKind.Result);

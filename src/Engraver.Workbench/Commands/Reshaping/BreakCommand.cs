@@ -15,7 +15,7 @@ internal sealed class BreakCommand : ICommand
         var drawing = context.Drawing;
         var (entity, at) = await ObjectSelection.OneAsync(context, Wording.Get("Break.SelectObject")).ConfigureAwait(false);
         ObjectSelection.Unlocked(context, [entity]);
-        var path = ReshapedDrawing.PathOf(drawing, entity) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.NoLength"));
+        var path = ReshapedDrawing.PathOf(drawing, entity) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Reshape.ZeroLength"));
         var (first, second) = await PlacesAsync(context, path, at).ConfigureAwait(false);
         var cut = CutOf(path, first, second);
         if (cut.Kept.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.NothingLeft"));

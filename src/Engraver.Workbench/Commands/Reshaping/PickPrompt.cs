@@ -27,7 +27,7 @@ internal sealed record PickPrompt(string Instruction) : ValuePrompt<ObjectPick>(
         };
     }
 
-    private static Reading<ObjectPick> Wrong(string typed) => new Reading<ObjectPick>.Wrong(Wording.Get("PointPrompt.NoPointTypeX", typed));
+    private static Reading<ObjectPick> Wrong(string typed) => new Reading<ObjectPick>.Wrong(Wording.Get("PointPrompt.InvalidPoint", typed));
 }
 
 /// <summary>A place at which an object was picked, drawing units.</summary>

@@ -19,7 +19,7 @@ internal sealed class Stretch(IReadOnlyList<int> before)
     {
         var again = entities.Intersect(Entities).Count();
         _picked.Push((entities, box));
-        return Wording.Get("ObjectSelection.FoundTotal", entities.Count, again > 0 ? Wording.Get("ObjectSelection.Duplicate", again) : "", Entities.Count);
+        return Wording.Get("ObjectSelection.FoundTotal", entities.Count, again > 0 ? Wording.Get("ObjectSelection.FoundDuplicate", again) : "", Entities.Count);
     }
 
     public void Back() => _picked.TryPop(out _);

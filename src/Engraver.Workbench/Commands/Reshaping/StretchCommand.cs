@@ -21,7 +21,7 @@ internal sealed class StretchCommand : ICommand
         var stretch = await SelectAsync(context).ConfigureAwait(false);
         var by = await WayAsync(context, place => stretch.Of(drawing, place).Shown).ConfigureAwait(false);
         var done = stretch.Of(drawing, by);
-        if (done.Edited is not { } edited) throw new CommandException(CommandFailure.Usage, Wording.Get("Stretch.NoSuchShape"));
+        if (done.Edited is not { } edited) throw new CommandException(CommandFailure.Usage, Wording.Get("Stretch.InvalidResult"));
         if (done.Unchanged > 0) context.Say(Wording.Get("Stretch.Unchanged", CountText.Format(done.Unchanged, "Object")));
         DrawingChange.Take(context, DrawingChange.Along(context, stretch.Whole(drawing)).Moved(edited, Transform2D.Move(by)), [.. stretch.Entities]);
     }

@@ -11,7 +11,7 @@ internal sealed class ToolStartCommand : ICommand
     {
         var drawing = context.Drawing;
         var now = PointPrompt.Show(DrawingUnits.FromMillimetres(drawing, context.Document.Current.Settings.Start));
-        var point = await context.ValueAsync(new PointPrompt(Wording.Get("ToolStart.SpecifyPointWhereTool")) { Default = now }).ConfigureAwait(false);
+        var point = await context.ValueAsync(new PointPrompt(Wording.Get("ToolStart.SpecifyPoint")) { Default = now }).ConfigureAwait(false);
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Start = DrawingUnits.ToMillimetres(drawing, point) } });
     }

@@ -10,7 +10,7 @@ internal sealed class UndoCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var count = await context.ValueAsync(new NumberPrompt(Wording.Get("Undo.EnterNumberOperationsUndo")) { Default = "1", Least = 1, Most = 32767, Whole = true }).ConfigureAwait(false);
+        var count = await context.ValueAsync(new NumberPrompt(Wording.Get("Undo.EnterNumber")) { Default = "1", Least = 1, Most = 32767, Whole = true }).ConfigureAwait(false);
         for (var step = 0; step < count; step++)
         {
             if (context.Document.Undo() is not { } name)

@@ -16,7 +16,7 @@ internal sealed class CurrentLayerCommand : ISettingCommand
         _ = context.Drawing;
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("Settings.EnterNewValue", Info.Name)) { Default = ValueText(context) }).ConfigureAwait(false);
         var state = context.Document.Current;
-        if (CurrentLayer.IndexOf(context.Drawing, name) is not { } index) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.DrawingHasNoLayer", $"'{name}'"));
+        if (CurrentLayer.IndexOf(context.Drawing, name) is not { } index) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.NotFound", $"'{name}'"));
         var layer = context.Drawing.Layers[index];
         if (layer.Frozen) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.FrozenNotCurrent", layer.Name));
         context.Take(state with { CurrentLayer = layer.Name });

@@ -11,9 +11,9 @@ internal sealed class OptionsCommand : ICommand
     {
         if (context.OpensDialog()) return;
         context.SayResult(output => Write(context, output));
-        var prompt = new TextPrompt(Wording.Get("Options.EnterNameSettingChange")) { EnterEnds = true };
+        var prompt = new TextPrompt(Wording.Get("Options.EnterName")) { EnterEnds = true };
         if (await context.AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Value { Of: var name }) return;
-        if (context.Catalog.Find(name) is not { Info.Group: CommandGroup.Setting } setting) throw new CommandException(CommandFailure.Usage, Wording.Get("Options.ThereNoSetting", name));
+        if (context.Catalog.Find(name) is not { Info.Group: CommandGroup.Setting } setting) throw new CommandException(CommandFailure.Usage, Wording.Get("Options.UnknownSetting", name));
         if (context.Outer is { } outer && !setting.Info.Transparent) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.CannotRunInside", setting.Info.Name, outer)); // its step would stand between those of the other
         await setting.RunAsync(context, cancellation).ConfigureAwait(false);
     }

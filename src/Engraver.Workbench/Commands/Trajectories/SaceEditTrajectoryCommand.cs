@@ -47,7 +47,7 @@ internal sealed class SaceEditTrajectoryCommand : ICommand
     private static async Task<DocumentTrajectory> RenamedAsync(CommandContext context, DocumentTrajectory one)
     {
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("Trajectories.NewName")) { Default = one.Name }).ConfigureAwait(false);
-        if (!DocumentTrajectory.IsName(name)) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NoName", name));
+        if (!DocumentTrajectory.IsName(name)) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.InvalidName", name));
         var taken = context.Document.Current.Sidecar.Trajectories.IndexOf(name) is >= 0 and var other && !ReferenceEquals(TrajectoryPick.All(context)[other], one);
         return taken ? throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NameTaken", name)) : one with { Name = name };
     }
@@ -73,7 +73,7 @@ internal sealed class SaceEditTrajectoryCommand : ICommand
     /// <summary>From what it follows; it stays one trajectory, also through corners.</summary>
     private static DocumentTrajectory MadeAnew(DocumentTrajectory one, TrajectoryOptions options)
     {
-        if (one.IsHelix) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.HelixStays", one.Name));
+        if (one.IsHelix) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.HelixNotEditable", one.Name));
         var planned = TrajectoryPlanner.Plan(one.Curve.Source, one.Curve.Closed, options with { Corners = CornerMode.Continuous, Z = one.Curve.Z });
         if (planned.Trajectories is not [var made]) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NoneMade"));
         return one with { Curve = made, MaxErrorMm = options.MaxError, SegmentLengthMm = options.SegmentLength };

@@ -38,7 +38,7 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
     {
         if (format is not (TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline) || TrajectoryExport.NotKept(all).ToList() is not { Count: > 0 } refused) return;
         FindingMessages.Say(context, context.Drawing.FileName, refused, Severity.Warning);
-        if (!await context.ConfirmAsync(Wording.Get("Trajectories.ExportAllTheSame")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NotExported"));
+        if (!await context.ConfirmAsync(Wording.Get("Trajectories.ExportAnyway")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NotExported"));
     }
 
     /// <exception cref="CommandException">A controller would not take one of them; nothing was written.</exception>

@@ -62,6 +62,6 @@ internal static class TrajectoryPick
     {
         var all = All(context);
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("Trajectories.EnterName")) { Default = all[^1].Name }).ConfigureAwait(false);
-        return context.Document.Current.Sidecar.Trajectories.IndexOf(name) is >= 0 and var found ? found : throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NoSuch", name));
+        return context.Document.Current.Sidecar.Trajectories.IndexOf(name) is >= 0 and var found ? found : throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NotFound", name));
     }
 }

@@ -45,8 +45,8 @@ internal sealed class SaceConstantOffsetsCommand : ICommand
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
         var radius = await TrajectoryPrompts.LengthAsync(context, TrajectoryPrompts.Removal, "Trajectories.RemovalRadius", 0.25).ConfigureAwait(false);
         var step = await TrajectoryPrompts.LengthAsync(context, "SACE.step", "Trajectories.OffsetStep", 0.25).ConfigureAwait(false);
-        var largest = await TrajectoryPrompts.LengthAsync(context, "SACE.largest", "Trajectories.LargestOffset", 1.0).ConfigureAwait(false);
-        if (largest < radius) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.LargestTooSmall", NumberPrompt.Show(largest), NumberPrompt.Show(radius)));
+        var largest = await TrajectoryPrompts.LengthAsync(context, "SACE.largest", "Trajectories.MaximumOffset", 1.0).ConfigureAwait(false);
+        if (largest < radius) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.MaximumOffsetTooSmall", NumberPrompt.Show(largest), NumberPrompt.Show(radius)));
         if ((largest - radius) / step >= SaceOffsets.MostPasses) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", SaceOffsets.MostPasses));
         var side = await TrajectoryPrompts.SideAsync(context, contours).ConfigureAwait(false);
         SaceOffsets.Make(context, contours, Distances(radius, step, largest), side, SaceOffsets.NameOfPass, cancellation);

@@ -12,7 +12,7 @@ internal sealed class OsnapCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var modes = SystemVariables.Find("OSMODE");
-        var prompt = new TextPrompt(Wording.Get("Osnap.EnterListObjectSnap")) { Options = Keyword.List("ON", "OFF"), Default = SnapNames.Text((int)modes.Read(context)) };
+        var prompt = new TextPrompt(Wording.Get("Osnap.EnterModes")) { Options = Keyword.List("ON", "OFF"), Default = SnapNames.Text((int)modes.Read(context)) };
         var answer = await context.AskAsync(prompt).ConfigureAwait(false);
         if (answer is Answer<string>.Value { Of: var typed }) modes.Write(context, Bits(typed));
         var off = answer is Answer<string>.Chosen { Option: "OFF" };
@@ -25,7 +25,7 @@ internal sealed class OsnapCommand : ICommand
         var bits = 0;
         foreach (var name in typed.Split([',', ' '], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries))
         {
-            bits |= SnapNames.Find(name) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Osnap.ThereNoObjectSnap", name, SnapNames.Text(int.MaxValue)));
+            bits |= SnapNames.Find(name) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Osnap.UnknownMode", name, SnapNames.Text(int.MaxValue)));
         }
 
         return bits;

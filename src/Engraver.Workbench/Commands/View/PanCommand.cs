@@ -28,7 +28,7 @@ internal sealed class RegenCommand : ICommand
         context.View.Regenerate();
         if (!context.Derivation.IsGivenUp) return Task.CompletedTask;
         _ = context.Derivation.ForCurrentAsync(CancellationToken.None);
-        context.Say(Wording.Get("Regen.PlanningBeginsAgain"));
+        context.Say(Wording.Get("Regen.Planning"));
         return Task.CompletedTask;
     }
 }

@@ -20,8 +20,8 @@ internal sealed class PlaybackCommand : ICommand
         {
             case "PLay": context.Playback.Play(); break;
             case "PAuse": context.Playback.Pause(); break;
-            case "Time": context.Playback.Scrub(await NumberAsync(context, Wording.Get("Playback.EnterTimeSeconds"), context.Playback.Position, 0.0, motion.DurationSeconds).ConfigureAwait(false)); break;
-            case "Speed": context.Playback.Speed = await NumberAsync(context, Wording.Get("Playback.EnterSpeedPlanned"), Math.Min(context.Playback.Speed, 1e6), 1e-3, 1e6).ConfigureAwait(false); break;
+            case "Time": context.Playback.Scrub(await NumberAsync(context, Wording.Get("Playback.EnterTime"), context.Playback.Position, 0.0, motion.DurationSeconds).ConfigureAwait(false)); break;
+            case "Speed": context.Playback.Speed = await NumberAsync(context, Wording.Get("Playback.EnterSpeed"), Math.Min(context.Playback.Speed, 1e6), 1e-3, 1e6).ConfigureAwait(false); break;
             case "?": break;
             default: await GoAsync(context, option).ConfigureAwait(false); break;
         }
@@ -34,9 +34,9 @@ internal sealed class PlaybackCommand : ICommand
         var (drawing, playback) = (context.Drawing, context.Playback);
         var found = option switch
         {
-            "Row" => playback.GoToRow((int)await WholeAsync(context, Wording.Get("Playback.EnterRowTableCut")).ConfigureAwait(false) - 1),
-            "Contour" => playback.GoToStroke((int)await WholeAsync(context, Wording.Get("Playback.EnterContourCutFirst")).ConfigureAwait(false) - 1),
-            "Line" => playback.GoToLine((int)await WholeAsync(context, Wording.Get("Playback.EnterLineProgram")).ConfigureAwait(false)),
+            "Row" => playback.GoToRow((int)await WholeAsync(context, Wording.Get("Playback.EnterTableRow")).ConfigureAwait(false) - 1),
+            "Contour" => playback.GoToStroke((int)await WholeAsync(context, Wording.Get("Playback.EnterContour")).ConfigureAwait(false) - 1),
+            "Line" => playback.GoToLine((int)await WholeAsync(context, Wording.Get("Playback.EnterProgramLine")).ConfigureAwait(false)),
             _ => drawing.IndexOfHandle(await context.ValueAsync(new TextPrompt(Wording.Get("Common.EnterHandle"))).ConfigureAwait(false)) is { } entity && playback.GoToEntity(entity),
         };
         if (!found) throw new CommandException(CommandFailure.Usage, Wording.Get("Playback.NotCut"));
@@ -50,6 +50,6 @@ internal sealed class PlaybackCommand : ICommand
     private static void Say(CommandContext context)
     {
         if (context.Playback.Moment is not { } at) return;
-        context.Say(Wording.Get("Playback.MmMmToolStroke", at.Seconds, context.Playback.Motion!.DurationSeconds, PointPrompt.Show(at.Position), at.Speed, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Stroke + 1, at.Row + 1, context.Playback.Motion!.LineOf(at.Segment)), MessageKind.Result);
+        context.Say(Wording.Get("Playback.Position", at.Seconds, context.Playback.Motion!.DurationSeconds, PointPrompt.Show(at.Position), at.Speed, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Stroke + 1, at.Row + 1, context.Playback.Motion!.LineOf(at.Segment)), MessageKind.Result);
     }
 }

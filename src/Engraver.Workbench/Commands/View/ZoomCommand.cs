@@ -13,7 +13,7 @@ internal sealed class ZoomCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var prompt = new ZoomPrompt(Wording.Get("Zoom.SpecifyCornerWindowEnter")) { Options = s_options, Default = "Extents" };
+        var prompt = new ZoomPrompt(Wording.Get("Zoom.SpecifyCorner")) { Options = s_options, Default = "Extents" };
         switch (await context.AskAsync(prompt).ConfigureAwait(false))
         {
             case Answer<ZoomRequest>.Value { Of: ZoomRequest.Corner corner }: await WindowAsync(context, corner.Point).ConfigureAwait(false); break;
@@ -65,7 +65,7 @@ internal sealed class ZoomCommand : ICommand
     {
         while (true)
         {
-            var answer = await context.AskAsync(new ZoomPrompt(Wording.Get("Zoom.EnterScaleFactorNX")) { Default = "1X" }).ConfigureAwait(false);
+            var answer = await context.AskAsync(new ZoomPrompt(Wording.Get("Zoom.EnterScaleFactor")) { Default = "1X" }).ConfigureAwait(false);
             if (answer is not Answer<ZoomRequest>.Value { Of: ZoomRequest.Scale scale }) continue;
             Scale(context, scale);
             return;

@@ -7,10 +7,10 @@ namespace Engraver.Workbench.Machines.Alarms;
 internal static class MachineAlarms
 {
     public static void LinkLost(AlarmLog log, string link, string why) =>
-        log.Raise(AlarmCause.LinkLost, why, link, Wording.Get("MachineAlarms.LookCableControllerPower"));
+        log.Raise(AlarmCause.LinkLost, why, link, Wording.Get("MachineAlarms.CheckCable"));
 
     public static void Refused(AlarmLog log, MachineRefusal refused, string link) =>
-        log.Raise(AlarmCause.Refused, refused.Sentence, link, Wording.Get("MachineAlarms.ControllerSaidWhyMend"));
+        log.Raise(AlarmCause.Refused, refused.Sentence, link, Wording.Get("MachineAlarms.CorrectAndRepeat"));
 
     /// <summary>Raises and clears alarms by a reading of the controller.</summary>
     /// <param name="axes">What the axes are called.</param>
@@ -19,9 +19,9 @@ internal static class MachineAlarms
     {
         log.Clear(AlarmCause.LinkLost);
         if (ended is { Outcome: JobOutcome.Complete or JobOutcome.Deviated }) ended = Told(log, ended, link);
-        if (Standing(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStopNothing"), link, ended)) ended = null;
-        if (Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisSwitchedOffBecause", axes.NamesOf(poll.LostPosition)), Wording.Get("MachineAlarms.FindOutWhatHeld"), link, ended)) ended = null;
-        if (Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.MachineStandsOn", poll.Limit), Wording.Get("MachineAlarms.MoveAxisOffSwitch"), link, ended)) ended = null;
+        if (Standing(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStop"), link, ended)) ended = null;
+        if (Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisOff", axes.NamesOf(poll.LostPosition)), Wording.Get("MachineAlarms.FreeAxis"), link, ended)) ended = null;
+        if (Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.LimitSwitchActive", poll.Limit), Wording.Get("MachineAlarms.MoveOffSwitch"), link, ended)) ended = null;
         if (ended is not null) Ended(log, ended, link);
     }
 
@@ -43,7 +43,7 @@ internal static class MachineAlarms
             { Refusal: not null } => AlarmCause.Refused,
             _ => AlarmCause.JobStopped,
         };
-        if (cause is { } raised) log.Raise(raised, result.Sentence, Where(result, link), Wording.Get("MachineAlarms.JournalSaysWhatEngraved"));
+        if (cause is { } raised) log.Raise(raised, result.Sentence, Where(result, link), Wording.Get("MachineAlarms.CheckWorkpiece"));
     }
 
     /// <summary>Clears the alarms of an earlier job when a new one starts.</summary>

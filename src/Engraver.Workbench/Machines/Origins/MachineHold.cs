@@ -35,7 +35,7 @@ public sealed class MachineHold : IDisposable
         catch (Exception unusable) when (unusable is JsonException or InvalidDataException or IOException or UnauthorizedAccessException)
         {
             taken.Dispose(); // releases the machine
-            if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.NoRecord", SystemReason.Of(unusable)), unusable);
+            if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.InvalidRecord", SystemReason.Of(unusable)), unusable);
             throw;
         }
     }
@@ -210,8 +210,8 @@ internal sealed record MachineMemoryDocument
     /// <exception cref="InvalidDataException">It is not as it was written.</exception>
     public static MachineMemoryDocument Read(string text)
     {
-        var document = JsonSerializer.Deserialize(text, MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.HoldsNull"));
-        return document.Sum is null || document.Sum == SumOf(text) ? document : throw new InvalidDataException(Wording.Get("Origins.SumDiffers"));
+        var document = JsonSerializer.Deserialize(text, MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.ContainsNull"));
+        return document.Sum is null || document.Sum == SumOf(text) ? document : throw new InvalidDataException(Wording.Get("Origins.ChecksumMismatch"));
     }
 
     public string ToJson() => JsonSerializer.Serialize(this, MachineMemoryJson.Default.MachineMemoryDocument);
@@ -242,7 +242,7 @@ internal sealed record MachineMemoryDocument
 
     public MachineMemory ToMemory() => new()
     {
-        Active = WorkOriginNames.Find(Active) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", Active)),
+        Active = WorkOriginNames.Find(Active) ?? throw new JsonException(Wording.Get("Origins.UnknownOrigin", Active)),
         Origins = ReadOrigins(),
         Mark = Mark,
         Clock = Clock,
@@ -258,8 +258,8 @@ internal sealed record MachineMemoryDocument
         var origins = new Dictionary<string, WorkOrigin>();
         foreach (var (key, document) in Origins)
         {
-            var name = WorkOriginNames.Find(key) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", key));
-            if (document is null) throw new JsonException(Wording.Get("Origins.HoldsNull"));
+            var name = WorkOriginNames.Find(key) ?? throw new JsonException(Wording.Get("Origins.UnknownOrigin", key));
+            if (document is null) throw new JsonException(Wording.Get("Origins.ContainsNull"));
             if (!origins.TryAdd(name, new WorkOrigin(document.X, document.Y, document.Z) { IsAssumed = document.Assumed, Axes = document.CountsPerMillimetre?.ToAxes(document.Axes) ?? default })) throw new JsonException(Wording.Get("Origins.Twice", name));
         }
 

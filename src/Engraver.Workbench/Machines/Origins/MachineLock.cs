@@ -25,7 +25,7 @@ internal sealed class MachineLock : IDisposable
         }
         catch (IOException taken) when (File.Exists(path + LockSuffix))
         {
-            throw new MachineTakenException(Wording.Get("Origins.Taken", machine, HolderOf(path)), taken);
+            throw new MachineTakenException(Wording.Get("Origins.InUse", machine, HolderOf(path)), taken);
         }
 
         var kept = false;

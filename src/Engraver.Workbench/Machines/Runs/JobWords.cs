@@ -46,5 +46,5 @@ internal static class JobWords
     private static string Name(string key) => Setting(key)?.Name ?? key;
 
     private static string Value(string key, IReadOnlyDictionary<string, string> words) =>
-        words.GetValueOrDefault(key) is { } word ? $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotGiven");
+        words.GetValueOrDefault(key) is { } word ? $"{word} {Setting(key)?.Unit}".TrimEnd() : Wording.Get("Resume.NotSet");
 }

@@ -19,13 +19,13 @@ internal static class RunVerdict
         var tolerances = RunJudge.Tolerances(job);
         var (allowed, lag) = (AllowedDeviation(job, program, judgement, tolerances), RunJudge.AllowedFollowing(program));
         if ((judgement.CommandedDeviationMm ?? judgement.MaxDeviationMm) is { } commanded && commanded > allowed)
-            return Deviated(result, Wording.Get("RunVerdict.RunWorstMmBeside", Millimetres(commanded), At(judgement.DeviationAt)));
+            return Deviated(result, Wording.Get("RunVerdict.RunDeviated", Millimetres(commanded)), judgement.DeviationAt);
         if (judgement.CommandedDeviationMm is not null && judgement.MaxDeviationMm is { } deviation && deviation > allowed + lag)
-            return Deviated(result, Wording.Get("RunVerdict.MotorsBeside", Millimetres(deviation), At(judgement.DeviationAt), Millimetres(allowed + lag)));
+            return Deviated(result, Wording.Get("RunVerdict.MotorsDeviated", Millimetres(deviation), Millimetres(allowed + lag)), judgement.DeviationAt);
         if (judgement.FollowingMm is { } following && following > lag)
-            return Deviated(result, Wording.Get("RunVerdict.DidNotFollow", Millimetres(following), At(judgement.FollowingAt), Millimetres(lag)));
+            return Deviated(result, Wording.Get("RunVerdict.FollowingErrorTooLarge", Millimetres(following), Millimetres(lag)), judgement.FollowingAt);
         if (judgement.MissingLengthMm is { } missing && missing > AllowedMissing(judgement, tolerances))
-            return Deviated(result, Wording.Get("RunVerdict.MmDrawingNotCut", Millimetres(missing), At(judgement.MissingAt)));
+            return Deviated(result, Wording.Get("RunVerdict.NotCut", Millimetres(missing)), judgement.MissingAt);
         return result;
     }
 
@@ -33,10 +33,12 @@ internal static class RunVerdict
     public static double Tolerance(PreparedJob job, MotionProgram program, RunJudgement judgement) =>
         AllowedDeviation(job, program, judgement, RunJudge.Tolerances(job)) + (judgement.FollowingMm is null ? 0.0 : RunJudge.AllowedFollowing(program));
 
-    private static JobResult Deviated(JobResult result, string what) => result with
+    /// <param name="what">A sentence.</param>
+    /// <param name="place">Drawing point of the largest value, mm; null where none is known.</param>
+    private static JobResult Deviated(JobResult result, string what, Point2D? place) => result with
     {
         Outcome = JobOutcome.Deviated,
-        Sentence = Wording.Get("RunVerdict.WhatControllerItselfSaid", what),
+        Sentence = string.Join(' ', (string[])[what, .. At(place), Wording.Get("RunVerdict.CheckWorkpiece")]),
     };
 
     /// <summary>Where the join tolerance bridges gaps, the middle of a bridge is right though it lies off the drawing.</summary>
@@ -54,7 +56,7 @@ internal static class RunVerdict
     /// <summary>A record is judged place by place; polled, the length is a sum of segments, of which an arc that was aimed anew is a little shorter or longer.</summary>
     private static double AllowedMissing(RunJudgement judgement, TraceTolerances tolerances) => judgement.Source == "record" ? tolerances.Deviation : tolerances.LargestStep;
 
-    private static string At(Point2D? place) => place is { } at ? Wording.Get("RunVerdict.At", at.X, at.Y) : "";
+    private static string[] At(Point2D? place) => place is { } at ? [Wording.Get("RunVerdict.Position", at.X, at.Y)] : [];
 
     private static string Millimetres(double length) => length.ToString("0.####", CultureInfo.InvariantCulture);
 }

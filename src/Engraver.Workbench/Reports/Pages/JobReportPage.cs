@@ -33,7 +33,7 @@ public static class JobReportPage
         using var page = new PageWriter(output);
         page.Begin(Path.GetFileName(report.Job.Drawing.FileName));
         page.Paragraph(Path.GetFullPath(report.Job.Drawing.FileName), "code");
-        page.Paragraph(Wording.Get("JobReport.Made", Time(report.Now, here)), "quiet");
+        page.Paragraph(Wording.Get("JobReport.Created", Time(report.Now, here)), "quiet");
         page.Paragraph(Verdict(report), "verdict");
         Pictures(report, page);
         Sheet(report, page);
@@ -127,7 +127,7 @@ public static class JobReportPage
         page.Section("checks", Wording.Get("JobReport.Checks"), () =>
         {
             if (run.Checks is not { } checks) page.Paragraph(Wording.Get("JobReport.NoChecks"));
-            else page.Table([Wording.Get("JobReport.State"), Wording.Get("JobReport.Looked")], checks.Select(check => (string[])[Wording.Get(!check.Ok ? "JobReport.NotOk" : check.Warning ? "JobReport.Look" : "JobReport.Ok"), check.Sentence]));
+            else page.Table([Wording.Get("JobReport.State"), Wording.Get("JobReport.Check")], checks.Select(check => (string[])[Wording.Get(!check.Ok ? "JobReport.NotOk" : check.Warning ? "JobReport.Warning" : "JobReport.Ok"), check.Sentence]));
         });
     }
 
@@ -137,7 +137,7 @@ public static class JobReportPage
 
     private static void Journalled(JobReport report, JournalledRun told, PageWriter page)
     {
-        page.Paragraph(Wording.Get("JobReport.ByJournalAlone"));
+        page.Paragraph(Wording.Get("JobReport.FromJournalOnly"));
         page.Pairs(
         [
             new PagePair(Wording.Get("JobReport.Outcome"), Outcome(told), "outcome"),
@@ -166,7 +166,7 @@ public static class JobReportPage
         if (standing.Certificate is not { } certificate) return;
         page.Pairs(
         [
-            new PagePair(Wording.Get("JobReport.Standing"), Wording.Get("ReportStanding." + standing.State), "standing"),
+            new PagePair(Wording.Get("JobReport.Validity"), Wording.Get("ReportStanding." + standing.State), "standing"),
             new PagePair(Wording.Get("JobReport.Issued"), $"{Time(certificate.Issued, here)}, {certificate.IssuedBy}"),
             new PagePair(Wording.Get("JobReport.Target"), certificate.Program.Target, "program.target"),
             PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "certificate.maxDeviation", certificate.MaxDeviation, "0.0000"),
@@ -187,7 +187,7 @@ public static class JobReportPage
         string Figure(double? value) => value?.ToString("0.####", CultureInfo.InvariantCulture) ?? "–";
         page.Paragraph(Wording.Get("JobReport.OtherCertificates"));
         page.Table(
-            [Wording.Get("JobReport.Target"), Wording.Get("JobReport.Standing"), Wording.Get("JobReport.Issued"), Wording.Get("JobReport.MaxDeviation"), Wording.Get("JobReport.Tolerance"), Wording.Get("JobReport.ProgramHash")],
+            [Wording.Get("JobReport.Target"), Wording.Get("JobReport.Validity"), Wording.Get("JobReport.Issued"), Wording.Get("JobReport.MaxDeviation"), Wording.Get("JobReport.Tolerance"), Wording.Get("JobReport.ProgramHash")],
             others.Select(one => (string[])[one.Target, Wording.Get("ReportStanding." + one.Standing.State), one.Standing.Certificate is { } made ? Time(made.Issued, here) : "–", Figure(one.Standing.Certificate?.MaxDeviation), Figure(one.Standing.Certificate?.Tolerance), one.Standing.Certificate?.Program.Sha256 ?? "–"]));
     }
 

@@ -54,7 +54,7 @@ public class NewCommandTests
         var folder = Directory.CreateTempSubdirectory("engraver-new-");
         await using var session = new CommandSession(new CommandEnvironment { Folder = folder.FullName, RunJournalFolder = folder.FullName, RunNeedsArming = true }, CommandCatalog.Built());
         foreach (var input in new[] { "NEW", "CIRCLE", "5,5", "3", "SAVEAS", "mine.dxf", "CIRCLE", "9,9", "1", "NEW" }) await session.EnterAsync(input, CancellationToken.None);
-        Assert.Equal("mine.dxf was edited. Save it first? [Yes/No] <Yes>:", session.Prompt.Text);
+        Assert.Equal("Save changes to mine.dxf? [Yes/No] <Yes>:", session.Prompt.Text);
         await session.EnterAsync(answer, CancellationToken.None);
         Assert.Empty(DrawnText.Of(session.Document.Current.Drawing));
         await session.EnterAsync("OPEN", CancellationToken.None);

@@ -19,7 +19,7 @@ public class SendCommandTests
 
         Assert.IsType<InputResult.Done>(await sending.WaitAsync(s_patience));
         Assert.Equal("\u00A5\t\u00B7\u00B7\u00B7\u008D\n\t00\u00B2\u008D\n", heard);
-        Assert.StartsWith("2 lines are out: 13 characters", talk.Said, StringComparison.Ordinal);
+        Assert.StartsWith("2 lines sent: 13 characters", talk.Said, StringComparison.Ordinal);
         Assert.Null(talk.Session.Progress.Fraction);
     }
 
@@ -29,7 +29,7 @@ public class SendCommandTests
         await using var talk = new CommandTalk();
         File.WriteAllText(talk.PathOf("a.nc"), "G1 \u00FC\n");
 
-        Assert.Contains("no serial line", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SEND", "a.nc", "tcp://localhost")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is not a serial line", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SEND", "a.nc", "tcp://localhost")).Sentence, StringComparison.Ordinal);
         Assert.Contains("cannot be read", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SEND", "none.nc")).Sentence, StringComparison.Ordinal);
         Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SEND", "a.nc", "serial:///dev/engraver-nothing?frame=7E1")).Why);
         Assert.Contains("SND0002", talk.Said, StringComparison.Ordinal);

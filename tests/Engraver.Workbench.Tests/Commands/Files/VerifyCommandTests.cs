@@ -15,7 +15,7 @@ public class VerifyCommandTests
         await File.WriteAllTextAsync(talk.PathOf("job.scr"), $"OPEN \"{CommandTalk.Sample("gasket.dxf")}\"\nTOOLSTART 5,7\nPOST {target} job.dmc\nVERIFY job.dmc\n");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("SCRIPT", "job.scr"));
-        Assert.Matches(@"\nok: at worst 0\.00[0-3]\d mm beside the drawing \(0\.0035 mm allowed\), 0 mm missing, 0 mm too much\.$", talk.Said);
+        Assert.Matches(@"\nok: maximum deviation 0\.00[0-3]\d mm \(0\.0035 mm allowed\), 0 mm missing, 0 mm in excess\.$", talk.Said);
     }
 
     [Fact]
@@ -102,7 +102,7 @@ public class VerifyCommandTests
         await stopping;
 
         Assert.IsType<InputResult.Cancelled>(ended);
-        Assert.DoesNotContain("ok: at worst", talk.Said, StringComparison.Ordinal);
+        Assert.DoesNotContain("ok: maximum deviation", talk.Said, StringComparison.Ordinal);
         Assert.Null(talk.Session.Progress.Fraction);
     }
 }

@@ -27,7 +27,7 @@ public class FilletCommandTests
         await using var talk = Shape.Talk(Angle());
         await talk.TypeAsync("F", "R", "5", "10,0", "90,90");
         Assert.StartsWith("Select second object", talk.Session.Prompt.Text, StringComparison.Ordinal);
-        Assert.Contains("There is no object here", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No object at this point", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("0,10");
 
         Assert.Equal(["Line: 5,0>20,0", "Line: 0,20>0,5", "Arc: 5,5 r5 270-90"], Shape.All(talk));
@@ -120,7 +120,7 @@ public class FilletCommandTests
         Assert.Contains("corner cannot be made", talk.Said, StringComparison.Ordinal);
         Assert.Contains("same segment", talk.Said, StringComparison.Ordinal);
         Assert.Contains("EXPLODE", talk.Said, StringComparison.Ordinal);
-        Assert.Contains("no object here", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No object at this point", talk.Said, StringComparison.Ordinal);
         Assert.Equal("Line: 0,0>20,0", Shape.All(talk)[0]);
         await talk.Session.CancelAsync();
         Assert.Equal(PromptView.Idle, talk.Session.Prompt);

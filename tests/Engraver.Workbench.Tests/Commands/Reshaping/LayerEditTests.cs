@@ -37,7 +37,7 @@ public class LayerEditTests
     }
 
     [Theory]
-    [InlineData("M", "a|b", "cannot be the name", "B")]
+    [InlineData("M", "a|b", "is not a valid layer name", "B")]
     [InlineData("S", "nowhere", "no layer 'nowhere'", "0")]
     [InlineData("S", "COLD", "frozen", "0")]
     [InlineData("R", "0", "cannot be renamed", "COLD", "WARM")]

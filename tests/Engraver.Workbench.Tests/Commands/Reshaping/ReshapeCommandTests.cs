@@ -25,7 +25,7 @@ public class ReshapeCommandTests
 
         Assert.Equal(["Line: 0,0>3,0", "Line: 3,0>10,0", "LwPolyline: 24,0>28,0 | 28,0>28,8 | 28,8>20,8 | 20,8>20,0 | 20,0>24,0"], Shape.All(talk)[..3]);
         Assert.Contains("two different points", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("BREAK", "55,0", "@")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("no object here", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("BREAK", "99,99")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("No object at this point", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("BREAK", "99,99")).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -56,7 +56,7 @@ public class TrimCommandTests
 
         Assert.Equal(steps, talk.Session.Document.UndoNames.Count());
         Assert.Equal("Line: 0,0>10,0", Shape.All(talk)[0]);
-        Assert.Contains("nothing yet", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("Nothing to undo", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -21,7 +21,7 @@ public class ScriptCommandTests
         await using var talk = new CommandTalk();
         await File.WriteAllTextAsync(talk.PathOf("loop.scr"), "SCRIPT loop.scr\n");
 
-        Assert.Contains("does one call itself?", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SCRIPT", "loop.scr")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("whether a script calls itself.", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SCRIPT", "loop.scr")).Sentence, StringComparison.Ordinal);
         Assert.Equal(PromptView.Idle, talk.Session.Prompt);
     }
 

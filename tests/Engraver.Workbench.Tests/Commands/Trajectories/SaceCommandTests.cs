@@ -157,7 +157,7 @@ public class SaceCommandTests
         Assert.Equal((curve.Points - 1) / 5, heights.Count(height => height == -1.0) - 1);
         Assert.InRange(curve.VerifiedBound, 1e-6, 0.001);
         Assert.All(curve.Lines, place => Assert.InRange(place.DistanceTo(new Point2D(20.0, 5.0)), 0.9995, 1.0005));
-        Assert.Contains("has no room", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEHELICALDRILL", "20,5", "0.2", "0.25")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is too small", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEHELICALDRILL", "20,5", "0.2", "0.25")).Sentence, StringComparison.Ordinal);
     }
 
     /// <summary>"SACEShowTrajectories prints the type name of the list" (sace-xps-agie.md 1.1).</summary>
@@ -168,7 +168,7 @@ public class SaceCommandTests
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACESHOWTRAJECTORIES");
         var one = Assert.Single(All(talk));
 
-        Assert.Contains($"traj0_path: {one.Curve.Points} points, 18.85 mm, error at most 0.000", talk.Said, StringComparison.Ordinal);
+        Assert.Contains($"traj0_path: {one.Curve.Points} points, 18.85 mm, maximum error 0.000", talk.Said, StringComparison.Ordinal);
         Assert.Contains("1 trajectory in the list.", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("List`1", talk.Said, StringComparison.Ordinal);
     }
@@ -201,8 +201,8 @@ public class SaceCommandTests
         Assert.Equal(["traj1_path"], All(talk).Select(one => one.Name));
         await talk.TypeAsync("U", "U", "U", "U");
         Assert.Equal(("ring", 0.0), (All(talk)[0].Name, All(talk)[0].Curve.Z));
-        Assert.Contains("There is a trajectory ring already", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "ring")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("is no name", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "../x")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("Trajectory ring already exists", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "ring")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is not a valid name", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEEDITTRAJECTORY", "traj1_path", "Name", "../x")).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -32,7 +32,7 @@ public class TrajectoryEditTests
         await talk.TypeAsync("U");
         Assert.Equal(["ring"], Stale(talk));
         await talk.TypeAsync("REDO", "SACEUPDATETRAJECTORIES");
-        Assert.Contains("No object of a trajectory has been edited since", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No objects of the trajectories have been edited", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]

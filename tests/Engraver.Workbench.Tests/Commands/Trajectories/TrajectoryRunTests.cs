@@ -21,7 +21,7 @@ public class TrajectoryRunTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "T", "Y"));
         var judged = talk.Session.Machine.LastRun!.Judgement;
 
-        Assert.Contains("The job is 2 trajectories", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The job cuts 2 trajectories", talk.Said, StringComparison.Ordinal);
         Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // the spline's own error is seen
         Assert.Equal(0.0, judged.MissingLengthMm);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "T", "T", "Y")); // and back again: the drawing

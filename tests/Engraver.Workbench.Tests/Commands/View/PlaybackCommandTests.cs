@@ -46,6 +46,6 @@ public class PlaybackCommandTests
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LA", "OFF", "*", "", "PLAYBACK"));
 
-        Assert.Equal((CommandFailure.Drawing, "No curve of the drawing is cut."), (failed.Why, failed.Sentence));
+        Assert.Equal((CommandFailure.Drawing, "The drawing has no curves to cut."), (failed.Why, failed.Sentence));
     }
 }

@@ -18,7 +18,7 @@ internal static class FaultStory
     {
         { Abort: true } => (MachineState.EmergencyStopOpen, ["abort input"]),
         { Limits.Length: > 0 } => (MachineState.Fault, ["limit", .. Names(truth.Limits).Select(name => $"axis {name}")]),
-        { OffByError.Length: > 0 } => (MachineState.Fault, ["position error", Names(truth.OffByError)]),
+        { OffByError.Length: > 0 } => (MachineState.Fault, ["following error", Names(truth.OffByError)]),
         { Off.Length: > 0 } => (MachineState.MotorsOff, [Names(truth.Off)]),
         _ when status.IsHomed == false => (MachineState.NotHomed, []),
         _ when one.IsRun && run.Result is { FrameOrigin: not null, Outcome: var outcome } => outcome switch

@@ -129,13 +129,13 @@ public sealed class MachineHoldTests : IDisposable
     }
 
     [Theory]
-    [InlineData("null", "it holds null")]
+    [InlineData("null", "it contains null")]
     [InlineData("[]", "line 1 is not valid JSON")]
-    [InlineData("{\"active\":\"G60\"}", "'G60' is no work origin")]
-    [InlineData("{\"origins\":{\"G1\":{\"x\":1}}}", "'G1' is no work origin")]
+    [InlineData("{\"active\":\"G60\"}", "'G60' is not a work origin")]
+    [InlineData("{\"origins\":{\"G1\":{\"x\":1}}}", "'G1' is not a work origin")]
     [InlineData("{\"active\":\"G54\",\"origins\":null}", "origins")]
     [InlineData("{\"active\":null,\"origins\":{}}", "active")]
-    [InlineData("{\"active\":\"G54\",\"origins\":{\"G54\":null}}", "it holds null")]
+    [InlineData("{\"active\":\"G54\",\"origins\":{\"G54\":null}}", "it contains null")]
     [InlineData("{\"origins\":{\"G54\":{\"x\":1},\"g54\":{\"x\":2}}}", "it holds G54 twice")]
     public void A_file_that_is_no_record_is_named_left_as_it_is_and_not_held(string text, string why)
     {

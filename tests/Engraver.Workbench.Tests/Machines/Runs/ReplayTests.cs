@@ -158,7 +158,7 @@ public sealed class ReplayTests : IDisposable
         var (_, gone) = await IncidentReplay.RunAsync(Journal + "x", wire, CancellationToken.None);
 
         Assert.Null(none);
-        Assert.Contains("not what was said to the controller", lack, StringComparison.Ordinal);
+        Assert.Contains("does not contain the commands sent to the controller", lack, StringComparison.Ordinal);
         Assert.Contains("line 1", unreadable, StringComparison.Ordinal);
         Assert.NotNull(gone);
     }
