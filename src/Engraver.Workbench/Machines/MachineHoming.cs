@@ -48,7 +48,7 @@ internal static class MachineHoming
     private static async Task KeepAsync(IMachineConnection machine, MachineHold hold, MachineProfile profile, MachineMemory after, TimeProvider wall)
     {
         var mark = MachineMemory.NewMark(wall.GetUtcNow());
-        if (!await machine.MarkAsync(mark, CancellationToken.None).ConfigureAwait(false)) throw new MachineMemoryException(Wording.Get("Origins.NoMark"));
+        if (!await machine.MarkAsync(mark, CancellationToken.None).ConfigureAwait(false)) throw new MachineMemoryException(Wording.Get("Origins.NoRoomForMark"));
         var place = await machine.LocateAsync(profile.Axes, CancellationToken.None).ConfigureAwait(false);
         if (hold.Set(_ => after with { Mark = mark, Clock = place.Clock, Rest = place.Position, IsMoving = false }) is { } failure) throw MachineMemoryException.NotWritten(failure);
         hold.Recognise(place with { Mark = mark, StoppedHard = "" }); // that was before the homing

@@ -28,7 +28,7 @@ public class OutputFileTests
     }
 
     [Theory]
-    [InlineData("missing/out.txt", "does not exist.")]
+    [InlineData("missing/out.txt", "Folder ")]
     [InlineData("inner", "The path is a folder.")]
     public void A_place_that_cannot_be_written_is_told_without_the_temporary_name(string name, string said)
     {

@@ -67,7 +67,7 @@ internal sealed class CircleCommand : ICommand
         while (true)
         {
             var place = await context.ValueAsync(new PointPrompt(Wording.Get(text)) { Use = PointUse.Object }).ConfigureAwait(false);
-            if (ObjectSelection.At(context, place) is not { } entity) context.Say(Wording.Get("Offset.NoObject"));
+            if (ObjectSelection.At(context, place) is not { } entity) context.Say(Wording.Get("Offset.NoObjectAtPoint"));
             else if (Core.Drawings.DrawingPick.Segments(context.Drawing, entity).MinBy(segment => segment.DistanceTo(place)) is { IsFreeCurve: false } segment) return (segment, place);
             else context.Say(Wording.Get("Circle.NoTangent"));
         }

@@ -66,7 +66,7 @@ internal sealed class LayerCommand : ICommand
     {
         var prompt = new TextPrompt(Wording.Get("Layer.EnterColor"))
         {
-            Refusal = typed => ColourName.Parse(typed) is null ? Wording.Get("Layer.InvalidColor", typed, string.Join(", ", ColourName.Known)) : null,
+            Refusal = typed => ColourName.Parse(typed) is null ? Wording.Get("Layer.NotAColour", typed, string.Join(", ", ColourName.Known)) : null,
         };
         return ColourName.Parse(await context.ValueAsync(prompt).ConfigureAwait(false))!.Value;
     }

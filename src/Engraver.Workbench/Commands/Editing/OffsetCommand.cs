@@ -21,7 +21,7 @@ internal sealed class OffsetCommand : ICommand
         var choice = await ChoiceAsync(context).ConfigureAwait(false);
         int[] made = [0];
         int? found = null;
-        var prompt = new PointPrompt(Wording.Get("Offset.SelectObject")) { Use = PointUse.Object, Refusal = at => (found = ObjectSelection.At(context, at)) is null ? Wording.Get("Offset.NoObject") : null };
+        var prompt = new PointPrompt(Wording.Get("Offset.SelectObject")) { Use = PointUse.Object, Refusal = at => (found = ObjectSelection.At(context, at)) is null ? Wording.Get("Offset.NoObjectAtPoint") : null };
         while (await AnswerAsync(context, prompt, made).ConfigureAwait(false) is not null)
         {
             if (!await OffsetAsync(context, choice, found!.Value, made).ConfigureAwait(false)) return;

@@ -10,7 +10,7 @@ internal sealed class OpenCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Open.EnterNameDrawingOpen"), new FileWanted(FileWanted.Drawing, false, ".dxf"))).ConfigureAwait(false);
+        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Open.EnterName"), new FileWanted(FileWanted.Drawing, false, ".dxf"))).ConfigureAwait(false);
         DrawingOpening.Open(context, name, context.FileToRead(name), cancellation);
     }
 }

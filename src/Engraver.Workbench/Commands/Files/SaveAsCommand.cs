@@ -13,7 +13,7 @@ internal sealed class SaveAsCommand : ICommand
     public static async Task SaveAsync(CommandContext context)
     {
         DrawingSaving.SayRest(context);
-        var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterNameDxfFile"), new FileWanted(FileWanted.Drawing, true, ".dxf") { Suggested = context.BesideDrawing(".dxf") }, adds: true).ConfigureAwait(false);
+        var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterName"), new FileWanted(FileWanted.Drawing, true, ".dxf") { Suggested = context.BesideDrawing(".dxf") }, adds: true).ConfigureAwait(false);
         var path = context.FileToWrite(name);
         DrawingSaving.WriteDrawing(context, name, path);
         DrawingSaving.WriteSidecar(context, path);

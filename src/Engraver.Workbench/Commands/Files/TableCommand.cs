@@ -16,7 +16,7 @@ internal sealed class TableCommand : ICommand
     {
         var drawing = context.Drawing;
         var settings = context.Document.Current.Settings;
-        var order = await context.ChoiceAsync(Wording.Get("Table.EnterOrderRows"), Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
+        var order = await context.ChoiceAsync(Wording.Get("Table.EnterRowOrder"), Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
         var format = (await context.ChoiceAsync(Wording.Get("Table.EnterFormat"), s_formats, context.Remembered("TABLE", "Text")).ConfigureAwait(false));
         context.Remember("TABLE", format);
         var (table, findings) = order == "Drawn" ? (JobPreparation.Analyse(drawing, settings), []) : JobPreparation.CutTableOf(drawing, settings);

@@ -13,7 +13,7 @@ internal sealed class DistCommand : ICommand
         var second = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPoint")) { From = first }).ConfigureAwait(false);
         var (way, figures) = (second - first, context.Figures);
         context.Say(
-            Wording.Get("Dist.DistanceAngleXyPlane", figures.Length(way.Length), figures.Degrees(way.Direction.Positive()), figures.Length(way.X), figures.Length(way.Y)),
+            Wording.Get("Dist.Distance", figures.Length(way.Length), figures.Degrees(way.Direction.Positive()), figures.Length(way.X), figures.Length(way.Y)),
             MessageKind.Result);
     }
 }

@@ -26,7 +26,7 @@ internal sealed class MatchPropertiesCommand : ICommand
             {
                 case Answer<Point2D>.Value { Of: var at }:
                     var found = await FoundAsync(context, at).ConfigureAwait(false);
-                    if (found.Count == 0) context.Say(Wording.Get("Offset.NoObject"));
+                    if (found.Count == 0) context.Say(Wording.Get("Offset.NoObjectAtPoint"));
                     steps.Take(() => Match(context, source, ObjectSelection.WithoutLocked(context, found), matched));
                     break;
                 case Answer<Point2D>.Chosen { Option: "Undo" }:

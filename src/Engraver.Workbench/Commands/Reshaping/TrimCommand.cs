@@ -114,7 +114,7 @@ internal sealed class TrimCommand : ICommand
 
     private static void Take(CommandContext context, ReshapeEdges edges, IReadOnlyList<(int Entity, Point2D At)> picked, bool extends)
     {
-        if (picked.Count == 0) context.Say(Wording.Get("Offset.NoObject"));
+        if (picked.Count == 0) context.Say(Wording.Get("Offset.NoObjectAtPoint"));
         var (drawing, reshaped) = (context.Drawing, new ReshapedDrawing(context.Drawing));
         var free = ObjectSelection.WithoutLocked(context, [.. picked.Select(one => one.Entity)]).ToHashSet();
         foreach (var (entity, at) in picked.Where(one => free.Contains(one.Entity)))

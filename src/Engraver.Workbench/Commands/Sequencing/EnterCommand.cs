@@ -16,7 +16,7 @@ internal sealed class EnterCommand : ICommand
         var answer = await context.AskAsync(new PointPrompt(Wording.Get("Enter.SelectEnteringEntity")) { Options = Keyword.List("Handle", "Point", "None"), Use = PointUse.Object }).ConfigureAwait(false);
         var place = answer switch
         {
-            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectThere"))),
+            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectAtPoint"))),
             Answer<Point2D>.Chosen { Option: "Handle" } => new EnteringPlace.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
             Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
             _ => null,
@@ -34,7 +34,7 @@ internal sealed class EnterCommand : ICommand
     private static async Task<string> HandleAsync(CommandContext context)
     {
         var handle = await context.ValueAsync(new TextPrompt(Wording.Get("Common.EnterHandle"))).ConfigureAwait(false);
-        return context.Drawing.IndexOfHandle(handle) is null ? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectHasHandle", handle)) : handle;
+        return context.Drawing.IndexOfHandle(handle) is null ? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.HandleNotFound", handle)) : handle;
     }
 }
 

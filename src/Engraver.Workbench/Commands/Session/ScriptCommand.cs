@@ -9,7 +9,7 @@ internal sealed class ScriptCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Script.EnterScriptFileName"), new FileWanted("script", false, ".scr"))).ConfigureAwait(false);
+        var name = await context.ValueAsync(new FilePrompt(Wording.Get("Script.EnterFileName"), new FileWanted("script", false, ".scr"))).ConfigureAwait(false);
         context.QueueScript(context.FileToRead(name), await File.ReadAllTextAsync(context.FileToRead(name), cancellation).ConfigureAwait(false));
     }
 }

@@ -10,7 +10,7 @@ internal sealed class PanCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Pan.SpecifyBasePointOr"))).ConfigureAwait(false);
+        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Pan.SpecifyBasePoint"))).ConfigureAwait(false);
         var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOrDisplacement")) { EnterEnds = true, From = first }).ConfigureAwait(false);
         var way = second is Answer<Point2D>.Value { Of: var point } ? point - first : first - Point2D.Origin;
         var view = context.View.Current;

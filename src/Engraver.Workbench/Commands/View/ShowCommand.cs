@@ -16,7 +16,7 @@ internal sealed class ShowCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var option = await context.ChoiceAsync(Wording.Get("Show.EnterLayer"), s_options, "?").ConfigureAwait(false);
+        var option = await context.ChoiceAsync(Wording.Get("Show.EnterDisplayItem"), s_options, "?").ConfigureAwait(false);
         if (option == "?")
         {
             context.SayResult(output => Write(context.View.Current.Shown, output));

@@ -81,7 +81,7 @@ public sealed class JobPlacement
         if (hold.IsKept && !hold.Memory.IsSameZero(place))
         {
             mark = MachineMemory.NewMark(time.GetUtcNow());
-            if (!await machine.MarkAsync(mark.Value, cancellation).ConfigureAwait(false)) throw new MachineMemoryException(Wording.Get("Origins.NoMark"));
+            if (!await machine.MarkAsync(mark.Value, cancellation).ConfigureAwait(false)) throw new MachineMemoryException(Wording.Get("Origins.NoRoomForMark"));
         }
 
         if (hold.Set(memory => change(memory) with { Mark = mark, Clock = place.Clock }) is { } failure) throw MachineMemoryException.NotWritten(failure);

@@ -44,7 +44,7 @@ public class TrajectoryRunTests
         Assert.NotNull(talk.Session.Machine.ShownJob);
         await talk.TypeAsync("SACEDELETEALLTRAJECTORIES");
         Assert.Null(talk.Session.Machine.ShownJob);
-        Assert.Contains("There are no trajectories", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "T", "Stream")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("No trajectories yet", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "T", "Stream")).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -25,7 +25,7 @@ internal static class FaultStory
         {
             JobOutcome.Complete => (MachineState.Complete, []),
             JobOutcome.Deviated => (MachineState.Deviated, []),
-            JobOutcome.LinkLost => (MachineState.Stopped, ["link"]),
+            JobOutcome.LinkLost => (MachineState.Stopped, ["connection lost"]),
             JobOutcome.Stopped => (MachineState.Stopped, ["operator"]),
             _ => (MachineState.Stopped, ["refused"]),
         },
