@@ -19,7 +19,7 @@ internal sealed class Stretch(IReadOnlyList<int> before)
     {
         var again = entities.Intersect(Entities).Count();
         _picked.Push((entities, box));
-        return Wording.Get("ObjectSelection.FoundTotal", entities.Count, again > 0 ? Wording.Get("ObjectSelection.FoundDuplicate", again) : "", Entities.Count);
+        return again > 0 ? Wording.Get("ObjectSelection.FoundDuplicate", entities.Count, again, Entities.Count) : Wording.Get("ObjectSelection.FoundTotal", entities.Count, Entities.Count);
     }
 
     public void Back() => _picked.TryPop(out _);
