@@ -41,10 +41,10 @@ public sealed class NotCutTests
 
     /// <summary>--cut takes no dimension and no point: no advice names what is refused.</summary>
     [Theory]
-    [InlineData("DIMENSION", "To cut them: explode DIMENSION into lines in the CAD program. Move what must not be cut")]
-    [InlineData("POINT", "To cut them: draw a small circle or a short line at each point. Move what must not be cut")]
-    [InlineData("MLINE", "To cut them: name outlines with --cut (mline). Move what must not be cut")]
-    [InlineData("TRACE", "To cut them: name outlines with --cut (solid). Move what must not be cut")]
+    [InlineData("DIMENSION", "To cut them: explode DIMENSION into lines in the CAD program. To leave them uncut")]
+    [InlineData("POINT", "To cut them: draw a small circle or a short line at each point. To leave them uncut")]
+    [InlineData("MLINE", "To cut them: name outlines with --cut (mline). To leave them uncut")]
+    [InlineData("TRACE", "To cut them: name outlines with --cut (solid). To leave them uncut")]
     public async Task What_can_be_done_depends_on_the_type(string type, string advice)
     {
         using var folder = new TemporaryFolder();
