@@ -45,7 +45,7 @@ public sealed class FileDropTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.Equal(4, here.Commands.Document.Current.Drawing?.Entities.Count);
-        Assert.Contains(here.History, line => line.Contains("only paper-001.dxf", StringComparison.Ordinal));
+        Assert.Contains(here.History, line => line.Contains("Only paper-001.dxf was opened", StringComparison.Ordinal));
     });
 
     [Fact]
