@@ -29,7 +29,7 @@ public sealed class MovingPictureTests(DesktopFixture fixture)
         for (var fraction = Step; fraction < 1; fraction += Step)
         {
             var wanted = fraction;
-            here.Until(() => here.Commands.Machine.Status is { State: not MachineState.Running } or { Progress.Fraction: var at } && at >= wanted);
+            here.Until(() => here.Commands.Machine.Status is { State: not MachineState.Running } || here.Commands.Machine.Status.Progress?.Fraction >= wanted);
             if (here.Commands.Machine.Status is not { State: MachineState.Running, Progress.Fraction: var reached }) break;
             Take(here, taken, reached);
         }
