@@ -198,7 +198,7 @@ public class DrawingCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
 
-        Assert.Contains("is no color", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is not a colour", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -42,7 +42,7 @@ public class LayerEditTests
     [InlineData("S", "COLD", "frozen", "0")]
     [InlineData("R", "0", "cannot be renamed", "COLD", "WARM")]
     [InlineData("R COLD", "0", "already", "WARM")]
-    [InlineData("C", "mauve", "is no color", "red", "0")]
+    [InlineData("C", "mauve", "is not a colour", "red", "0")]
     [InlineData("F", "A,nowhere,never", "no layer 'nowhere', 'never'", "*")]
     public async Task What_cannot_be_is_told_and_asked_once_more_so_that_nothing_typed_before_is_lost(string option, string name, string told, params string[] then)
     {
