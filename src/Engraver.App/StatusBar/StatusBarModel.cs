@@ -46,7 +46,7 @@ public sealed class StatusBarModel : Observable
 
     public string JoinTolerance => Text.Get("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
 
-    public string MaxError => Text.Get("Status.MaxDeviation", _desk.Session.Document.Current.Settings.MaxErrorMm);
+    public string MaxError => Text.Get("Status.MaxCurveError", _desk.Session.Document.Current.Settings.MaxErrorMm);
 
     public string Profile => _desk.Session.Settings.Current.LastProfile is { } file ? Path.GetFileNameWithoutExtension(file) : Text.Get("Status.DefaultProfile");
 
