@@ -17,7 +17,7 @@ public class AgieFileTests
 
         Assert.Equal((ExitCode.Done, ExitCode.Done, ExitCode.DrawingError), (posted.ExitCode, verified.ExitCode, spoiled.ExitCode));
         Assert.Contains("block 001  at ", posted.Out, StringComparison.Ordinal);
-        Assert.Contains("the machine leaves the path by at most 0.000", posted.Out, StringComparison.Ordinal);
+        Assert.Contains("maximum deviation from the path: 0.000", posted.Out, StringComparison.Ordinal);
         Assert.True((bool)JsonNode.Parse(verified.Out)!["ok"]!);
         Assert.Contains("gasket.agie(3): error PST0001", spoiled.Error, StringComparison.Ordinal);
     }

@@ -96,7 +96,7 @@ public sealed class ResumeRunTests : IDisposable
         await RefusedAsync($"line {last + 1} of the file was changed", Changed(lines, last, line => WithNumber(line, "cut", 5)));
         await RefusedAsync($"line {last + 1} of the file was changed", Changed(lines, last, line => WithNumber(line, "along", 900)));
         await RefusedAsync("lines are missing before line 4", Changed([.. lines[..3], .. lines[4..]], 0, line => line));
-        await RefusedAsync($"line {last + 1} of the file has no check sum", Changed(lines, last, Unsealed));
+        await RefusedAsync($"line {last + 1} of the file has no checksum", Changed(lines, last, Unsealed));
         await RefusedAsync("the position in the same line", Changed([.. lines.Select(Unsealed)], last, line => WithNumber(line, "cut", 8)));
 
         string[] Changed(string[] all, int at, Func<string, string> change) => [.. run, "--resume", _folder.WithFile("changed.jsonl", string.Join('\n', all.Select((line, i) => i == at ? change(line) : line)) + "\n")];

@@ -42,7 +42,7 @@ public sealed class RunJsonTests
         var run = await CliRun.RunAsync("run", drawing, "--connect", "sim:", "--journal", folder.PathOf("job.jsonl"));
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Single(run.Error.Split('\n'), line => line.Contains("1 TEXT is visible", StringComparison.Ordinal));
+        Assert.Single(run.Error.Split('\n'), line => line.Contains("Visible but not cut: 1 TEXT", StringComparison.Ordinal));
         Assert.Single(run.Error.Split('\n'), line => line.Contains("millimetres were assumed", StringComparison.Ordinal));
         Assert.Contains("visible but NOT CUT (1 TEXT)", run.Out, StringComparison.Ordinal);
     }

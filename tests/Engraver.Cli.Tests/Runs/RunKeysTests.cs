@@ -20,10 +20,10 @@ public class RunKeysTests
         Assert.Equal(("complete", 1), (report.GetProperty("outcome").GetString(), report.GetProperty("holds").GetInt32()));
         Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
         Assert.Contains("Keys: h hold", run.Error, StringComparison.Ordinal);
-        Assert.Contains("Feed 80 %, rapids 100 %.", run.Error, StringComparison.Ordinal);
-        Assert.Contains("Feed 80 %, rapids 90 %.", run.Error, StringComparison.Ordinal);
+        Assert.Contains("Feed 80 %, rapid 100 %.", run.Error, StringComparison.Ordinal);
+        Assert.Contains("Feed 80 %, rapid 90 %.", run.Error, StringComparison.Ordinal);
         Assert.Contains("HELD", run.Error, StringComparison.Ordinal);
-        Assert.Contains("Feed 100 %, rapids 90 %.", run.Error, StringComparison.Ordinal);
+        Assert.Contains("Feed 100 %, rapid 90 %.", run.Error, StringComparison.Ordinal);
         Assert.Empty(keys);
     }
 

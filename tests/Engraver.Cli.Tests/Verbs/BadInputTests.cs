@@ -72,7 +72,7 @@ public class BadInputTests
         var run = await CliRun.RunAsync(verb, SampleDrawing.PathOf("gasket"), "-o", folder.PathOf(name));
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains($"the format {Path.GetExtension(name)} is not written by this verb", run.Error, StringComparison.Ordinal);
+        Assert.Contains($"this verb does not write the format {Path.GetExtension(name)}.", run.Error, StringComparison.Ordinal);
         Assert.False(File.Exists(folder.PathOf(name)));
     }
 
@@ -238,10 +238,10 @@ public class BadInputTests
     }
 
     [Theory]
-    [InlineData("inof", "did you mean 'info'?")]
-    [InlineData("sequnce", "did you mean 'sequence'?")]
-    [InlineData("PLOT", "did you mean 'plot'?")]
-    [InlineData("xyzzyx", "there are info, ")]
+    [InlineData("inof", "Did you mean 'info'?")]
+    [InlineData("sequnce", "Did you mean 'sequence'?")]
+    [InlineData("PLOT", "Did you mean 'plot'?")]
+    [InlineData("xyzzyx", "The verbs are info, ")]
     public async Task A_word_that_is_no_verb_is_answered_with_the_nearest_one(string word, string answer)
     {
         var run = await CliRun.RunAsync(word, "drawing.dxf");

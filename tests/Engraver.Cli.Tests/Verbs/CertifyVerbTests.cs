@@ -37,8 +37,8 @@ public class CertifyVerbTests
         var stale = await CliRun.RunAsync([.. run, "--feed", "700"]);
         var differs = await CliRun.RunAsync("certify", drawing, "--check", "--json", "--feed", "700", "--max-error", "0.002");
 
-        Assert.Contains("note   No certificate stands beside the drawing; engraver certify reads the program back and writes one.", before.Error.Split('\n'));
-        Assert.Contains(stands.Error.Split('\n'), line => line.StartsWith("ok     The certificate stands:", StringComparison.Ordinal));
+        Assert.Contains("note   The drawing has no certificate; engraver certify verifies the program and writes one.", before.Error.Split('\n'));
+        Assert.Contains(stands.Error.Split('\n'), line => line.StartsWith("ok     The certificate is valid:", StringComparison.Ordinal));
         Assert.Contains("WARN   The certificate beside the drawing is for another job; changed: the machine profile; engraver certify writes a new one.", stale.Error.Split('\n'));
         Assert.All([before, stands, stale], job => Assert.Equal(ExitCode.Done, job.ExitCode));
         Assert.Equal((ExitCode.DrawingError, "none"), (none.ExitCode, JsonText.Of(none).GetProperty("standing").GetString()));

@@ -18,7 +18,7 @@ public class CommissionVerbTests
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Contains("\"countsPerMillimetreX\": -1000", await File.ReadAllTextAsync(file), StringComparison.Ordinal);
         Assert.Contains("Axis A moves +1000 counts at 2000 counts/s, tool off. Is the path clear? [Yes/No] <No>:\n", run.Out, StringComparison.Ordinal);
-        Assert.Contains("used from now on; --machine takes it.", run.Out, StringComparison.Ordinal); // and not CNCPROFILE, which the console has not
+        Assert.Contains("and in use as the machine profile. Load it again with --machine.", run.Out, StringComparison.Ordinal); // and not CNCPROFILE, which the console has not
         var next = await CliRun.Typing(WithoutMoves + "No\n", "commission", "--connect", "sim:", "--machine", file);
         Assert.Equal(ExitCode.Done, next.ExitCode);
         Assert.Contains("X: axis A, -1000 counts/mm.", next.Out, StringComparison.Ordinal);
@@ -33,7 +33,7 @@ public class CommissionVerbTests
         var run = await CliRun.Typing("Skip\nGo\n", "commission", "--connect", "sim:", "-o", file);
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains("the input ends while engraver commission asks \"Axis A: signals of the encoder", run.Error, StringComparison.Ordinal);
+        Assert.Contains("the input ended at the question \"Axis A: signals of the encoder", run.Error, StringComparison.Ordinal);
         Assert.False(File.Exists(file));
     }
 

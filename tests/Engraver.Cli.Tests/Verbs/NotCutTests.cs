@@ -52,7 +52,7 @@ public sealed class NotCutTests
         var run = await CliRun.RunAsync("run", file, "--connect", "sim:", "--journal", folder.PathOf("k"));
 
         Assert.Contains(advice, run.Error, StringComparison.Ordinal);
-        Assert.Contains(char.ToLowerInvariant(advice[0]) + advice[1..advice.IndexOf(';', StringComparison.Ordinal)], run.Out, StringComparison.Ordinal);
+        Assert.Contains(advice[(advice.IndexOf(':', StringComparison.Ordinal) + 1)..advice.IndexOf('.', StringComparison.Ordinal)], run.Out, StringComparison.Ordinal);
         Assert.DoesNotContain("--cut " + type, run.Out + run.Error, StringComparison.OrdinalIgnoreCase);
     }
 
@@ -161,7 +161,7 @@ public sealed class NotCutTests
     }
 
     [Theory]
-    [InlineData(6, 30.0, 0.0, "as millimetres")]
+    [InlineData(6, 30.0, 0.0, "in millimetres, the same numbers give")]
     [InlineData(4, 45000.0, 0.0, "")]
     [InlineData(4, 100.0, 25000.0, "")]
     [InlineData(4, 9000.0, 0.0, null)]

@@ -45,7 +45,7 @@ public class ReportVerbTests
         Assert.Equal(run.GetProperty("maxDeviation").GetDouble(), Figure(Section(page, "run"), "maxDeviation"));
         Assert.Equal(run.GetProperty("seconds").GetDouble(), Figure(Section(page, "run"), "seconds"));
         Assert.Equal(run.GetProperty("checks").EnumerateArray().Select(check => check.GetProperty("sentence").GetString()), Section(page, "checks").Descendants(Html + "tbody").Single().Elements().Select(row => row.Elements().Last().Value));
-        Assert.Equal("stands", Cell(Section(page, "certificate"), "standing").Value);
+        Assert.Equal("valid", Cell(Section(page, "certificate"), "standing").Value);
         Assert.Equal(certificate.RootElement.GetProperty("program").GetProperty("sha256").GetString(), Cell(Section(page, "certificate"), "program.sha256").Value);
         Assert.Equal(Body(await File.ReadAllTextAsync(folder.PathOf("a.html"))), Body(await File.ReadAllTextAsync(folder.PathOf("b.html"))));
         var entry = JsonText.Of(await CliRun.RunAsync("history", "--json", "--search", drawing)).GetProperty("entries").EnumerateArray().First(one => one.GetProperty("kind").GetString() == "run");

@@ -25,7 +25,7 @@ public class TerminalVerbTests
         var run = await CliRun.Typing("x=1\nST\nMG x\n", "terminal", "--connect", "sim:");
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains("write: confirm ST\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains("type: confirm ST\n", run.Out, StringComparison.Ordinal);
         Assert.Equal(ExitCode.Done, (await CliRun.Typing("confirm ST\n", "terminal", "--connect", "sim:")).ExitCode);
     }
 

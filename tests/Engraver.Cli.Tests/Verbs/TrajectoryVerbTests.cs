@@ -211,7 +211,7 @@ public class TrajectoryVerbTests
 
         Assert.Equal(0, run.ExitCode);
         Assert.Contains("TRJ0005", run.Error, StringComparison.Ordinal);
-        Assert.Matches(@"up to (4[89]|50)\.", run.Error); // sqrt(256 x 10) = 50.6 on the circle itself
+        Assert.Matches(@"Up to (4[89]|50)\.", run.Error); // sqrt(256 x 10) = 50.6 on the circle itself
     }
 
     /// <summary>A trajectory on a machine of lines and arcs: what moved is compared with what was drawn, not with the spline.</summary>

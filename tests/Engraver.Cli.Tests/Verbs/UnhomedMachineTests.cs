@@ -17,7 +17,7 @@ public sealed class UnhomedMachineTests : IDisposable
         var asked = await CliRun.RunAsync(["jog", "--y", "-5", "--feed", "3000", .. at]);
 
         Assert.All([slow, asked], run => Assert.Equal(ExitCode.Done, run.ExitCode));
-        Assert.All([slow, asked], run => Assert.Contains("not homed: no soft limit stops it before its switches. Until then it moves at no more than 480 mm/min", run.Error, StringComparison.Ordinal));
+        Assert.All([slow, asked], run => Assert.Contains("The machine is not homed, so the soft limits are not active and only the limit switches stop it. The speed is limited to 480 mm/min", run.Error, StringComparison.Ordinal));
         Assert.InRange(machine.FastestFrom(0), 7, 8); // 480 mm/min are 8 counts in a millisecond
         var beyond = await CliRun.RunAsync(["jog", "--x", "-500", .. at]);
         Assert.Equal(ExitCode.DrawingError, beyond.ExitCode);
@@ -39,7 +39,7 @@ public sealed class UnhomedMachineTests : IDisposable
         using var nobody = new SilentReader();
         var held = await CliRun.Typing(nobody, _limit.Token, ["jog", "--hold", "X-", "--feed", "3000", .. at]); // into the limit switch, 21 mm away
 
-        Assert.Contains("no more than 480 mm/min", held.Error, StringComparison.Ordinal);
+        Assert.Contains("limited to 480 mm/min", held.Error, StringComparison.Ordinal);
         Assert.InRange(machine.FastestFrom(0), 7, 8);
     }
 
