@@ -33,7 +33,7 @@ public class CommissionVerbTests
         var run = await CliRun.Typing("Skip\nGo\n", "commission", "--connect", "sim:", "-o", file);
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains("the input ended at the question \"Axis A: signals of the encoder", run.Error, StringComparison.Ordinal);
+        Assert.Contains("the input ended at the question \"Axis A: enter encoder signal", run.Error, StringComparison.Ordinal);
         Assert.False(File.Exists(file));
     }
 
