@@ -88,7 +88,7 @@ public sealed class BesideTests(DesktopFixture fixture)
             ("cncgoto", "CNCGOTO acts on the machine"),
             ("cncrun", "CNCRUN acts on the machine"),
             ("cnczero", "CNCZERO acts on the machine"),
-            ("nonsense", "'nonsense' is no command"),
+            ("nonsense", "'nonsense' cannot be used while"),
         ];
         Start(here);
         var before = here.Commands.Document.Current;

@@ -26,7 +26,7 @@ public class EnteringEntityTests
         await talk.TypeAsync("ENTER", "Handle", "A3", "OVERKILL", "ALL", "", "");
 
         Assert.Equal("A1", Entered(talk));
-        Assert.Contains("The entering entity A3 is A1 now", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The entering entity A3 was replaced by A1", talk.Said, StringComparison.Ordinal);
         Assert.EndsWith("\n1 duplicate erased.", talk.Said, StringComparison.Ordinal);
     }
 

@@ -171,7 +171,7 @@ public class OriginCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
 
         await talk.TypeAsync("CNCORIGIN", "List");
-        Assert.Contains("where the controller counted 0; nobody set it. This is the active work origin.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("It was not set; the zero of the controller is assumed. This is the active work origin.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCGOTO", "3,4", "CNCZERO", "All"));
         Assert.Equal((3000, 4000), Active(talk));
     }

@@ -81,7 +81,7 @@ public class TextEditTests
         await talk.TypeAsync("MOVE", "H", "A1", "", "0,0", "5,7", "ERASE", "H", "A1", "");
 
         Assert.Equal((2.0, 1.0, 3.0), Place(talk, 0));
-        Assert.Equal(2, talk.Said.Split("2 texts left as before").Length - 1);
+        Assert.Equal(2, talk.Said.Split("2 texts not changed").Length - 1);
     }
 
     [Fact]
@@ -92,7 +92,7 @@ public class TextEditTests
 
         Assert.Equal((7.0, 8.0, 3.0), Place(talk, 0));
         Assert.Equal((1.0, 4.0, 0.0), Place(talk, 1));
-        Assert.Contains("1 text left as before", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("1 text not changed", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -114,7 +114,7 @@ public class TextEditTests
         await talk.TypeAsync("U", "COPY", "ALL", "", "0,0", "100,0", "");
         Assert.Equal([(3.0, 2.0, 9.0), (-1.0, 0.0, 0.0), (103.0, 2.0, 9.0), (99.0, 0.0, 0.0)], Points(talk));
         await talk.TypeAsync("U", "MOVE", "H", "A1", "", "0,0", "5,7", "U");
-        Assert.Contains("2 points left as before", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("2 points not changed", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("LAYER", "Freeze", "NOTES", "", "ERASE", "ALL", "");
         Assert.Equal([(-1.0, 0.0, 0.0)], Points(talk));
         await talk.TypeAsync("U");

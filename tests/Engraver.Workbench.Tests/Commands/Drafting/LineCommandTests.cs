@@ -116,7 +116,7 @@ public class LineCommandTests
     {
         await using var talk = new CommandTalk();
 
-        Assert.Contains("beyond 1E+100", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("L", "0,0", "5,0", "1e200,0")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("exceed 1E+100", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("L", "0,0", "5,0", "1e200,0")).Sentence, StringComparison.Ordinal);
         Assert.Equal(["Line (0,0 5,0)"], DrawnText.Of(talk.State.Drawing));
     }
 }

@@ -13,7 +13,7 @@ public class AgiePostCommandTests
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "AUTOSEQUENCE", "AGIEPOST", "Exact", "gasket.agie", "VERIFY", "");
 
         Assert.StartsWith("%\t001\t", await File.ReadAllTextAsync(talk.PathOf("gasket.agie")), StringComparison.Ordinal);
-        Assert.Contains("the machine leaves the path by at most 0.000", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("maximum deviation from the path: 0.000", talk.Said, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -56,6 +56,6 @@ public class HistoryCommandTests
         await File.AppendAllTextAsync(talk.PathOf("part.dxf"), "\n");
         await talk.TypeAsync("HISTORY", "Rerun", "1");
 
-        Assert.Contains("part.dxf is not the same file any more", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("part.dxf has changed since that job", talk.Said, StringComparison.Ordinal);
     }
 }

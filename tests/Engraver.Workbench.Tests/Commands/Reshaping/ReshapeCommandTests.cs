@@ -68,7 +68,7 @@ public class ReshapeCommandTests
         await talk.TypeAsync("STRETCH", "26,1", "24,-1", "", "0,0", "7,7");
 
         Assert.Equal(["Line: 0,0>10,0", "Circle closed: 20,0 r5 0+360"], Shape.All(talk));
-        Assert.Contains("1 object had no end in a box", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("1 object not stretched: no end point in a crossing window", talk.Said, StringComparison.Ordinal);
     }
 
     /// <summary>As COPY and MOVE offer it: Enter at "Specify displacement" takes the one before.</summary>

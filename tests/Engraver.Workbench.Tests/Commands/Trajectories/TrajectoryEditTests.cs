@@ -82,7 +82,7 @@ public class TrajectoryEditTests
         Assert.Equal(["traj0_path"], Stale(talk));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SACEUPDATETRAJECTORIES"));
 
-        Assert.Contains("so that they stay as they were: traj0_path.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("or no longer give a path: traj0_path.", talk.Said, StringComparison.Ordinal);
         Assert.Equal(2, All(talk).Count);
     }
 

@@ -42,9 +42,9 @@ public sealed class MachineHoldTests : IDisposable
     {
         using (Take(holder: "engraver (process 7)"))
         {
-            Assert.Contains("engraver (process 7) has it", Assert.Throws<MachineTakenException>(() => Take()).Message, StringComparison.Ordinal);
+            Assert.Contains("in use by engraver (process 7)", Assert.Throws<MachineTakenException>(() => Take()).Message, StringComparison.Ordinal);
             File.Delete(Directory.GetFiles(_folder.FullName, "*.holder").Single());
-            Assert.Contains("another program has it", Assert.Throws<MachineTakenException>(() => Take()).Message, StringComparison.Ordinal);
+            Assert.Contains("in use by another program", Assert.Throws<MachineTakenException>(() => Take()).Message, StringComparison.Ordinal);
         }
 
         using var free = Take();
@@ -136,7 +136,7 @@ public sealed class MachineHoldTests : IDisposable
     [InlineData("{\"active\":\"G54\",\"origins\":null}", "origins")]
     [InlineData("{\"active\":null,\"origins\":{}}", "active")]
     [InlineData("{\"active\":\"G54\",\"origins\":{\"G54\":null}}", "it contains null")]
-    [InlineData("{\"origins\":{\"G54\":{\"x\":1},\"g54\":{\"x\":2}}}", "it holds G54 twice")]
+    [InlineData("{\"origins\":{\"G54\":{\"x\":1},\"g54\":{\"x\":2}}}", "it contains G54 twice")]
     public void A_file_that_is_no_record_is_named_left_as_it_is_and_not_held(string text, string why)
     {
         using (var hold = Take()) hold.Keep(memory => memory with { Mark = 1 });
@@ -145,7 +145,7 @@ public sealed class MachineHoldTests : IDisposable
 
         var refused = Assert.Throws<MachineMemoryException>(() => Take());
         Assert.Contains(file, refused.Message, StringComparison.Ordinal);
-        Assert.Matches($@"\): .*{why}.*\. Mend or remove the file;", refused.Message);
+        Assert.Matches($@"\): .*{why}.*\. Repair or delete the file\.", refused.Message);
         Assert.Equal(text, File.ReadAllText(file));
         File.Delete(file);
         using var free = Take();
