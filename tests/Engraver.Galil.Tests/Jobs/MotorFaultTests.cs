@@ -40,7 +40,7 @@ public class MotorFaultTests
 
         Assert.Equal(JobOutcome.Deviated, result.Outcome);
         Assert.Contains("could not follow", result.Sentence, StringComparison.Ordinal);
-        Assert.Contains("X: ", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error in counts: X ", result.Sentence, StringComparison.Ordinal);
         Assert.NotEqual("", result.PositionDoubt);
         Assert.Equal(0, (int)bench.Controller.Status.Outputs);
     }
@@ -87,7 +87,7 @@ public class MotorFaultTests
         var result = await JobRunner.GoToAsync(MotionPrograms.LongLine(1000), new CountsPoint(3000, 2000), session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
-        Assert.Contains("Y: 2000", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("following error in counts: Y 2000", result.Sentence, StringComparison.Ordinal);
         Assert.NotEqual("", result.PositionDoubt);
     }
 
