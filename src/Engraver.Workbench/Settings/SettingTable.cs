@@ -85,7 +85,7 @@ public static class SettingTable
     /// <summary>The text of docs/settings.md.</summary>
     public static string ToMarkdown()
     {
-        var page = new StringBuilder("# Settings\n\nWritten from the program's own table; `./test --update-golden` writes it anew. Findings name a setting in brackets by its key, and the console or the desktop puts its option or command there.\n\n");
+        var page = new StringBuilder("# Settings\n\nThis page is generated from the program's own table (`./test --update-golden`).\nMessages name a setting by its key in brackets; the console shows its option there, the desktop its command.\n\n");
         page.Append("| Key | Setting | Unit | Default | Option | Command | Range of the command | JSON | Meaning |\n|---|---|---|---|---|---|---|---|---|\n");
         foreach (var setting in All)
         {

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Globalization;
 using System.Text;
 
 namespace Engraver.Cli.Tests.Verbs;
@@ -8,6 +9,8 @@ internal static class VerbPage
 {
     /// <summary>An option that so many verbs take with the same meaning stands in one table for all of them.</summary>
     private const int Shared = 4;
+
+    private const int WordsOfALine = 16;
 
     public static string Of(RootCommand root)
     {
@@ -24,7 +27,7 @@ internal static class VerbPage
             |---|---|
 
             """);
-        foreach (var verb in verbs) page.Append($"| [`{verb.Name}`](#engraver-{verb.Name.Replace(' ', '-')}) | {Cell(verb.Command.Description)} |\n");
+        foreach (var verb in verbs) page.Append(CultureInfo.InvariantCulture, $"| [`{verb.Name}`](#engraver-{verb.Name.Replace(' ', '-')}) | {Cell(verb.Command.Description)} |\n");
         foreach (var verb in verbs) Append(page, verb.Name, verb.Command, shared);
         page.Append("\n## Shared options\n\nThese options have the same meaning in every verb that takes them.\n\n");
         AppendOptions(page, shared.Values.OrderBy(option => option.Name, StringComparer.Ordinal));
@@ -38,18 +41,18 @@ internal static class VerbPage
 
     private static void Append(StringBuilder page, string name, Command verb, Dictionary<(string, string?), Option> shared)
     {
-        page.Append($"\n## engraver {name}\n\n{verb.Description}\n\n    engraver {name}{string.Concat(verb.Arguments.Select(Usage))}{(verb.Options.Any(IsShown) ? " [options]" : "")}\n");
+        page.Append(CultureInfo.InvariantCulture, $"\n## engraver {name}\n\n{Lines(verb.Description)}\n\n    engraver {name}{string.Concat(verb.Arguments.Select(Usage))}{(verb.Options.Any(IsShown) ? " [options]" : "")}\n");
         if (verb.Arguments.Count > 0)
         {
             page.Append("\n| Argument | Meaning |\n|---|---|\n");
-            foreach (var argument in verb.Arguments) page.Append($"| `{argument.HelpName ?? argument.Name}` | {Cell(argument.Description)} |\n");
+            foreach (var argument in verb.Arguments) page.Append(CultureInfo.InvariantCulture, $"| `{argument.HelpName ?? argument.Name}` | {Cell(argument.Description)} |\n");
         }
 
         var own = verb.Options.Where(option => IsShown(option) && !shared.ContainsKey((option.Name, option.Description))).ToList();
         if (own.Count > 0) page.Append('\n');
         AppendOptions(page, own);
         var others = verb.Options.Where(option => IsShown(option) && shared.ContainsKey((option.Name, option.Description))).Select(option => $"`{option.Name}`").ToList();
-        if (others.Count > 0) page.Append($"\n[Shared options](#shared-options):\n{string.Join(",\n", others.Chunk(8).Select(names => string.Join(", ", names)))}\n");
+        if (others.Count > 0) page.Append(CultureInfo.InvariantCulture, $"\n[Shared options](#shared-options):\n{string.Join(",\n", others.Chunk(8).Select(names => string.Join(", ", names)))}\n");
     }
 
     private static void AppendOptions(StringBuilder page, IEnumerable<Option> options)
@@ -57,8 +60,11 @@ internal static class VerbPage
         var all = options.ToList();
         if (all.Count == 0) return;
         page.Append("| Option | Value | Meaning |\n|---|---|---|\n");
-        foreach (var option in all) page.Append($"| {string.Join(", ", option.Aliases.Prepend(option.Name).Distinct().Select(name => $"`{name}`"))} | {(option.ValueType == typeof(bool) ? "" : $"`{Cell(option.HelpName ?? "VALUE")}`")} | {Cell(option.Description)} |\n");
+        foreach (var option in all) page.Append(CultureInfo.InvariantCulture, $"| {string.Join(", ", option.Aliases.Prepend(option.Name).Distinct().Select(name => $"`{name}`"))} | {(option.ValueType == typeof(bool) ? "" : $"`{Cell(option.HelpName ?? "VALUE")}`")} | {Cell(option.Description)} |\n");
     }
+
+    /// <summary>A few words a line, so that the page reads well as text.</summary>
+    private static string Lines(string? text) => string.Join('\n', (text ?? "").Split(' ').Chunk(WordsOfALine).Select(words => string.Join(' ', words)));
 
     private static string Usage(Argument argument) => argument.Arity.MinimumNumberOfValues == 0 ? $" [{argument.HelpName ?? argument.Name}]" : $" {argument.HelpName ?? argument.Name}";
 
