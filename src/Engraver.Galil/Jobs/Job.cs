@@ -286,7 +286,7 @@ internal sealed class Job
     private JobStep Followed(JobStep step, string off)
     {
         if (off.Length == 0 || step.Doubt.Length > 0) return step;
-        var told = Wording.Get("Job.MotorsOffPosition", off);
+        var told = Wording.Get("Job.MotorsNotAtPosition", off);
         var ended = step.Ends ? step with { Sentence = $"{step.Sentence} {told}" } : _isHandMove ? JobStep.Broken(told) : JobStep.Deviated(told);
         return ended with { Doubt = Wording.Get("Job.DidNotFollow") };
     }

@@ -19,12 +19,12 @@ public sealed class GalilPost : IPost
         "LINES",
         Wording.Get("GalilPost.Memory"),
         Text(DmcLimits.ProgramLines),
-        Wording.Get("GalilPost.Lines", FewestLines, DmcLimits.ProgramLines),
+        Wording.Get("GalilPost.MemoryValues", FewestLines, DmcLimits.ProgramLines),
         value => int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var lines) && lines is >= FewestLines and <= DmcLimits.ProgramLines);
 
     private static PostOption Unattended => new("unattended", "ANSWER", Wording.Get("GalilPost.Unattended"), "no", Wording.Get("GalilPost.YesOrNo"), value => value is "yes" or "no");
 
-    private static PostOption Origin => new("origin", "PLACE", Wording.Get("GalilPost.Origin"), Here, Wording.Get("GalilPost.Place"), value => value == Here || Place(value) is not null);
+    private static PostOption Origin => new("origin", "PLACE", Wording.Get("GalilPost.Origin"), Here, Wording.Get("GalilPost.OriginValues"), value => value == Here || Place(value) is not null);
 
     private const string Here = "here";
 

@@ -68,7 +68,7 @@ public class HomingMoveTests
     }
 
     [Theory]
-    [InlineData("none", "was not found")]
+    [InlineData("none", "was not homed within")]
     [InlineData("limit", "stopped before it reached its homing reference (home switch): ")]
     [InlineData("short", "overran its homing reference (home switch)")]
     [InlineData("stepper", "stepper")]

@@ -117,7 +117,7 @@ public class JogMoveTests
         Assert.All(bench.Controller.Record.Snapshot(), row => Assert.True(row.A is >= -7000 and <= 40000 && row.B is >= -4001 and <= 12000));
         Assert.Equal(["2147483647", "-2147483648"], [await bench.WholeAsync("_FLA"), await bench.WholeAsync("_BLA")]);
         var again = await JobRunner.JogAsync(s_program, new JogControl(new JogVelocity(x, y)), session, SimulatedBench.Job with { SoftLimits = limits }, null, CancellationToken.None);
-        Assert.Equal((JobOutcome.Refused, "The machine is at the end of its travel."), (again.Outcome, again.Sentence));
+        Assert.Equal((JobOutcome.Refused, "The machine is at the end of its travel. Jog in the other direction."), (again.Outcome, again.Sentence));
     }
 
     [Fact]
