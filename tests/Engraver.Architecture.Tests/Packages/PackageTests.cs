@@ -36,7 +36,8 @@ public class PackageTests
         Assert.All(used, package => Assert.Equal(central[package.Item1], package.Item2));
     }
 
-    /// <summary>Makes both packages from the sources, then builds and runs the project of docs/library.md outside of the repository. A commit tries the comparisons above; this one builds everything again and takes a minute.</summary>
+    /// <summary>Makes both packages from the sources, then builds and runs the project of docs/library.md outside of the repository.</summary>
+    /// <remarks>A commit tries the comparisons above; this one builds everything again and takes a minute.</remarks>
     [FullRunFact]
     public async Task A_foreign_test_project_uses_both_packages()
     {
@@ -77,7 +78,8 @@ public class PackageTests
         Assert.Contains(symbols.Entries, entry => entry.FullName == $"lib/net10.0/{package}.pdb");
     }
 
-    /// <summary>Restores from the new packages, and the others from what this repository has restored, without a network; the new ones go into a folder of their own, because a later run makes them with the same version again.</summary>
+    /// <summary>Restores the new packages, and the others from what this repository has restored, without a network.</summary>
+    /// <remarks>The new ones go into a folder of the project, because a later run makes other packages with the same version.</remarks>
     private static async Task UseOnlyAsync(string packages, string project)
     {
         var restored = Regex.Match(await DotnetAsync(project, "nuget", "locals", "global-packages", "--list"), @"global-packages: (.+)").Groups[1].Value.Trim();
