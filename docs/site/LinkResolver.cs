@@ -18,6 +18,8 @@ internal static partial class LinkResolver
             else Unlink(link);
         }
 
+        foreach (var comment in page.Document.Descendants<HtmlBlock>().Where(html => html.Type == HtmlBlockType.Comment).ToList()) comment.Parent!.Remove(comment);
+
         foreach (var html in page.Document.Descendants<HtmlBlock>())
         {
             for (var i = 0; i < html.Lines.Count; i++) html.Lines.Lines[i].Slice = new StringSlice(Rewritten(source, page, html.Lines.Lines[i].Slice.ToString(), html.Line + i, errors));
