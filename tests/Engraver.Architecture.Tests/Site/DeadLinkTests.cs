@@ -31,6 +31,15 @@ public sealed class DeadLinkTests : IDisposable
     }
 
     [Fact]
+    public void A_comment_is_not_in_the_site()
+    {
+        Write("docs/one.md", "# One\n\n<!-- <img src=\"gone.png\"> -->\n\n## First part\n");
+
+        Assert.Empty(Build().Errors);
+        Assert.DoesNotContain("gone.png", Read("docs/one.html"), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void The_first_link_of_an_item_is_in_the_navigation()
     {
         Build();
