@@ -13,9 +13,9 @@ internal static partial class OptionValue
     /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres; places may lie farther (drawings of maps). What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
     private const double Largest = 1e9;
 
-    public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAbove"));
+    public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAboveZero"));
 
-    public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, Wording.Get("OptionValue.NumberOrMore"));
+    public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, Wording.Get("OptionValue.NumberFromZero"));
 
     public static double AnyNumber(ArgumentResult result) => Number(result, _ => true, Wording.Get("OptionValue.AnyNumber"));
 

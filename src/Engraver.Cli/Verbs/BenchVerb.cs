@@ -103,7 +103,7 @@ internal static class BenchVerb
         {
             foreach (var place in result.Tokens.Where(token => !Path.Exists(token.Value))) result.AddError(Wording.Get("Bench.NotDrawingOrFolder", place.Value));
         });
-        var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMost"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 60.0 };
+        var most = new Option<double>("--most") { HelpName = "N", Description = Wording.Get("Bench.PostMaxDrawings"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 60.0 };
         var target = new Option<string?>("--target") { HelpName = "NAME", Description = Wording.Get("Bench.PostTarget") };
         target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
         var each = new Option<bool>("--each") { Description = Wording.Get("Bench.PostEach") };

@@ -61,9 +61,9 @@ internal sealed partial class HandVerbs
         var place = new Argument<string?>("X,Y|park|clearance") { Description = Wording.Get("Hand.Target") };
         place.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && token.Value is not (Park or Clearance) && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidPosition", token.Value));
+            if (result.Tokens is [var token] && token.Value is not (Park or Clearance) && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidTarget", token.Value));
         });
-        var byMachine = new Option<bool>("--machine-position") { Description = Wording.Get("Hand.ByMachine") };
+        var byMachine = new Option<bool>("--machine-position") { Description = Wording.Get("Hand.ByMachinePosition") };
         var command = verb.Command("goto", Wording.Get("Hand.GoTo"));
         command.Arguments.Add(place);
         command.Options.Add(byMachine);

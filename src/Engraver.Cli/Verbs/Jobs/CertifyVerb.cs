@@ -72,14 +72,14 @@ internal sealed class CertifyVerb
         var code = _host.Report(parsed, request.Drawing.FileName, made.Diagnostics);
         if (made.Certificate is not { } certificate)
         {
-            _host.Error.WriteLine(Wording.Get("Certify.NoProgram", made.WithoutProgram));
+            _host.Error.WriteLine(Wording.Get("Certify.NotCertified", made.WithoutProgram));
             return ExitCode.DrawingError;
         }
 
         if (certificate.Ok) _host.Write(place, output => output.WriteLine(CertificateFile.Text(certificate)));
         if (request.Program is { } given) _host.NoteReadBack(given.File, new HistoryReadBack(certificate.Ok, request.Now, certificate.MaxDeviation, certificate.Ok ? Path.GetFullPath(place) : null));
         if (parsed.GetValue(_json)) _host.Out.WriteLine(CertificateFile.Text(certificate));
-        else _host.Out.WriteLine(Wording.Get(certificate.Ok ? "Certify.Ok" : "Certify.NotOk", place, certificate.MaxDeviation ?? 0.0, certificate.Tolerance, certificate.MissingLength, certificate.ExtraLength));
+        else _host.Out.WriteLine(Wording.Get(certificate.Ok ? "Certify.Written" : "Certify.Deviates", place, certificate.MaxDeviation ?? 0.0, certificate.Tolerance, certificate.MissingLength, certificate.ExtraLength));
         return certificate.Ok ? code : ExitCode.DrawingError;
     }
 

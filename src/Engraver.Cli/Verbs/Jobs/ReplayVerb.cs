@@ -40,7 +40,7 @@ internal static class ReplayVerb
         if (replay.FinalPosition is { } final) output.WriteLine(Wording.Get("Replay.Done", replay.Conversation.Steps.Count, replay.Samples, replay.Seconds, final.X, final.Y));
         else output.WriteLine(Wording.Get("Replay.NothingMoved", replay.Conversation.Steps.Count));
         if (!replay.Conversation.IsWhole) output.WriteLine(Wording.Get("Replay.ConversationIncomplete"));
-        if (replay.Agrees is { } agrees) output.WriteLine(Wording.Get(agrees ? "Replay.Agrees" : "Replay.EndsElsewhere", replay.Told!.End!.X, replay.Told.End.Y));
+        if (replay.Agrees is { } agrees) output.WriteLine(Wording.Get(agrees ? "Replay.Agrees" : "Replay.PositionDiffers", replay.Told!.End!.X, replay.Told.End.Y));
         if (replay.LateSeconds > 0.0) output.WriteLine(Wording.Get("Replay.Late", replay.LateSeconds));
         if (compared is not null) output.WriteLine(compared.IsSame ? Wording.Get("Replay.Equal", compared.Same) : Wording.Get("Replay.Differs", compared.Same, compared.There ?? "", compared.Here ?? ""));
     }
