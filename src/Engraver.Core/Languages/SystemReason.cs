@@ -53,5 +53,5 @@ public static class SystemReason
     /// <summary>Codes of Windows (the low 16 bits of the HResult) and of Unix (errno).</summary>
     private static string? OfCode(int code) => (code & 0xFFFF0000) == 0x80070000
         ? (code & 0xFFFF) switch { 39 or 112 => "SystemReason.DiskFull", 32 or 33 => "SystemReason.InUse", 19 => "SystemReason.ReadOnly", 80 or 183 => "SystemReason.Exists", _ => null }
-        : code switch { 28 or 122 => "SystemReason.DiskFull", 11 or 16 or 26 => "SystemReason.InUse", 30 => "SystemReason.ReadOnly", 17 => "SystemReason.Exists", 5 => "SystemReason.DeviceFailed", 32 => "SystemReason.ReaderGone", _ => null };
+        : code switch { 28 or 122 => "SystemReason.DiskFull", 11 or 16 or 26 => "SystemReason.InUse", 30 => "SystemReason.ReadOnly", 17 => "SystemReason.Exists", 5 => "SystemReason.DeviceFailed", 32 => "SystemReason.ReaderEnded", _ => null };
 }

@@ -7,7 +7,7 @@ namespace Engraver.Core.Tests.Dxf;
 public class FlatLineTests
 {
     [Theory]
-    [InlineData(0.0, "has no length: it has no two different points.")]
+    [InlineData(0.0, "has no length: it has fewer than two different points.")]
     [InlineData(5.0, "has no length: it is vertical, a point in plan view.")]
     public void A_line_that_is_a_spot_from_above_is_one_finding_and_no_row_of_the_table(double height, string words)
     {

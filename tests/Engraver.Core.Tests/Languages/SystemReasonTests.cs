@@ -35,7 +35,7 @@ public sealed class SystemReasonTests
     }
 
     [Theory]
-    [InlineData(SocketError.ConnectionRefused, "the connection is refused")]
+    [InlineData(SocketError.ConnectionRefused, "the connection was refused")]
     [InlineData(SocketError.HostNotFound, "the host name is unknown")]
     [InlineData(SocketError.TimedOut, "no reply was received")]
     public void Sockets_say_why(SocketError error, string reason)

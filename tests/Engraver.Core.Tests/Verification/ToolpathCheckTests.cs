@@ -94,7 +94,7 @@ public class ToolpathCheckTests
         var found = Assert.Single(ToolpathCheck.Findings(drawn, joined, new ToolpathTolerances(MaxError, 0.01, false), drawing.SourceOf));
 
         Assert.Equal("VER0022", found.Id);
-        Assert.StartsWith("The toolpath cuts 5 mm", found.Message, StringComparison.Ordinal);
+        Assert.StartsWith("For the entity, the toolpath cuts 5 mm", found.Message, StringComparison.Ordinal);
     }
 
     [Fact]

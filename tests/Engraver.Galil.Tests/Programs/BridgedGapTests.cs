@@ -54,7 +54,7 @@ public class BridgedGapTests
         var found = Assert.Single(MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, entity => new(entity + 1, null)).Diagnostics);
 
         Assert.Equal(3, found.Source.Line);
-        Assert.EndsWith("At 2 of them the tool deviates from the drawing by more than rounding and curve error: by up to 0.005 mm at the widest gap, 0.01 mm at 20, 0.", found.Sentence, StringComparison.Ordinal);
+        Assert.EndsWith("At 2 of them the tool deviates from the drawing by more than rounding and curve error, up to 0.005 mm. The widest gap is 0.01 mm, at 20, 0.", found.Sentence, StringComparison.Ordinal);
     }
 
     private static MotionProgram Program(Toolpath toolpath) => MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, null).Program!;

@@ -39,7 +39,7 @@ public sealed class HeightTravelTests
         await talk.TypeAsync("CNCZERO", "All");
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Dryrun", "Stream")).Why);
-        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK With the tool out of the work, all moves are 6.5 mm higher than in the job. This would take the tool's axis Z to 10.5 mm; its travel is -5 to 10 mm. ", StringComparison.Ordinal));
+        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("NOT OK A dry run and a frame run 6.5 mm higher than the job. This would take the tool's axis Z to 10.5 mm; its travel is -5 to 10 mm. ", StringComparison.Ordinal));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Dryrun", "Yes"));
         foreach (var shape in Enum.GetNames<FrameShape>()) Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCFRAME", shape)).Why);
         Assert.Equal(3, talk.Said.Split("JOB0034").Length - 1);

@@ -25,7 +25,7 @@ internal sealed class CurveMapper
         var end = record.Point(11);
         // A line without length is kept too: the drawing's box includes its point, as other DXF readers have it.
         Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
-        if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, Wording.Get(start.Z == end.Z ? "CurveMapper.NoTwoPoints" : "CurveMapper.VerticalLine"));
+        if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, Wording.Get(start.Z == end.Z ? "CurveMapper.PointsCoincide" : "CurveMapper.VerticalLine"));
         Finish(record);
     }
 
@@ -166,7 +166,7 @@ internal sealed class CurveMapper
     private void Finish(EntityRecord record)
     {
         if (!Shape.IsInRange) record.Refuse(DxfRules.OutOfRange, record.Line, "");
-        if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, Wording.Get("CurveMapper.NoTwoPoints"));
+        if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, Wording.Get("CurveMapper.PointsCoincide"));
         if (record.Oddity is { } odd) Shape.Oddities.Add(odd);
         if (record.RepeatedCode != 0) Note(record, DxfRules.RepeatedValue, record.RepeatedCode.ToString(CultureInfo.InvariantCulture));
     }

@@ -17,9 +17,9 @@ public sealed class AgiePost : IPost
     private const string SameLine = "same-line";
 
     /// <summary>The blocks' form.</summary>
-    public static PostOption Style => new("style", "STYLE", Wording.Get("AgiePost.Style"), ExactStyle, Wording.Get("AgiePost.Either", ExactStyle, PaperStyle), value => value is ExactStyle or PaperStyle);
+    public static PostOption Style => new("style", "STYLE", Wording.Get("AgiePost.Style"), ExactStyle, Wording.Get("AgiePost.OneOfTwo", ExactStyle, PaperStyle), value => value is ExactStyle or PaperStyle);
 
-    private static PostOption StartMark => new("start-mark", "PLACE", Wording.Get("AgiePost.StartMark"), SameLine, Wording.Get("AgiePost.Either", SameLine, OwnLine), value => value is SameLine or OwnLine);
+    private static PostOption StartMark => new("start-mark", "PLACE", Wording.Get("AgiePost.StartMark"), SameLine, Wording.Get("AgiePost.OneOfTwo", SameLine, OwnLine), value => value is SameLine or OwnLine);
 
     public string Name => "agie";
 
@@ -56,7 +56,7 @@ public sealed class AgiePost : IPost
     private static Diagnostic WholeDegrees(PostForecast forecast)
     {
         var worst = forecast.Blocks.MaxBy(block => block.Error ?? 0.0)!;
-        return PostRules.ContourError.At(default, Text(forecast.MaxError), Text(worst.End.X), Text(worst.End.Y), Text(worst.Number), forecast.MaxClosure is { } closure ? Wording.Get("AgiePost.LeftOpen", Text(closure)) : Wording.Get("AgiePost.NoClosedContour")) with { Place = worst.End };
+        return PostRules.ContourError.At(default, Text(forecast.MaxError), Text(worst.End.X), Text(worst.End.Y), Text(worst.Number), forecast.MaxClosure is { } closure ? Wording.Get("AgiePost.LargestGap", Text(closure)) : Wording.Get("AgiePost.NoClosedContour")) with { Place = worst.End };
     }
 
     private static PostText Refused(Diagnostic why) => new([], [why]);

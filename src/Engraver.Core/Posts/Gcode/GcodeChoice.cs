@@ -24,9 +24,9 @@ internal sealed record GcodeChoice(GcodeDialect Dialect, string WorkOffset, stri
 
     private static PostOption SwitchOption => new("tool-switch", "CODE", Wording.Get("GcodePost.ToolSwitch"), BySpindle, string.Join(" | ", s_switches), value => s_switches.Contains(value));
 
-    private static PostOption SpeedOption => new("spindle-speed", "S", Wording.Get("GcodePost.SpindleSpeed"), "1000", Wording.Get("GcodePost.NumberTo", "0", "1000000"), value => Number(value) is >= 0.0 and <= 1_000_000.0);
+    private static PostOption SpeedOption => new("spindle-speed", "S", Wording.Get("GcodePost.SpindleSpeed"), "1000", Wording.Get("GcodePost.NumberFromTo", "0", "1000000"), value => Number(value) is >= 0.0 and <= 1_000_000.0);
 
-    public static PostOption BlendOption => new("blend", "MM", Wording.Get("GcodePost.Blend"), "0", Wording.Get("GcodePost.NumberTo", "0", "1"), value => Number(value) is >= 0.0 and <= 1.0);
+    public static PostOption BlendOption => new("blend", "MM", Wording.Get("GcodePost.Blend"), "0", Wording.Get("GcodePost.NumberFromTo", "0", "1"), value => Number(value) is >= 0.0 and <= 1.0);
 
     private static PostOption EndOption => new("program-end", "CODE", Wording.Get("GcodePost.ProgramEnd"), s_ends[0], string.Join(" | ", s_ends), value => s_ends.Contains(value));
 

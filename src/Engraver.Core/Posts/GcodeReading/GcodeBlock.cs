@@ -92,7 +92,7 @@ internal sealed class GcodeBlock
     private static string? Refusal(char letter) => letter switch
     {
         '#' => Wording.Get("GcodeReader.ParameterNotSupported"),
-        'O' => Wording.Get("GcodeReader.FlowNotSupported"),
+        'O' => Wording.Get("GcodeReader.OWordsNotSupported"),
         '/' => Wording.Get("GcodeReader.BlockDelete"),
         _ => Known.Contains(letter, StringComparison.Ordinal) ? null : Wording.Get("GcodeReader.WordNotSupported", Shown(letter.ToString())),
     };

@@ -112,7 +112,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         if (!(_knowsX && _knowsY && _knowsZ)) return Wording.Get("GcodeReader.PositionUnknown");
         if (controller == GcodeController.Grbl && !block.Has("XY")) return Wording.Get("GcodeReader.ArcWithoutEnd");
         if (block.Has("R") == block.Has("IJ")) return Wording.Get("GcodeReader.CentreOrRadius");
-        if (_isCentreAbsolute && block.Has("IJ") && !(block.Has("I") && block.Has("J"))) return Wording.Get("GcodeReader.BothCentres");
+        if (_isCentreAbsolute && block.Has("IJ") && !(block.Has("I") && block.Has("J"))) return Wording.Get("GcodeReader.AbsoluteCentreNeedsIAndJ");
         var (start, end, clockwise) = (new Point2D(_place.X, _place.Y), new Point2D(to.X, to.Y), _motion == 20);
         var (i, j) = ((block['I'] ?? 0.0) * _unit, (block['J'] ?? 0.0) * _unit);
         var centre = _isCentreAbsolute ? new Point2D(i, j) : new Point2D(start.X + i, start.Y + j);

@@ -37,7 +37,7 @@ internal static class GcodeRules
         var codes = block.Codes('G').ToList();
         var (dwells, switches, blends, isArc) = (codes.Contains(GcodeCodes.Dwell), block.Codes('M').Any(code => code is >= 620 and <= 650), codes.Contains(GcodeCodes.Blending), !block.Codes('G').Any(code => code is 0 or 10 or GcodeCodes.NoMotion));
         if (block.Has("T")) return Wording.Get("GcodeReader.WordNotSupported", "T");
-        if (block.Has("K")) return Wording.Get("GcodeReader.OtherPlane");
+        if (block.Has("K")) return Wording.Get("GcodeReader.PlaneNotSupported");
         if (block.Has("IJR") && !isArc) return Wording.Get("GcodeReader.ArcWordsWithoutArc");
         foreach (var letter in "FS") if (block[letter] is < 0.0) return Wording.Get("GcodeReader.Negative", letter);
         if (dwells && block['P'] is not >= 0.0) return Wording.Get("GcodeReader.DwellTime");
@@ -46,7 +46,7 @@ internal static class GcodeRules
         if (switches && !(block['P'] is { } output and >= 0.0 && output == Math.Floor(output))) return Wording.Get("GcodeReader.OutputNumber");
         if ((dwells ? 1 : 0) + (switches ? 1 : 0) + (blends ? 1 : 0) > 1) return Wording.Get("GcodeReader.TwoCodesWithP");
         if (block.Has("P") && !(dwells || switches || blends) && (isGrbl || !isArc || block['P'] != 1.0)) return Wording.Get("GcodeReader.ArcWithTurns");
-        if (dwells && block.Has("XYZIJR")) return Wording.Get("GcodeReader.DwellMoves");
+        if (dwells && block.Has("XYZIJR")) return Wording.Get("GcodeReader.DwellWithAxisOrArcWords");
         return block.Has("F") && codes.Any(code => code is GcodeCodes.Inch or GcodeCodes.Millimetre) ? Wording.Get("GcodeReader.UnitAndFeed") : null;
     }
 

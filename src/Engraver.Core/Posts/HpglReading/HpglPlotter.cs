@@ -51,7 +51,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
     private string? Select(double pen)
     {
         if (pen is not (>= 0.0 and <= 8.0) || pen != Math.Floor(pen)) return Wording.Get("HpglReader.PenNotValid", pen);
-        if (IsDown && pen == 0.0) return Wording.Get("HpglReader.EndsDown");
+        if (IsDown && pen == 0.0) return Wording.Get("HpglReader.EndsWithPenDown");
         _pen = (int)pen;
         return null;
     }
@@ -66,7 +66,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
 
     private string? Corners(IReadOnlyList<double> values)
     {
-        if (values[0] == values[2] || values[1] == values[3]) return Wording.Get("HpglReader.FrameNotUsable");
+        if (values[0] == values[2] || values[1] == values[3]) return Wording.Get("HpglReader.ScaleNotUsable");
         _corners = (values[0], values[1], values[2], values[3]);
         return null;
     }
@@ -74,8 +74,8 @@ internal sealed class HpglPlotter(ReplayRequest request)
     /// <summary>SC says which numbers the corners of IP have. Without IP the corners are the device's own, which a program does not say.</summary>
     private string? Scale(IReadOnlyList<double> values)
     {
-        if (_corners is not { } corners || values[0] == values[1] || values[2] == values[3]) return Wording.Get("HpglReader.FrameNotUsable");
-        if (HasMoved) return Wording.Get("HpglReader.FrameAfterMove");
+        if (_corners is not { } corners || values[0] == values[1] || values[2] == values[3]) return Wording.Get("HpglReader.ScaleNotUsable");
+        if (HasMoved) return Wording.Get("HpglReader.ScaleAfterMove");
         var (x, y) = ((corners.X2 - corners.X1) * PlotterUnit / (values[1] - values[0]), (corners.Y2 - corners.Y1) * PlotterUnit / (values[3] - values[2]));
         _frame = (x, y, (corners.X1 * PlotterUnit) - (values[0] * x), (corners.Y1 * PlotterUnit) - (values[2] * y));
         return null;
@@ -95,7 +95,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
             _isAbsolute = command.Name == "PA";
         }
 
-        if (command.Values.Count % 2 != 0) return Wording.Get("HpglReader.Pairs", command.Name);
+        if (command.Values.Count % 2 != 0) return Wording.Get("HpglReader.PairsNeeded", command.Name);
         for (var i = 0; i < command.Values.Count; i += 2) GoTo(Place(command.Values[i], command.Values[i + 1], _isAbsolute), command.Line);
         return null;
     }
@@ -106,7 +106,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         var (values, chord) = (command.Values, command.Values.Count == 4 ? command.Values[3] : UsualChord);
         if (chord is not (>= 0.5 and <= 180.0)) return Wording.Get("HpglReader.BadChordAngle", chord);
         if (Math.Abs(values[2]) is not (> 0.0 and <= 360.0)) return Wording.Get("HpglReader.BadSweep", values[2]);
-        if (Math.Abs(Math.Abs(_frame.ScaleX) - Math.Abs(_frame.ScaleY)) > 1e-12 || _frame.ScaleX * _frame.ScaleY < 0.0) return Wording.Get("HpglReader.FrameNotUsable");
+        if (Math.Abs(Math.Abs(_frame.ScaleX) - Math.Abs(_frame.ScaleY)) > 1e-12 || _frame.ScaleX * _frame.ScaleY < 0.0) return Wording.Get("HpglReader.ScaleNotUsable");
         var centre = Place(values[0], values[1], command.Name == "AA");
         var (x, y) = (_place.X - centre.X, _place.Y - centre.Y);
         var count = (int)Math.Ceiling(Math.Abs(values[2]) / chord);

@@ -32,7 +32,7 @@ public sealed class HpglReader : IProgramReader
 
         plotter.End(scanner.Line);
         if (!plotter.HasMoved) return VerificationRules.ProgramEmpty.At(default);
-        return plotter.IsDown ? Fault(scanner.Line, Wording.Get("HpglReader.EndsDown")) : null;
+        return plotter.IsDown ? Fault(scanner.Line, Wording.Get("HpglReader.EndsWithPenDown")) : null;
     }
 
     private static Diagnostic Fault(int line, string reason) => PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), reason);
