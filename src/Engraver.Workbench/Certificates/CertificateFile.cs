@@ -32,7 +32,7 @@ public static class CertificateFile
         try
         {
             var read = JsonSerializer.Deserialize(File.ReadAllText(path), CertificateJson.Default.JobCertificate);
-            if (read is null) return (null, Wording.Get("Certificate.Empty"));
+            if (read is null) return (null, Wording.Get("Certificate.IsJsonNull"));
             return read.Version == JobCertificate.CurrentVersion ? (read, null) : (null, Wording.Get("Certificate.OtherVersion", read.Version));
         }
         catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)

@@ -7,8 +7,11 @@ namespace Engraver.Workbench.CommandLanguage;
 /// <param name="Name">In English: what commands and scripts know it by.</param>
 public sealed record Keyword(string Name)
 {
+    /// <summary>Set where another language has a different word for this use of the name: its text is <c>Keyword/Name.Use</c>.</summary>
+    public string? Use { get; init; }
+
     /// <summary>As it is shown: in the language of now.</summary>
-    public string Shown => LanguageFile.For(CultureInfo.CurrentUICulture)?.Find(nameof(Keyword), Name) ?? Name;
+    public string Shown => LanguageFile.For(CultureInfo.CurrentUICulture)?.Find(nameof(Keyword), Use is null ? Name : $"{Name}.{Use}") ?? Name;
 
     /// <summary>The capital letters and digits of its English name.</summary>
     public string Short => ShortOf(Name);

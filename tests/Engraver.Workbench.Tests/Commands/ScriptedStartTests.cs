@@ -76,7 +76,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         await using var session = await SessionAsync(desktop: true, "HELP CNCRUN\n");
         await RunScriptAsync(session);
 
-        Assert.Contains(_said, text => text.Contains("in the desktop, a script cannot start a real machine.", StringComparison.Ordinal));
+        Assert.Contains(_said, text => text.Contains("in the operator desktop, a script cannot start a real machine.", StringComparison.Ordinal));
     }
 
     public async ValueTask DisposeAsync()

@@ -54,7 +54,7 @@ public class TraceCommandTests
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
         var before = talk.Session.Machine.Recorded;
 
-        Assert.Contains("another drawing than gasket.dxf", Failure(await talk.TypeAsync("CNCTRACE", "File", file)), StringComparison.Ordinal);
+        Assert.Contains("does not match gasket.dxf: it cut another drawing or other layers", Failure(await talk.TypeAsync("CNCTRACE", "File", file)), StringComparison.Ordinal);
         Assert.Contains("No run of gasket.dxf is stored", Failure(await talk.TypeAsync("CNCTRACE", "LAst")), StringComparison.Ordinal);
         Assert.Contains("cannot be read", Failure(await talk.TypeAsync("CNCTRACE", "File", "nowhere.jsonl")), StringComparison.Ordinal);
         await File.WriteAllTextAsync(talk.PathOf("odd.trace.csv"), "# record; version 9; drawing x\n");

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands.Commissioning;
 /// <summary>CNCCOMMISSION: Finds out step by step how a machine is wired and moves, by questions and small moves, and ends with a machine profile. Each step can be repeated or left out.</summary>
 internal sealed class CncCommissionCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_ways = Keyword.List("Go", "Skip", "Back", "End");
+    private static readonly IReadOnlyList<Keyword> s_ways = [.. Keyword.List("Go", "Skip"), new Keyword("Back") { Use = "Step" }, .. Keyword.List("End")];
 
     private static readonly IReadOnlyList<ICommissioningStep> s_steps = [new MotorStep(), new EncoderStep(), new SwitchStep(), new ErrorStep(), new DirectionStep(), new ScaleStep(), new LetterStep(), new OutputStep()];
 

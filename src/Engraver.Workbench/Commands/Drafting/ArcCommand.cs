@@ -36,7 +36,7 @@ internal sealed class ArcCommand : ICommand
     private static async Task<Segment> FromCentreAsync(CommandContext context)
     {
         var centre = await ShapePrompts.PointAsync(context, "Arc.SpecifyCentre").ConfigureAwait(false);
-        return await ArcQuestions.AboutAsync(context, await OtherAsync(context, "Arc.SpecifyStartPoint", centre).ConfigureAwait(false), centre).ConfigureAwait(false);
+        return await ArcQuestions.AboutAsync(context, await OtherAsync(context, "Arc.SpecifyStart", centre).ConfigureAwait(false), centre).ConfigureAwait(false);
     }
 
     /// <exception cref="CommandException">There is no line or arc.</exception>

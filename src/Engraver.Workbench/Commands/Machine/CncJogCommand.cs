@@ -15,7 +15,8 @@ internal sealed class CncJogCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         HandMotion.Check(context, whileHeld: true);
-        var step = await context.ValueAsync(new JogStepPrompt(Wording.Get("CncJog.SpecifyStep"), context.Machine.Profile.Axes.Z is not null)).ConfigureAwait(false);
+        var hasHeight = context.Machine.Profile.Axes.Z is not null;
+        var step = await context.ValueAsync(new JogStepPrompt(Wording.Get(hasHeight ? "CncJog.SpecifyStepWithZ" : "CncJog.SpecifyStep"), hasHeight)).ConfigureAwait(false);
         var (way, height) = (step.Way, step.Height);
         if (!step.IsWhole)
         {
@@ -44,7 +45,7 @@ internal sealed class CncJogCommand : ICommand
         var speed = Math.Min(context.Machine.Profile.JogMmPerMinute, HandSpeed.Fastest(context.Machine.Profile, context.Machine.IsHomed));
         using var jog = context.Machine.Presence.Begin(way.At(speed));
         var jogging = context.Machine.JogAsync(jog, context.NewRunJournal("jog"), cancellation);
-        _ = jog.Lost.ContinueWith(lost => context.Say(Wording.Get(lost.Result ? "CncJog.TooLate" : "CncJog.WindowLeft"), MessageKind.Warning), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
+        _ = jog.Lost.ContinueWith(lost => context.Say(Wording.Get(lost.Result ? "CncJog.WindowTooLate" : "CncJog.WindowLeft"), MessageKind.Warning), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
         try
         {
             await context.ChoiceAsync(Wording.Get("CncJog.Jogging", speed), Keyword.List("Stop"), "Stop").ConfigureAwait(false);

@@ -124,7 +124,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         _ when status.State.IsReady() => Wording.Get("ArmingChecklist.ControllerReady"),
         MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin => Wording.Get("ArmingChecklist.ControllerAtRest"),
         MachineState.Busy or MachineState.Fault => Wording.Get("ArmingChecklist.ControllerNotReady", status.Reason),
-        MachineState.EmergencyStopOpen => Wording.Get("ArmingChecklist.ControllerStoppedByAbortInput"),
+        MachineState.EmergencyStopOpen => Wording.Get("ArmingChecklist.MotionBlockedByAbortInput"),
         MachineState.Moving => Wording.Get("ArmingChecklist.ControllerNotReady", status.Reason),
         _ when status.State.IsJob() => Wording.Get("ArmingChecklist.ControllerRunsJob"),
         _ => Wording.Get("ArmingChecklist.ControllerStateUnknown"),
