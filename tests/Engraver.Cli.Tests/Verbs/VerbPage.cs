@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Completions;
 using System.Globalization;
 using System.Text;
 
@@ -21,7 +22,8 @@ internal static class VerbPage
             # Verbs
 
             This page is generated from the command line of the program (`./test --update-golden`).
-            Every verb also takes `--help`. [cli-contract.md](cli-contract.md) describes JSON output and what scripts can rely on; [exit-codes.md](exit-codes.md) lists the exit codes.
+            Every verb also takes `--help`. [cli-contract.md](cli-contract.md) describes JSON output and what scripts can rely on;
+            [exit-codes.md](exit-codes.md) lists the exit codes.
 
             | Verb | What it does |
             |---|---|
@@ -60,11 +62,13 @@ internal static class VerbPage
         var all = options.ToList();
         if (all.Count == 0) return;
         page.Append("| Option | Value | Meaning |\n|---|---|---|\n");
-        foreach (var option in all) page.Append(CultureInfo.InvariantCulture, $"| {string.Join(", ", option.Aliases.Prepend(option.Name).Distinct().Select(name => $"`{name}`"))} | {(option.ValueType == typeof(bool) ? "" : $"`{Cell(option.HelpName ?? "VALUE")}`")} | {Cell(option.Description)} |\n");
+        foreach (var option in all) page.Append(CultureInfo.InvariantCulture, $"| {string.Join(", ", option.Aliases.Prepend(option.Name).Distinct().Select(name => $"`{name}`"))} | {(option.ValueType == typeof(bool) ? "" : $"`{Cell(ValueOf(option))}`")} | {Cell(option.Description)} |\n");
     }
 
     /// <summary>A few words a line, so that the page reads well as text.</summary>
     private static string Lines(string? text) => string.Join('\n', (text ?? "").Split(' ').Chunk(WordsOfALine).Select(words => string.Join(' ', words)));
+
+    private static string ValueOf(Option option) => option.HelpName ?? (option.GetCompletions(CompletionContext.Empty).Select(value => value.Label).ToList() is { Count: > 0 } values ? string.Join('|', values) : "VALUE");
 
     private static string Usage(Argument argument) => argument.Arity.MinimumNumberOfValues == 0 ? $" [{argument.HelpName ?? argument.Name}]" : $" {argument.HelpName ?? argument.Name}";
 
