@@ -145,8 +145,9 @@ internal sealed class JobMachine
     /// <summary>Controller time since the job began.</summary>
     public double Seconds => _times.Seconds;
 
-    public async ValueTask<JobStep> SendAsync(string command, string where = "") =>
-        await ReplyAsync(command).ConfigureAwait(false) is Rejected rejected ? Refuse(rejected, where) : JobStep.Done;
+    public double WatchdogSeconds => _heartbeat.WatchdogSeconds;
+
+    public async ValueTask<JobStep> SendAsync(string command, string where = "") => await ReplyAsync(command).ConfigureAwait(false) is Rejected rejected ? Refuse(rejected, where) : JobStep.Done;
 
     public async ValueTask<JobStep> SendAllAsync(IEnumerable<string> commands)
     {
@@ -332,8 +333,7 @@ internal sealed class JobMachine
 
     private bool IsBeatDueBefore(int bytes) => Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
 
-    private async ValueTask<JobStep> BeatAsync() =>
-        _heartbeat.IsDue() ? await SendAsync(_beat).ConfigureAwait(false) : JobStep.Done;
+    private async ValueTask<JobStep> BeatAsync() => _heartbeat.IsDue() ? await SendAsync(_beat).ConfigureAwait(false) : JobStep.Done;
 
     /// <summary>Queries one number over the stop handle, also after the operator's stop; null when the controller does not know it.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>

@@ -68,7 +68,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
     {
         if (machine.State.Trip == WatchdogProgram.ToolForgotten) return ToolForgotten();
         if (machine.State.Trip != 0)
-            return JobStep.LinkLost(Wording.Get("JobMachine.WatchdogTripped"), LinkLoss.Watchdog);
+            return JobStep.LinkLost(Wording.Get("JobMachine.WatchdogTripped", machine.WatchdogSeconds), LinkLoss.Watchdog);
         if (machine.State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
         if (machine.State.ProgramError == SupervisedProgram.Strayed)
             return JobStep.Broken(Wording.Get("JobMachine.MotionEndedEarly", machine.State.Position.X, machine.State.Position.Y, await WhyStoppedAsync().ConfigureAwait(false)));
