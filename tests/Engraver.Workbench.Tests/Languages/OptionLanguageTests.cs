@@ -78,6 +78,13 @@ public sealed partial class OptionLanguageTests
         Assert.Null(talk.Session.Settings.Current.Language);
     }
 
+    [Fact]
+    public void Back_is_one_word_for_a_direction_and_another_for_a_step() => In(s_german, () =>
+    {
+        Assert.Equal("Hinten", new Keyword("Back").Shown);
+        Assert.Equal("Zurück", (new Keyword("Back") { Use = "Step" }).Shown);
+    });
+
     private static void In(CultureInfo culture, Action act)
     {
         var before = CultureInfo.CurrentUICulture;
