@@ -19,7 +19,7 @@ internal sealed class BreakCommand : ICommand
         var (first, second) = await PlacesAsync(context, path, at).ConfigureAwait(false);
         var cut = CutOf(path, first, second);
         if (cut.Kept.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.NothingLeft"));
-        if (path.Closed && cut.Removed.Count == 0 && path.Parts.Count == 1) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.CircleAtOnePoint"));
+        if (path.Closed && cut.Removed.Count == 0 && path.Parts.Count == 1) throw new CommandException(CommandFailure.Usage, Wording.Get("Break.ClosedCurveAtOnePoint"));
         var reshaped = new ReshapedDrawing(drawing);
         reshaped.Set(entity, cut.Kept);
         var rebuilt = reshaped.Build();
