@@ -54,6 +54,8 @@ public static class FaultFile
         FlawReason.NeverEnds => Wording.Get("FaultFile.NoDuration", kind),
         FlawReason.NotAboveZero => Wording.Get("FaultFile.NotAboveZero", flaw.Field),
         FlawReason.BelowOne => Wording.Get("FaultFile.BelowOne", flaw.Field),
+        _ when flaw.Field is "atSeconds" => Wording.Get("FaultFile.SecondsOutOfRange", flaw.Field, 1e9),
+        _ when flaw.Field is "seconds" => Wording.Get("FaultFile.SecondsOutOfRange", flaw.Field, 1e6),
         _ => Wording.Get("FaultFile.BelowZero", flaw.Field),
     };
 

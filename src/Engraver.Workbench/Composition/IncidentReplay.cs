@@ -63,7 +63,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         try
         {
             var told = InterruptedJob.Read(journal);
-            if (!File.Exists(wire)) return (null, Wording.Get("Replay.NoConversation", journal, wire));
+            if (!File.Exists(wire)) return (null, Wording.Get("Replay.NoRecordedCommands", journal, wire));
             using var input = CompressedText.Open(wire);
             if (told?.Header.Axes is { Length: > 0 } axes && (axes.Length is not (2 or 3) || !axes.All(letter => letter is >= 'A' and <= 'D'))) throw new FormatException(Wording.Get("Replay.InvalidAxes", axes));
             replay = new IncidentReplay(Conversation.Read(input), told);

@@ -162,7 +162,7 @@ public sealed class JobHistory
         try
         {
             var text = File.ReadAllText(file);
-            var version = (JsonSerializer.Deserialize(text, HistoryJson.Default.HistoryVersion) ?? throw new JsonException(Wording.Get("History.Empty"))).Version;
+            var version = (JsonSerializer.Deserialize(text, HistoryJson.Default.HistoryVersion) ?? throw new JsonException(Wording.Get("History.ContainsNull"))).Version;
             if (version <= HistoryEntry.CurrentVersion)
             {
                 var entry = JsonSerializer.Deserialize(text, HistoryJson.Default.HistoryEntry)!;

@@ -65,11 +65,11 @@ public class ReportVerbTests
         await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("drawing.html"));
 
         Assert.Equal("run: complete", Verdict("same"));
-        Assert.DoesNotContain("This run is of a different state of the job", Section(Read(folder.PathOf("same.html")), "run").Value, StringComparison.Ordinal);
-        Assert.Equal("run of a different state of this job: complete", Verdict("setting"));
-        Assert.Contains("This run is of a different state of the job. Changed since then: --max-error, the machine profile.", Section(Read(folder.PathOf("setting.html")), "run").Value, StringComparison.Ordinal);
-        Assert.Equal("run of a different state of this job: complete", Verdict("drawing"));
-        Assert.Contains("This run is of a different state of the job. Changed since then: the drawing.", Section(Read(folder.PathOf("drawing.html")), "run").Value, StringComparison.Ordinal);
+        Assert.DoesNotContain("This run was made with a different version of the job", Section(Read(folder.PathOf("same.html")), "run").Value, StringComparison.Ordinal);
+        Assert.Equal("run of a different version of this job: complete", Verdict("setting"));
+        Assert.Contains("This run was made with a different version of the job. Changed since then: --max-error, the machine profile.", Section(Read(folder.PathOf("setting.html")), "run").Value, StringComparison.Ordinal);
+        Assert.Equal("run of a different version of this job: complete", Verdict("drawing"));
+        Assert.Contains("This run was made with a different version of the job. Changed since then: the drawing.", Section(Read(folder.PathOf("drawing.html")), "run").Value, StringComparison.Ordinal);
 
         string Verdict(string name) => Read(folder.PathOf(name + ".html")).Descendants(Html + "p").Single(part => part.Attribute("class")?.Value == "verdict").Value;
     }

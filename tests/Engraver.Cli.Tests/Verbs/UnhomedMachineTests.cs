@@ -17,7 +17,7 @@ public sealed class UnhomedMachineTests : IDisposable
         var asked = await CliRun.RunAsync(["jog", "--y", "-5", "--feed", "3000", .. at]);
 
         Assert.All([slow, asked], run => Assert.Equal(ExitCode.Done, run.ExitCode));
-        Assert.All([slow, asked], run => Assert.Contains("The machine is not homed, so the soft limits are not active and only the limit switches stop it. The speed is limited to 480 mm/min", run.Error, StringComparison.Ordinal));
+        Assert.All([slow, asked], run => Assert.Contains("The machine is not homed, so the soft limits are not active and only the limit switches stop the machine. The speed is limited to 480 mm/min", run.Error, StringComparison.Ordinal));
         Assert.InRange(machine.FastestFrom(0), 7, 8); // 480 mm/min are 8 counts in a millisecond
         var beyond = await CliRun.RunAsync(["jog", "--x", "-500", .. at]);
         Assert.Equal(ExitCode.DrawingError, beyond.ExitCode);

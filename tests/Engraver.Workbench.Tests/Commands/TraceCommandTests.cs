@@ -75,9 +75,9 @@ public class TraceCommandTests
         await File.WriteAllTextAsync(talk.PathOf("old.trace.csv"), "# polled\nseconds,x,y,tool,deviation\n0,0,0,1,0\n1,5,0,1,0.5\n");
         await talk.TypeAsync("CNCTRACE", "File", "old.trace.csv");
         Assert.Contains("deviation from the drawing, maximum 0.5 mm (polled, 2 positions)", talk.Said, StringComparison.Ordinal);
-        Assert.DoesNotContain("no following error was recorded", talk.Said, StringComparison.Ordinal);
+        Assert.DoesNotContain("No following error was recorded", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCTRACE", "Colour", "Following");
-        Assert.Contains("no following error was recorded", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("No following error was recorded", talk.Said, StringComparison.Ordinal);
     }
 
     private static string Failure(InputResult result) => Assert.IsType<InputResult.Failed>(result).Sentence;

@@ -29,7 +29,7 @@ internal sealed class HistoryCommand : ICommand
             return;
         }
 
-        if (reading.Entries.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("History.Nothing"));
+        if (reading.Entries.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoEntries"));
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("History.EnterNumber"))).ConfigureAwait(false);
         var entry = reading.Find(name) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoEntry", name));
         if (option == "rePort") await JobPageFile.WriteAsync(context, entry, SettingsOf(entry), cancellation).ConfigureAwait(false);
@@ -40,7 +40,7 @@ internal sealed class HistoryCommand : ICommand
     private static void List(CommandContext context, HistoryReading reading, string? word)
     {
         var found = reading.Holding(word).Entries;
-        if (found.Count == 0) throw new CommandException(CommandFailure.Usage, word is null ? Wording.Get("History.Nothing") : Wording.Get("History.NothingFound", word));
+        if (found.Count == 0) throw new CommandException(CommandFailure.Usage, word is null ? Wording.Get("History.NoEntries") : Wording.Get("History.NothingFound", word));
         var numbered = reading.Entries.Select((entry, index) => (entry, index)).Where(one => found.Contains(one.entry)).Take(word is null ? Listed : int.MaxValue);
         context.SayResult(output => HistoryText.Write(output, numbered.Select(one => (one.index + 1, one.entry)), context.Time.LocalTimeZone));
     }

@@ -19,7 +19,7 @@ internal sealed class LinkCommand : ICommand
     {
         var contours = new List<AgieContour>();
         while (await NextAsync(context, contours.Count).ConfigureAwait(false) is { } contour) contours.Add(contour);
-        if (contours.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Link.Nothing"));
+        if (contours.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Link.NoProgram"));
         var linked = AgieLink.Link(contours);
         FindingMessages.Say(context, Name, linked.Diagnostics, Severity.Warning);
         if (linked.Chunks.Count == 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Link.NotWritable"));

@@ -49,7 +49,7 @@ internal sealed class QSaveCommand : ICommand
         }
 
         var written = DrawingSaving.WriteSidecar(context, path);
-        if (!context.Document.IsDrawingEdited && !written) context.Say(Wording.Get("QSave.Nothing"));
+        if (!context.Document.IsDrawingEdited && !written) context.Say(Wording.Get("QSave.NoChanges"));
         context.Document.MarkSaved(path);
     }
 }

@@ -64,7 +64,7 @@ internal sealed class CncTraceCommand : ICommand
         context.Machine.ShowRun(new RecordedRun(job, trace));
         context.View.Change(view => view with { Shown = view.Shown | CanvasLayers.Recorded });
         var measure = MeasureOf(context);
-        if (measure == RunMeasure.Following && !trace.KnowsFollowing) context.Say(Wording.Get("Trace.NoFollowingError"), MessageKind.Warning);
+        if (measure == RunMeasure.Following && !trace.KnowsFollowing) context.Say(Wording.Get("CncTrace.NoFollowingError"), MessageKind.Warning);
         context.Say(Wording.Get("CncTrace.Shown", file, RunPlot.Caption(trace, measure)), MessageKind.Result);
     }
 
@@ -85,7 +85,7 @@ internal sealed class CncTraceCommand : ICommand
     {
         var chosen = await context.ChoiceAsync(Wording.Get("CncTrace.EnterColour"), Keyword.List([.. Enum.GetNames<RunMeasure>()]), MeasureOf(context).ToString()).ConfigureAwait(false);
         context.Settings.Change(settings => settings.WithVariable(SystemVariables.CncTraceColor, (int)Enum.Parse<RunMeasure>(chosen)));
-        if (chosen == nameof(RunMeasure.Following) && context.Machine.Recorded is { Trace.KnowsFollowing: false }) context.Say(Wording.Get("Trace.NoFollowingError"), MessageKind.Warning);
+        if (chosen == nameof(RunMeasure.Following) && context.Machine.Recorded is { Trace.KnowsFollowing: false }) context.Say(Wording.Get("CncTrace.NoFollowingError"), MessageKind.Warning);
     }
 
     private static RunMeasure MeasureOf(CommandContext context) => context.Settings.Current.TraceColour();

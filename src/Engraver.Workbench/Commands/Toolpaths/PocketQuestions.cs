@@ -18,7 +18,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
     {
         context.Remember(Memory + "Job", "Pocket"); // with everything the outlines are cut into the wall: chosen each time, never taken over
         var (from, entry, job) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)), context.Remembered(Memory + "Job"));
-        context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry, job));
+        context.Say(Wording.Get("Pocket.Settings", Shown(from), First("Allowance"), Shown(entry), Shown(job)));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
         await NumberAsync("Stepover", 0.01, 0.99).ConfigureAwait(false);
         if (await ChoiceAsync("Strategy", "Contour", "Zigzag").ConfigureAwait(false) == "Zigzag") await NumberAsync("Angle", -360, 360).ConfigureAwait(false);
@@ -26,6 +26,8 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
         if (Number("Depth") > 0.0) await NumberAsync("Step", 1e-3, 1e3, NumberPrompt.Show(Number("Depth"))).ConfigureAwait(false);
         return Now();
     }
+
+    private static string Shown(string option) => Keyword.ShowDefault([new Keyword(option)], option);
 
     /// <returns>The option that was chosen instead; null when the depth was given.</returns>
     private async Task<string?> DepthAsync()

@@ -22,7 +22,7 @@ internal sealed class SaceHelicalDrillCommand : ICommand
         var making = new TrajectoryMaking(context, cancellation);
         var unit = making.Unit;
         var helix = HelixPlanner.Plan(new Point2D(centre.X * unit, centre.Y * unit), (hole - tool) * unit, making.Settings.PlaneZ, depth * unit, pitch * unit, sense == "Clockwise", making.Settings.MaxErrorMm)
-            ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", HelixPlanner.MostTurns));
+            ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooManyTurns", HelixPlanner.MostTurns));
         making.Add(helix, [], number => $"traj{number}_drill");
         making.Take();
     }

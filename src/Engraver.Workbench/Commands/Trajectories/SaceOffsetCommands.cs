@@ -47,7 +47,7 @@ internal sealed class SaceConstantOffsetsCommand : ICommand
         var step = await TrajectoryPrompts.LengthAsync(context, "SACE.step", "Trajectories.OffsetStep", 0.25).ConfigureAwait(false);
         var largest = await TrajectoryPrompts.LengthAsync(context, "SACE.largest", "Trajectories.MaximumOffset", 1.0).ConfigureAwait(false);
         if (largest < radius) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.MaximumOffsetTooSmall", NumberPrompt.Show(largest), NumberPrompt.Show(radius)));
-        if ((largest - radius) / step >= SaceOffsets.MostPasses) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", SaceOffsets.MostPasses));
+        if ((largest - radius) / step >= SaceOffsets.MostPasses) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooManyOffsets", SaceOffsets.MostPasses));
         var side = await TrajectoryPrompts.SideAsync(context, contours).ConfigureAwait(false);
         SaceOffsets.Make(context, contours, Distances(radius, step, largest), side, SaceOffsets.NameOfPass, cancellation);
     }

@@ -29,7 +29,7 @@ internal sealed class SaceDeepEngravingCommand : ICommand
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
         var step = await TrajectoryPrompts.LengthAsync(context, "SACEDEEPENGRAVING.step", "Trajectories.DepthStep", 0.1).ConfigureAwait(false);
         var depth = await TrajectoryPrompts.LengthAsync(context, "SACEDEEPENGRAVING.depth", "Trajectories.FinalDepth", 1.0).ConfigureAwait(false);
-        if (depth / step > MostDepths) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", MostDepths));
+        if (depth / step > MostDepths) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooManyDepths", MostDepths));
         var making = new TrajectoryMaking(context, cancellation);
         var count = (int)Math.Ceiling((depth / step) - 1e-9);
         double[] heights = [.. Enumerable.Range(0, count + 1).Select(i => making.Settings.PlaneZ - (making.Unit * Math.Min(depth, i * step)))];

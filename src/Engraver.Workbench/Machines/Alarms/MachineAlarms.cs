@@ -57,9 +57,9 @@ internal static class MachineAlarms
     {
         if (!stands) log.Clear(cause);
         if (!stands || log.Open.Any(alarm => alarm.Cause == cause && alarm.IsActive)) return false;
-        log.Raise(cause, ended is null ? what : Wording.Get("MachineAlarms.AndTheJob", what, ended.Sentence), ended is null ? link : Where(ended, link), toDo);
+        log.Raise(cause, ended is null ? what : Wording.Get("MachineAlarms.AlarmAndJobResult", what, ended.Sentence), ended is null ? link : Where(ended, link), toDo);
         return true;
     }
 
-    private static string Where(JobResult ended, string link) => Wording.Get("MachineAlarms.After", link, CountText.Format(ended.SegmentsExecuted, "Segment"));
+    private static string Where(JobResult ended, string link) => Wording.Get("MachineAlarms.LinkAndSegments", link, CountText.Format(ended.SegmentsExecuted, "Segment"));
 }

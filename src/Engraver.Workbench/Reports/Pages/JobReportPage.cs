@@ -141,7 +141,7 @@ public static class JobReportPage
         page.Pairs(
         [
             new PagePair(Wording.Get("JobReport.Outcome"), Outcome(told), "outcome"),
-            new PagePair(Wording.Get("JobReport.Sentence"), told.Sentence),
+            new PagePair(Wording.Get("JobReport.Message"), told.Sentence),
             PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", told.Seconds, "0.0"),
             new PagePair(Wording.Get("JobReport.Journal"), report.Journal.File, Style: "code"),
         ]);
@@ -151,7 +151,7 @@ public static class JobReportPage
     [
         new PagePair(Wording.Get("JobReport.Date"), Time(run.Date, here)),
         new PagePair(Wording.Get("JobReport.Outcome"), run.Outcome, "outcome"),
-        new PagePair(Wording.Get("JobReport.Sentence"), run.Sentence),
+        new PagePair(Wording.Get("JobReport.Message"), run.Sentence),
         new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
         PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
         PagePair.Of(Wording.Get(run.OpenLoop is null ? "JobReport.MaxDeviation" : "JobReport.CommandedDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
@@ -173,7 +173,7 @@ public static class JobReportPage
             PagePair.Of(Wording.Get("JobReport.Tolerance"), "certificate.tolerance", certificate.Tolerance, "0.0000"),
             PagePair.Of(Wording.Get("JobReport.Missing"), "certificate.missingLength", certificate.MissingLength, "0.####"),
             PagePair.Of(Wording.Get("JobReport.Extra"), "certificate.extraLength", certificate.ExtraLength, "0.####"),
-            new PagePair(Wording.Get("JobReport.Limits"), certificate.Limits is { } box ? Box(box) : "–"),
+            new PagePair(Wording.Get("JobReport.CutExtents"), certificate.Limits is { } box ? Box(box) : "–"),
             PagePair.Of(Wording.Get("JobReport.SecondsTotal"), "certificate.plannedSeconds", certificate.PlannedSeconds, "0.0"),
             new PagePair(Wording.Get("JobReport.DrawingHash"), certificate.Drawing.Sha256 ?? "–", "drawing.sha256", Style: "code"),
             new PagePair(Wording.Get("JobReport.ProgramHash"), certificate.Program.Sha256, "program.sha256", Style: "code"),

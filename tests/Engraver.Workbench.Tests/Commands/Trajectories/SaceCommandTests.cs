@@ -168,7 +168,7 @@ public class SaceCommandTests
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "SACESHOWTRAJECTORIES");
         var one = Assert.Single(All(talk));
 
-        Assert.Contains($"traj0_path: {one.Curve.Points} points, 18.85 mm, maximum error 0.000", talk.Said, StringComparison.Ordinal);
+        Assert.Contains($"traj0_path: {one.Curve.Points} points, length 18.85 mm, maximum error 0.000", talk.Said, StringComparison.Ordinal);
         Assert.Contains("1 trajectory in the list.", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("List`1", talk.Said, StringComparison.Ordinal);
     }
