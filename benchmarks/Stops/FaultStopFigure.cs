@@ -15,9 +15,9 @@ internal sealed record FaultStopFigure(string Fault, IReadOnlyList<double> Milli
     public IReadOnlyList<double>? Behind { get; init; }
 
     /// <summary>The head of the table for a serial line.</summary>
-    public const string SerialHead = "| Fault | presses | braked already | without a wire | p50 ms | p99 ms | worst ms | collecting ms | behind the line under way: p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|";
+    public const string SerialHead = "| Fault | presses | already braking | link cut | p50 ms | p99 ms | max. ms | GC pause ms | after the line in progress: p50 ms | p99 ms | max. ms |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|";
 
-    public const string MarkdownHead = "| Fault | presses | braked already | without a wire | p50 ms | p99 ms | worst ms | collecting ms |\n|---|---:|---:|---:|---:|---:|---:|---:|";
+    public const string MarkdownHead = "| Fault | presses | already braking | link cut | p50 ms | p99 ms | max. ms | GC pause ms |\n|---|---:|---:|---:|---:|---:|---:|---:|";
 
     public string ToMarkdown() => string.Create(CultureInfo.InvariantCulture, $"| {Fault} | {Milliseconds.Count + Braked + Lost} | {Braked} | {Lost} | {At(Milliseconds, 0.5)} | {At(Milliseconds, 0.99)} | {At(Milliseconds, 1.0)} | {LongestPause:0.00} |{(Behind is null ? "" : $" {At(Behind, 0.5)} | {At(Behind, 0.99)} | {At(Behind, 1.0)} |")}");
 

@@ -10,10 +10,10 @@ internal static class TrajectoryBenchmark
     private const int Repetitions = 5;
 
     /// <summary>The two lines above the rows of the shapes.</summary>
-    public const string ShapesHead = "| Curve (mm) | Error asked for | Plug-in: points | largest deviation | Ours: points | proven bound | largest deviation | ratio of steps | CPU ms (median) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|";
+    public const string ShapesHead = "| Curve (mm) | Error limit | Plug-in: points | max. deviation | Points | proven bound | max. deviation | ratio of steps | CPU ms (median) |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|";
 
     /// <summary>The two lines above the row of the random curves.</summary>
-    public const string CurvesHead = "| Random curves | Runs that failed | Points | Worst proven bound / error asked for | Worst deviation / proven bound | Worst ratio of steps | CPU ms a curve |\n|---:|---:|---:|---:|---:|---:|---:|";
+    public const string CurvesHead = "| Random curves | Runs that failed | Points | Max. proven bound / error limit | Max. deviation / proven bound | Max. ratio of steps | CPU ms a curve |\n|---:|---:|---:|---:|---:|---:|---:|";
 
     private static readonly double[] s_errors = [0.001, 0.002, 0.004];
 
