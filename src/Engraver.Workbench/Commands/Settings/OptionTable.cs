@@ -133,7 +133,7 @@ public sealed record OptionEntry(string Page, string Key, string Command)
     {
         ArgumentNullException.ThrowIfNull(typed);
         if (typed.Length == 0) return MayBeEmpty ? null : Wording.Get("PendingValue.InputRequired", Name);
-        if (Choices.Count > 0) return Choices.Contains(typed) ? null : Wording.Get("PendingValue.InputRequired", Name);
+        if (Choices.Count > 0) return Choices.Contains(typed) ? null : Wording.Get("ChoicePrompt.NotAnOption", typed, string.Join(", ", Choices.Select(Shown)));
         return new NumberPrompt(Name) { Least = Least, Most = Most, Whole = Whole }.Read(typed, Point2D.Origin) is Reading<double>.Wrong wrong ? wrong.Sentence : null;
     }
 
