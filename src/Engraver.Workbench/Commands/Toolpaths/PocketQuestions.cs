@@ -17,7 +17,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
     public async Task<PocketRequest> AskAsync()
     {
         context.Remember(Memory + "Job", "Pocket"); // with everything the outlines are cut into the wall: chosen each time, never taken over
-        var (from, entry, job) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)), context.Remembered(Memory + "Job"));
+        var (from, entry, job) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)), context.Remembered(Memory + "Job", "Pocket"));
         context.Say(Wording.Get("Pocket.Settings", Shown(from), First("Allowance"), Shown(entry), Shown(job)));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
         await NumberAsync("Stepover", 0.01, 0.99).ConfigureAwait(false);
