@@ -82,9 +82,9 @@ public sealed class BesideTests(DesktopFixture fixture)
     {
         (string Typed, string Reason)[] refused =
         [
-            ("move", "MOVE may change the drawing"),
-            ("open", "OPEN may change the drawing"),
-            ("cncfeed", "CNCFEED may change the drawing"),
+            ("move", "MOVE can change the drawing"),
+            ("open", "OPEN can change the drawing"),
+            ("cncfeed", "CNCFEED can change the drawing"),
             ("cncgoto", "CNCGOTO acts on the machine"),
             ("cncrun", "CNCRUN acts on the machine"),
             ("cnczero", "CNCZERO acts on the machine"),

@@ -20,7 +20,7 @@ public sealed class JobTests(DesktopFixture fixture)
         here.Show("Job");
 
         Assert.Contains(("✓", false, "The drawing has no errors.", false), Lines(here));
-        Assert.Contains(("✗", true, "No controller is connected; connect one (CNCCONNECT).", false), Lines(here));
+        Assert.Contains(("✗", true, "No controller is connected; connect one with CNCCONNECT.", false), Lines(here));
     });
 
     [Fact]

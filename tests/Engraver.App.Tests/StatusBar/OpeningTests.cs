@@ -22,7 +22,7 @@ public sealed class OpeningTests(DesktopFixture fixture)
         var opening = here.Desk.RunAsync("OPEN", file);
         var text = here.Find<TextBlock>("WorkText");
         here.Until(() => told.IsSet && text.IsEffectivelyVisible && text.Text is { Length: > 0 }); // the word of it is on its way to the window
-        Assert.Matches("^[0-9]{1,2} % read", text.Text);
+        Assert.Matches("^Reading: [0-9]{1,2} % ", text.Text);
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Desk.Cancelled.IsCompleted);
         goOn.Set();

@@ -62,7 +62,7 @@ public class CertifyVerbTests
         Assert.Equal((ExitCode.Done, ExitCode.Usage), (agie.ExitCode, none.ExitCode));
         Assert.Equal(["part.agie.certificate.json", "part.gcode-grbl.certificate.json", "part.gcode.certificate.json"], Directory.GetFiles(folder.PathOf(""), "part.*.certificate.json").Select(Path.GetFileName).Order(StringComparer.Ordinal));
         Assert.Equal(("grbl", null), (grbl.GetProperty("program").GetProperty("dialect").GetString(), usual.GetProperty("program").GetProperty("dialect").GetString()));
-        foreach (var target in new[] { "agie", "gcode", "gcode grbl" }) Assert.Matches($"<td class=\"mark\">{target}</td>\\s*<td>stands</td>", page);
+        foreach (var target in new[] { "agie", "gcode", "gcode grbl" }) Assert.Matches($"<td class=\"mark\">{target}</td>\\s*<td>valid</td>", page);
         Assert.Contains(grbl.GetProperty("program").GetProperty("sha256").GetString()!, page, StringComparison.Ordinal);
     }
 

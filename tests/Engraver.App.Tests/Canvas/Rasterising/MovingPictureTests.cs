@@ -26,6 +26,7 @@ public sealed class MovingPictureTests(DesktopFixture fixture)
         here.Enter("CNCARM", "Stream");
         Take(here, taken, 0);
         here.Click(here.Find<Avalonia.Controls.Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
         for (var fraction = Step; fraction < 1; fraction += Step)
         {
             var wanted = fraction;

@@ -62,7 +62,7 @@ public class MotionProgramGeneratorTests
         Assert.Null(made.Program);
         var finding = Assert.Single(made.Diagnostics);
         Assert.Equal(("MOT0012", 77), (finding.Id, finding.Source.Line));
-        Assert.Contains("radius 60000 mm", finding.Message, StringComparison.Ordinal);
+        Assert.Contains("a radius of 60000 mm", finding.Message, StringComparison.Ordinal);
         Assert.Contains("a radius of up to 6000 mm", finding.Message, StringComparison.Ordinal);
     }
 
