@@ -3,7 +3,8 @@ using System.Globalization;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>The address of a controller: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>; also without its scheme where the rest tells it (<c>192.168.0.2</c>, <c>COM3</c>, <c>sim</c>). A value; opening it is the caller's task.</summary>
+/// <summary>The address of a controller: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>. The scheme may be omitted where
+/// the rest determines it (<c>192.168.0.2</c>, <c>COM3</c>, <c>sim</c>). An immutable value; the caller opens it.</summary>
 public abstract record ControllerAddress
 {
     /// <summary>Port 23 is the convention of Galil's own hosts (galil-dmc.md A.1).</summary>
@@ -15,13 +16,13 @@ public abstract record ControllerAddress
     private const string TcpScheme = "tcp://";
     private const string SerialScheme = "serial://";
 
-    /// <summary>What is accepted, for messages.</summary>
+    /// <summary>The accepted forms, for messages.</summary>
     public static string Forms => Wording.Get("ControllerAddress.Forms");
 
     /// <summary>Loopback port at which a simulated controller in another process offers its clock; null for a controller that follows the wall clock.</summary>
     public int? ClockPort { get; init; }
 
-    /// <summary>The address as it is typed, without a clock: <see cref="Parse"/> reads it.</summary>
+    /// <summary>The address as typed, without a clock: <see cref="Parse"/> reads it.</summary>
     public string Typed => this switch
     {
         TcpAddress tcp => string.Create(CultureInfo.InvariantCulture, $"tcp://{tcp.Host}:{tcp.Port}"),
@@ -30,7 +31,7 @@ public abstract record ControllerAddress
         _ => ToString(),
     };
 
-    /// <exception cref="FormatException">The text is not an address; the message says what is accepted.</exception>
+    /// <exception cref="FormatException">The text is not an address; the message states what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
         TryParse(text, out var address) ? address : throw new FormatException(Wording.Get("ControllerAddress.NotAnAddress", text, Forms));
 
@@ -54,7 +55,7 @@ public abstract record ControllerAddress
     private static bool IsPort(string body) =>
         body.StartsWith("/dev/", StringComparison.Ordinal) || (body.StartsWith("COM", StringComparison.OrdinalIgnoreCase) && int.TryParse(body.AsSpan(3), NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port is > 0 and <= 256);
 
-    /// <summary>An IP address or a name with a dot, also with a port. A single word may as well be a misspelled scheme.</summary>
+    /// <summary>An IP address or a name with a dot, also with a port. A single word is not accepted because it may be a misspelled scheme.</summary>
     private static bool IsHost(string body) =>
         !body.Contains("//", StringComparison.Ordinal) && (body.Contains('.', StringComparison.Ordinal) || body.StartsWith('[') || body.Split(':')[0] == "localhost");
 
@@ -114,7 +115,7 @@ public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = Se
 /// <param name="Speed">Controller seconds per wall second; infinity is virtual time.</param>
 public sealed record SimulatedAddress(double Speed) : ControllerAddress
 {
-    /// <summary>False for <c>sim:</c> without a speed: the connect command then takes the speed of its session.</summary>
+    /// <summary>False for <c>sim:</c> without a speed: the connect command then uses the speed of its session.</summary>
     public bool SaysSpeed { get; init; } = true;
 }
 
@@ -126,14 +127,15 @@ public enum SerialFlow : byte
     /// <summary>The lines RTS and CTS, which the controller expects; without them characters are lost in bursts (galil-dmc.md A.2).</summary>
     RtsCts,
 
-    /// <summary>None, for a cable of three wires.</summary>
+    /// <summary>None, for a three-wire cable.</summary>
     None,
 
-    /// <summary>The characters Ctrl-S and Ctrl-Q. Binary records (QR) are damaged by it.</summary>
+    /// <summary>The characters Ctrl-S and Ctrl-Q. This damages binary records (QR).</summary>
     XonXoff,
 }
 
-/// <summary>Properties of a serial line: one connection for everything, characters echoed while EO is 1, and a time for every byte.</summary>
+/// <summary>Properties of a serial line: one connection for all traffic, an echo of each character while EO is 1, and a transmission time for every
+/// byte.</summary>
 /// <param name="Baud">Bits per second; one of <see cref="Rates"/>.</param>
 public sealed record SerialLine(int Baud)
 {

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The link failed: it is gone, silent or carries nonsense. A refused command is not an exception but a <see cref="MachineRefusal"/>.</summary>
+/// <summary>The link failed: it was lost, does not respond or carries invalid data. A refused command is not an exception but a
+/// <see cref="MachineRefusal"/>.</summary>
 public abstract class ControllerException : Exception
 {
     protected ControllerException()

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The link to the controller is gone or could not be opened.</summary>
+/// <summary>The link to the controller was lost or could not be opened.</summary>
 public sealed class ControllerLinkException : ControllerException
 {
     public ControllerLinkException()

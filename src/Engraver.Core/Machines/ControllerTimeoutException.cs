@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The controller is silent: no reply, or no connection, in time.</summary>
+/// <summary>The controller does not respond: no reply, or no connection, within the time limit.</summary>
 public sealed class ControllerTimeoutException : ControllerException
 {
     public ControllerTimeoutException()

@@ -5,8 +5,9 @@ using Engraver.Core.Machines.Setup;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>A connected and identified controller: the seam between the workbench and a family of controllers (ADR 9). Its terms are neutral; the driver decides which commands are sent for them.</summary>
-/// <remarks>Disposing leaves the controller as it was found. Stop and abort may be called from any thread, beside everything else.</remarks>
+/// <summary>A connected and identified controller: the interface between the workbench and a family of controllers (ADR 9). Its terms are neutral; the driver
+/// decides which commands it sends for them.</summary>
+/// <remarks>Disposing leaves the controller as it was found. Stop and abort may be called from any thread, concurrently with all other members.</remarks>
 public interface IMachineConnection : IAsyncDisposable
 {
     MachineIdentity Identity { get; }
@@ -16,29 +17,30 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>The link was lost; another connection is needed.</summary>
     bool IsBroken { get; }
 
-    /// <summary>One look at an idle machine, now.</summary>
-    /// <param name="axes">Those that a job moves.</param>
-    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    /// <summary>Reads the present state of an idle machine once.</summary>
+    /// <param name="axes">The axes that a job moves.</param>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
     ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation);
 
-    /// <summary>Where the machine stands, and what tells whether the controller still counts from the same zero.</summary>
+    /// <summary>Reads the position of the machine and the values that show whether the controller still counts from the same zero.</summary>
     /// <param name="axes">The axes that move the drawing's X and Y.</param>
-    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
     ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation);
 
-    /// <summary>Leaves a number in the controller that is gone once it is switched off or reset.</summary>
-    /// <returns>False when the controller does not take it.</returns>
+    /// <summary>Stores a number in the controller that is lost when the controller is switched off or reset.</summary>
+    /// <returns>False when the controller does not accept it.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation);
 
-    /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted it, not at rest.</summary>
-    /// <param name="outputs">What is switched off (<see cref="MachineProfile.OffAtStop"/>).</param>
+    /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted the stop, not when the machine is at
+    /// rest.</summary>
+    /// <param name="outputs">The outputs to switch off (<see cref="MachineProfile.OffAtStop"/>).</param>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task StopAsync(params IReadOnlyList<OutputSwitch> outputs);
 
-    /// <summary>Halts every motion and program at once, and switches tool and motors off.</summary>
+    /// <summary>Halts every motion and program immediately, and switches tool and motors off.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    /// <param name="outputs">What is switched off (<see cref="MachineProfile.OffAtAbort"/>).</param>
+    /// <param name="outputs">The outputs to switch off (<see cref="MachineProfile.OffAtAbort"/>).</param>
     Task AbortAsync(params IReadOnlyList<OutputSwitch> outputs);
 
     /// <summary>Switches the motors of the axes that a job moves on or off.</summary>
@@ -46,63 +48,67 @@ public interface IMachineConnection : IAsyncDisposable
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<MachineRefusal?> SetMotorsAsync(MachineAxes axes, bool on, CancellationToken cancellation);
 
-    /// <summary>Switches one digital output, from 1.</summary>
+    /// <summary>Switches one digital output, numbered from 1.</summary>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<MachineRefusal?> SetOutputAsync(int output, bool on, CancellationToken cancellation);
 
-    /// <summary>Sends a line that an operator typed in the controller's own language, and returns the answers.</summary>
+    /// <summary>Sends a line that an operator typed in the controller's own language, and returns the replies.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation);
 
     /// <summary>Takes text that programs in the controller have printed since the last call.</summary>
     bool TryTakeMessage([NotNullWhen(true)] out string? message);
 
-    /// <summary>Runs a motion program to its end, to the operator's stop, to the first refusal or to the loss of the link, and leaves the controller as it was found.</summary>
-    /// <param name="stop">The operator's stop: the machine is stopped first, however long it brakes, then this returns.</param>
+    /// <summary>Runs a motion program until its end, the operator's stop, the first refusal or the loss of the link, and leaves the controller as it was
+    /// found.</summary>
+    /// <param name="stop">The operator's stop: the method first waits until the machine has stopped, however long it brakes, then returns.</param>
     Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
-    /// <summary>Where an interrupted job is to go on: by its journal, and by what the controller has kept of it.</summary>
+    /// <summary>Finds where an interrupted job is to continue, from its journal and from what the controller has kept of the job.</summary>
     /// <param name="program">The whole program of the job, as it would be run again.</param>
     /// <param name="journal">Path of the journal.</param>
-    /// <returns>The place, or why there is none.</returns>
+    /// <returns>The place, or the reason why there is none.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation);
 
     /// <summary>Moves the machine without cutting, tool off, at rapid speed, under the same watchdog and stop as a job.</summary>
-    /// <param name="program">Has no strokes; gives the machine, and its position in the frame in which progress is reported.</param>
+    /// <param name="program">Has no strokes; supplies the machine, and its position in the frame in which progress is reported.</param>
     /// <param name="goal">Target in the controller's own counts.</param>
-    /// <param name="withHeight">The height is part of the target; otherwise it stays as it is.</param>
+    /// <param name="withHeight">The height is part of the target; otherwise it does not change.</param>
     Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, bool withHeight, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
-    /// <summary>Moves the machine as long as a key is held, tool off, under a dead-man in the controller which brakes it 0.25 s after the last sign of this computer.</summary>
+    /// <summary>Moves the machine while a key is held, tool off, under a watchdog in the controller that brakes it 0.25 s after the last heartbeat from this
+    /// computer.</summary>
     /// <param name="program">As for <see cref="GoToAsync"/>.</param>
     /// <param name="control">Speed of each axis; releasing it ends the jog, which is then complete.</param>
     /// <param name="stop">The operator's stop.</param>
     Task<JobResult> JogAsync(MotionProgram program, JogControl control, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
-    /// <summary>Keeps the controller ready for jogs, each as by <see cref="JogAsync"/>, until <paramref name="standby"/> is left, nobody has jogged for a while, or a jog ended otherwise than by its release.</summary>
+    /// <summary>Keeps the controller ready for jogs, each as in <see cref="JogAsync"/>, until <paramref name="standby"/> is left, no jog was started for a
+    /// while, or a jog ended other than by its release.</summary>
     /// <param name="program">As for <see cref="GoToAsync"/>.</param>
     /// <param name="stop">The operator's stop.</param>
-    /// <returns>How it ended, when the controller has been left as it was found.</returns>
+    /// <returns>How it ended, after the controller has been left as it was found.</returns>
     Task<JobResult> StandByAsync(MotionProgram program, JogStandby standby, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
-    /// <summary>Homes the axes of the profile that say how, one after the other, tool off, under the watchdog and the stop of a job. The controller counts from the profile's zero then.</summary>
+    /// <summary>Homes the axes whose homing the profile configures, one after the other, tool off, under the watchdog and the stop of a job. Afterwards the
+    /// controller counts from the profile's zero.</summary>
     /// <param name="program">As for <see cref="GoToAsync"/>.</param>
     Task<HomingResult> HomeAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
-    /// <summary>What the controller is told of motors, encoders and switches; null where it is not offered.</summary>
+    /// <summary>Reads and changes the controller's settings for motors, encoders and switches; null where it is not offered.</summary>
     IMachineSetup? Setup => null;
 
     /// <summary>Planned seconds of a program over this link.</summary>
     double PlannedSeconds(MotionProgram program, JobMode mode);
 }
 
-/// <summary>What a connection can do. A capability that is null does not exist, so that nobody calls a method that throws.</summary>
-/// <param name="IsSingleWire">Everything goes over one connection: the machine cannot be observed during a job.</param>
+/// <summary>What a connection can do. A capability that is null does not exist, so a caller can check it instead of calling a method that throws.</summary>
+/// <param name="IsSingleWire">All traffic uses one connection: the machine cannot be observed during a job.</param>
 /// <param name="Jog">Motion while a key is held; null where it is not offered.</param>
 /// <param name="Hold">A job can be held and resumed; null where it is not offered.</param>
-/// <param name="Override">The feed of a job under way can be changed; null where it is not offered.</param>
+/// <param name="Override">The feed of a running job can be changed; null where it is not offered.</param>
 public sealed record MachineCapabilities(bool IsSingleWire, SpeedRange? Jog = null, HoldCapability? Hold = null, SpeedRange? Override = null);
 
 /// <summary>Speeds that a capability allows: counts/s for a jog, factors of the programmed feed for an override.</summary>

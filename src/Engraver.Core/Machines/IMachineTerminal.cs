@@ -1,6 +1,7 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>A conversation with a controller in its own language, line by line: commands go out, replies come back, and what programs print appears between them.</summary>
+/// <summary>A terminal session in the controller's own language, line by line: commands are sent, replies are returned, and text printed by programs appears
+/// between them.</summary>
 /// <remarks>Disposing leaves the controller as it was found.</remarks>
 public interface IMachineTerminal : IAsyncDisposable
 {
@@ -12,16 +13,17 @@ public interface IMachineTerminal : IAsyncDisposable
     /// <summary>Whether a typed line ends the conversation.</summary>
     bool Ends(string line);
 
-    /// <summary>Answers one line: what programs have printed by now, then the answer itself.</summary>
+    /// <summary>Answers one line: first the text that programs have printed so far, then the reply itself.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation);
 
-    /// <summary>What programs have printed since the last answer.</summary>
+    /// <summary>Text that programs have printed since the last reply.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<IReadOnlyList<TerminalAnswer>> PollAsync(CancellationToken cancellation);
 
-    /// <summary>The operator ends the program: the tool goes off, everything brakes, and the machine is waited for (ADR 4).</summary>
-    /// <param name="toolOutput">The output that carries the tool, from 1.</param>
+    /// <summary>Stops when the operator ends the program: the tool is switched off, all axes brake, and the method waits until the machine is at rest (ADR
+    /// 4).</summary>
+    /// <param name="toolOutput">The output that switches the tool, from 1.</param>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task StopAsync(int toolOutput, TimeSpan pollInterval);
 }

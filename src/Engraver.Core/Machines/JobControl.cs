@@ -2,8 +2,9 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>What the operator wants of a job under way beside its stop: hold, resume, feed and rapid override. Written from any thread, read by the job between two commands (ADR 10).</summary>
-/// <remarks>The stop is a token of its own and wins over everything here. One control serves one job.</remarks>
+/// <summary>The operator's requests to a running job apart from its stop: hold, resume, feed and rapid override. Written from any thread, read by the job
+/// between two commands (ADR 10).</summary>
+/// <remarks>The stop is a separate token and takes precedence over everything here. One control serves one job.</remarks>
 public sealed class JobControl
 {
     private readonly Lock _guard = new();
@@ -15,13 +16,13 @@ public sealed class JobControl
     private bool _isOver;
     private string? _stopReason;
 
-    /// <summary>Factors of the programmed feed that an operator may ask for.</summary>
+    /// <summary>Factors of the programmed feed that an operator may request.</summary>
     public static SpeedRange FeedRange { get; } = new(0.1, 2.0);
 
-    /// <summary>The same of the rapid speed, which is the machine's fastest.</summary>
+    /// <summary>Factors of the rapid speed that an operator may request; the rapid speed is the machine's fastest.</summary>
     public static SpeedRange RapidRange { get; } = new(0.1, 1.0);
 
-    /// <summary>Why the job is stopped, a sentence, where it is not by the operator's hand; null otherwise. Told before the stop itself.</summary>
+    /// <summary>Why the job is stopped, as a sentence, where the operator did not stop it; null otherwise. Set before the stop itself.</summary>
     public string? StopReason
     {
         get
@@ -35,7 +36,7 @@ public sealed class JobControl
         }
     }
 
-    /// <summary>The job is to brake on its path, or stay where it is held.</summary>
+    /// <summary>The job is to brake on its path, or to remain held.</summary>
     public bool IsHoldWanted
     {
         get
@@ -76,7 +77,7 @@ public sealed class JobControl
         }
     }
 
-    /// <summary>What the job does, as it said last.</summary>
+    /// <summary>The phase of the job as last reported by it.</summary>
     public JobPhase Phase
     {
         get
@@ -85,19 +86,19 @@ public sealed class JobControl
         }
     }
 
-    /// <summary>The job brakes at the next place where it can, and the tool goes off or up once it stands.</summary>
+    /// <summary>The job brakes at the next point where it can, and the tool goes off or up at standstill.</summary>
     public void Hold()
     {
         lock (_guard) _isHoldWanted = true;
     }
 
-    /// <summary>Takes a hold back: the machine returns to where it was held, the tool goes on again, and the job continues there.</summary>
+    /// <summary>Cancels a hold: the machine returns to where it was held, the tool goes on again, and the job continues there.</summary>
     public void Resume()
     {
         lock (_guard) _isHoldWanted = false;
     }
 
-    /// <summary>The move by hand that is asked of the held job and not ended yet; null for none.</summary>
+    /// <summary>The hand move that was requested of the held job and has not ended; null for none.</summary>
     public HeldMove? Move
     {
         get
@@ -107,7 +108,7 @@ public sealed class JobControl
     }
 
     /// <summary>Moves the machine of a held job by hand, tool off or up; a resume goes back to where the job was held.</summary>
-    /// <returns>How the move ended; refused where the job does not stand held, or another move is under way.</returns>
+    /// <returns>How the move ended; refused where the job is not held at standstill, or another move is in progress.</returns>
     public Task<JobResult> MoveAsync(HeldMove move)
     {
         ArgumentNullException.ThrowIfNull(move);
@@ -121,7 +122,7 @@ public sealed class JobControl
         return move.Ended;
     }
 
-    /// <summary>Told by the job: the move that was asked for has ended.</summary>
+    /// <summary>Called by the job: the requested move has ended.</summary>
     public void MoveEnds(JobResult result)
     {
         HeldMove? ended;
@@ -129,13 +130,13 @@ public sealed class JobControl
         ended?.End(result);
     }
 
-    /// <summary>Told by the job.</summary>
+    /// <summary>Called by the job.</summary>
     public void Enter(JobPhase phase)
     {
         lock (_guard) _phase = phase;
     }
 
-    /// <summary>Told by the job: it has ended, and a move that was asked for with it.</summary>
+    /// <summary>Called by the job: it has ended, together with any requested move.</summary>
     public void Over(JobResult result)
     {
         lock (_guard) _isOver = true;
@@ -146,15 +147,15 @@ public sealed class JobControl
         double.IsNaN(value) ? throw new ArgumentException("A ratio is a number.", nameof(value)) : Math.Clamp(value, range.Slowest, range.Fastest);
 }
 
-/// <summary>What a job under way does about a hold.</summary>
+/// <summary>The hold state of a running job.</summary>
 public enum JobPhase : byte
 {
     Running,
 
-    /// <summary>A hold was asked for; the machine still moves, or the tool is still on.</summary>
+    /// <summary>A hold was requested; the machine still moves, or the tool is still on.</summary>
     Holding,
 
-    /// <summary>It stands with the tool off or up and waits for the operator, who may move it by hand.</summary>
+    /// <summary>At standstill with the tool off or up, waiting for the operator, who may move the machine by hand.</summary>
     Held,
 
     /// <summary>The machine returns to its path, and the tool goes on again.</summary>

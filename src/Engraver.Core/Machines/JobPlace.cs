@@ -1,8 +1,8 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>A place in a motion program: what lies before it is cut.</summary>
-/// <param name="Segments">Segments that are cut whole, in the order of cutting.</param>
-/// <param name="Along">Counts along the next one that are cut too.</param>
+/// <summary>A place in a motion program: everything before it is cut.</summary>
+/// <param name="Segments">Segments that are cut completely, in the order of cutting.</param>
+/// <param name="Along">Counts along the next segment that are also cut.</param>
 public readonly record struct JobPlace(int Segments, double Along) : IComparable<JobPlace>
 {
     public static bool operator <(JobPlace left, JobPlace right) => left.CompareTo(right) < 0;
@@ -19,14 +19,14 @@ public readonly record struct JobPlace(int Segments, double Along) : IComparable
     public int CompareTo(JobPlace other) => Segments != other.Segments ? Segments.CompareTo(other.Segments) : Along.CompareTo(other.Along);
 }
 
-/// <summary>Where an interrupted job is to go on, by its journal and by what the controller itself has kept of it.</summary>
-/// <param name="Place">What lies before it was cut for certain.</param>
-/// <param name="Doubt">Counts before the place that may not have been cut: they are cut again beside any lead-in.</param>
+/// <summary>Where an interrupted job is to continue, according to its journal and to what the controller itself has kept of it.</summary>
+/// <param name="Place">Everything before it was certainly cut.</param>
+/// <param name="Doubt">Counts before the place that may not have been cut: they are cut again in addition to any lead-in.</param>
 /// <param name="Frame">Controller counts at the drawing's zero, as the interrupted job had them.</param>
-/// <param name="IsSameZero">The controller has kept what the job left in it: it was not switched off since.</param>
+/// <param name="IsSameZero">The controller has kept the number that the job stored in it: it was not switched off since.</param>
 public sealed record ResumePlace(JobPlace Place, double Doubt, CountsPoint Frame, bool IsSameZero)
 {
-    /// <summary>The mode in which the job was begun; null where no journal tells it.</summary>
+    /// <summary>The mode in which the job was started; null where no journal states it.</summary>
     public JobMode? Mode { get; init; }
 
     /// <summary>As in <see cref="JournalHeader.HeightOfCut"/>.</summary>
@@ -38,7 +38,7 @@ public sealed record ResumePlace(JobPlace Place, double Doubt, CountsPoint Frame
     /// <summary>It cannot be resumed because the path is not that of the journal's job.</summary>
     public bool IsOtherPath { get; init; }
 
-    /// <summary>The journal is of an older version, without check sums: whether it was changed nothing tells.</summary>
+    /// <summary>The journal is of an older version, without checksums: a change to it cannot be detected.</summary>
     public bool IsUnsealed { get; init; }
 
     /// <summary>Why the job cannot be resumed, and what to do; null when it can.</summary>

@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>What machining costs, in any money.</summary>
-/// <param name="PerHour">Of the whole job's time.</param>
-/// <param name="PerMetre">Of cut length.</param>
-/// <param name="PerStart">Of each stroke that is begun: a hole and a threaded wire, a pierced sheet.</param>
+/// <summary>The rates of machining, in any currency.</summary>
+/// <param name="PerHour">Per hour of the whole job's time.</param>
+/// <param name="PerMetre">Per metre of cut length.</param>
+/// <param name="PerStart">Per started stroke: a hole and a threaded wire, a pierced sheet.</param>
 public sealed record JobRates(double PerHour, double PerMetre = 0.0, double PerStart = 0.0)
 {
-    /// <summary>One to three numbers of 0 or more apart by commas; null for anything else.</summary>
+    /// <summary>Parses one to three numbers of 0 or more, separated by commas; null for anything else.</summary>
     public static JobRates? Parse(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
@@ -22,13 +22,13 @@ public sealed record JobRates(double PerHour, double PerMetre = 0.0, double PerS
         return new JobRates(numbers[0], numbers[1], numbers[2]);
     }
 
-    /// <param name="seconds">Of the whole job.</param>
+    /// <param name="seconds">Time of the whole job.</param>
     /// <param name="cutLength">Millimetres.</param>
-    /// <param name="starts">Strokes.</param>
+    /// <param name="starts">Number of strokes.</param>
     public JobCost CostOf(double seconds, double cutLength, int starts) => new(PerHour * seconds / 3600.0, PerMetre * cutLength / 1000.0, PerStart * starts);
 }
 
-/// <summary>What a job costs, by what it is for.</summary>
+/// <summary>The cost of a job, by its parts.</summary>
 public sealed record JobCost(double Time, double Length, double Starts)
 {
     public double Total => Time + Length + Starts;
