@@ -2,22 +2,23 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>Which axes of the controller move the drawing's X and Y and the tool's height, and their counts per millimetre: the one home of axis letters and of how many axes a job moves.</summary>
+/// <summary>Which axes of the controller move the drawing's X and Y and the tool's height, and their counts per millimetre: the only place for axis letters and
+/// for the number of axes that a job moves.</summary>
 /// <param name="Z">The axis that moves the tool up and down; null on a machine that only switches its tool.</param>
 public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = null)
 {
     public static MachineAxes Default { get; } = new(new MachineAxis('A', 1000.0), new MachineAxis('B', 1000.0));
 
-    /// <summary>Every axis that a job moves, in the order of the drawing's.</summary>
+    /// <summary>Every axis that a job moves, in the order of the drawing's axes.</summary>
     public IReadOnlyList<MachineAxis> All => Z is { } z ? [X, Y, z] : [X, Y];
 
-    /// <summary>Their letters in that order.</summary>
+    /// <summary>The letters of these axes in that order.</summary>
     public string Letters => string.Concat(All.Select(axis => axis.Letter));
 
-    /// <summary>What the operator calls the axis with a letter of the controller: X, Y or Z, or the letter itself where no job moves that axis.</summary>
+    /// <summary>The operator's name of the axis with a letter of the controller: X, Y or Z, or the letter itself where no job moves that axis.</summary>
     public char NameOf(char letter) => Letters.IndexOf(letter, StringComparison.Ordinal) is >= 0 and var place ? "XYZ"[place] : letter;
 
-    /// <summary>The same of several, in their order.</summary>
+    /// <summary>The names of several axes, in their order.</summary>
     public string NamesOf(string letters) => string.Concat(letters.Select(NameOf));
 
     /// <summary>The letters of the two axes of the plane.</summary>
@@ -30,20 +31,20 @@ public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = 
 }
 
 /// <summary>One axis of the controller.</summary>
-/// <param name="Letter">As the controller calls it.</param>
+/// <param name="Letter">The controller's letter of the axis.</param>
 /// <param name="CountsPerMillimetre">Quadrature counts or steps; negative mirrors the axis of the drawing.</param>
-/// <param name="MotorType">As the controller numbers them (galil-dmc.md C, MT: 1 servo, 2 stepper); null leaves it as it is.</param>
+/// <param name="MotorType">The controller's number of the type (galil-dmc.md C, MT: 1 servo, 2 stepper); null leaves it unchanged.</param>
 public readonly record struct MachineAxis(char Letter, double CountsPerMillimetre, double? MotorType = null)
 {
-    /// <summary>The profile makes it a stepper (galil-dmc.md C, MT: 2, -2, 2.5 or -2.5), whose motion nothing counts.</summary>
+    /// <summary>The profile makes it a stepper (galil-dmc.md C, MT: 2, -2, 2.5 or -2.5), whose motion no encoder counts.</summary>
     public bool IsStepper => MotorType is { } type && Math.Abs(type) >= 2.0;
 
-    /// <summary>How far it may go, machine mm; null where the machine's owner does not say.</summary>
+    /// <summary>Its travel, machine mm; null where the profile does not state it.</summary>
     public AxisTravel? Travel { get; init; }
 
-    /// <summary>How it is homed; null where it is not.</summary>
+    /// <summary>How it is homed; null where it is not homed.</summary>
     public AxisHoming? Homing { get; init; }
 }
 
-/// <summary>The ends of an axis' travel, machine mm by the controller's own zero; both may be reached.</summary>
+/// <summary>The ends of an axis' travel, machine mm from the controller's own zero; both may be reached.</summary>
 public sealed record AxisTravel(double Least, double Most);

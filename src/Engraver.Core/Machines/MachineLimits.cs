@@ -1,9 +1,10 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>What a family of controllers accepts, in its own units; its driver says it, so that a profile is refused before anything is made from it.</summary>
+/// <summary>What a family of controllers accepts, in its own units; its driver states it, so that a profile is refused before anything is generated from
+/// it.</summary>
 /// <param name="SlowestSpeed">Counts/s of an axis.</param>
 /// <param name="FastestSpeed">Counts/s of an axis.</param>
-/// <param name="AccelerationStep">Accelerations are multiples of this, counts/s2; it is the smallest one too.</param>
+/// <param name="AccelerationStep">Accelerations are multiples of this, counts/s2; it is also the smallest acceleration.</param>
 /// <param name="LargestAcceleration">Counts/s2.</param>
 /// <param name="Outputs">Digital outputs, counted from 1.</param>
 /// <param name="Axes">The letters that an axis may have.</param>

@@ -1,8 +1,8 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The state of an idle controller at one moment, in counts. Null for what it does not report.</summary>
+/// <summary>The state of an idle controller at one time, in counts. Null for values that it does not report.</summary>
 /// <param name="Position">Of the axes that a job moves, from the controller's own zero.</param>
-/// <param name="Error">Following error of each: commanded minus actual position.</param>
+/// <param name="Error">Following error of each axis: commanded minus actual position.</param>
 /// <param name="Moves">An axis or the path is in motion.</param>
 /// <param name="MotorsOff">The controller's letters of the axes whose motor is off; empty for none.</param>
 public sealed record MachineReading(CountsPoint Position, CountsPoint Error, bool Moves, string MotorsOff)
@@ -32,10 +32,10 @@ public sealed record MachineReading(CountsPoint Position, CountsPoint Error, boo
     /// <summary>The abort input is active.</summary>
     public bool AbortInput { get; init; }
 
-    /// <summary>The controller runs a program, which is not ours while the machine is only watched.</summary>
+    /// <summary>The controller runs a program, which this program did not start while the machine is only monitored.</summary>
     public bool ProgramRuns { get; init; }
 
-    /// <summary>True when something that arming depends on has been changed, by a person or a program.</summary>
+    /// <summary>True when a value on which arming depends was changed, by a person or a program.</summary>
     public bool DiffersFrom(MachineReading other)
     {
         ArgumentNullException.ThrowIfNull(other);

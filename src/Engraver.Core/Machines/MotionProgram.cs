@@ -2,8 +2,8 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>What the controller executes, in counts, before it is written as commands: live stream, calls and posts are made from the same value.</summary>
-/// <param name="Profile">The machine it was made for.</param>
+/// <summary>What the controller executes, in counts, before it is written as commands: stream, calls and posts are made from the same value.</summary>
+/// <param name="Profile">The machine for which it was made.</param>
 /// <param name="Start">Assumed position of the machine when the job starts, job frame (the rounded drawing point of the start option).</param>
 /// <param name="Strokes">In the order of cutting.</param>
 public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IReadOnlyList<MotionStroke> Strokes)
@@ -11,12 +11,14 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
     /// <summary>How the segments were grouped into sequences; job mode Calls needs <see cref="MotionStyle.Calls"/>.</summary>
     public MotionStyle Style { get; init; }
 
-    /// <summary>Where the machine goes behind the last stroke, tool off, job frame; null: it stays where it is. Posted programs end where their last stroke does.</summary>
+    /// <summary>Where the machine goes after the last stroke, tool off, job frame; null: it does not move. Posted programs end at the end of their last
+    /// stroke.</summary>
     public CountsPoint? Finish { get; init; }
 
     public int SegmentCount => Strokes.Sum(stroke => stroke.SegmentCount);
 
-    /// <summary>The segment after so many in the order of cutting, with its start and the place of its stroke in <see cref="Strokes"/>; null after the last.</summary>
+    /// <summary>The segment after the given number in the order of cutting, with its start and the index of its stroke in <see cref="Strokes"/>; null after the
+    /// last.</summary>
     public (CountsPoint Start, VectorSegment Segment, int Stroke)? SegmentBehind(int executed)
     {
         for (var stroke = 0; stroke < Strokes.Count; stroke++)
@@ -38,7 +40,7 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
         return null;
     }
 
-    /// <summary>VS of the segment that follows when so many are executed, counts/s; 0 behind the last.</summary>
+    /// <summary>VS of the segment that follows the given number of executed segments, counts/s; 0 after the last.</summary>
     public int SpeedBehind(int executed)
     {
         foreach (var sequence in Strokes.SelectMany(stroke => stroke.Sequences))
@@ -57,7 +59,7 @@ public sealed record MotionStroke(int Index, CountsPoint Start, IReadOnlyList<Ve
     public int SegmentCount => Sequences is StrokeSequences columns ? columns.SegmentCount : Sequences.Sum(sequence => sequence.Segments.Count);
 }
 
-/// <summary>VM ... VE: segments that are cut without a stop. It begins where the machine is.</summary>
+/// <summary>VM ... VE: segments that are cut without a stop. It begins at the present position of the machine.</summary>
 /// <param name="Start">Where the sequence begins, job frame.</param>
 /// <param name="Speed">VS for this sequence, even counts/s.</param>
 /// <param name="Segments">At least one.</param>
@@ -99,16 +101,16 @@ public enum MotionStyle : byte
     /// <summary>A sequence continues up to a sharp corner (stream, program).</summary>
     Continuous,
 
-    /// <summary>Every segment is a sequence of its own: the paper's calls of #LINEAR and #CIRC, with a standstill after each.</summary>
+    /// <summary>Every segment is a separate sequence: the paper's calls of #LINEAR and #CIRC, with a standstill after each.</summary>
     Calls,
 }
 
 /// <summary>The result of motion generation.</summary>
-/// <param name="Program">Null when something cannot be cut; the errors among <paramref name="Diagnostics"/> say what.</param>
+/// <param name="Program">Null when something cannot be cut; the errors among <paramref name="Diagnostics"/> state what.</param>
 /// <param name="Diagnostics">Errors, warnings and notes, in the order of the strokes.</param>
 public sealed record MotionGeneration(MotionProgram? Program, IReadOnlyList<Diagnostic> Diagnostics);
 
-/// <summary>A motion program adapted to a serial line: where the line is too slow for the feed, the feed is lowered and a warning says so.</summary>
-/// <param name="Program">With lowered speeds in the sequences that need it.</param>
+/// <summary>A motion program adapted to a serial line: where the line is too slow for the feed, the feed is reduced and a warning reports it.</summary>
+/// <param name="Program">With reduced speeds in the sequences that need it.</param>
 /// <param name="Diagnostics">One warning, or none when the line is fast enough.</param>
 public sealed record LinkFeedFit(MotionProgram Program, IReadOnlyList<Diagnostic> Diagnostics);

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The answer is not one that a Galil controller gives.</summary>
+/// <summary>The reply is not one that a Galil controller sends.</summary>
 public sealed class ProtocolViolationException : ControllerException
 {
     public ProtocolViolationException()

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>An answer as the terminal shows it.</summary>
+/// <summary>A reply as the terminal shows it.</summary>
 /// <param name="Kind">Decides the colour.</param>
 /// <param name="Text">One or more lines, separated by LF.</param>
 public readonly record struct TerminalAnswer(TerminalAnswerKind Kind, string Text);
@@ -17,7 +17,7 @@ public enum TerminalAnswerKind : byte
     /// <summary>A program in the controller printed it.</summary>
     Message,
 
-    /// <summary>The terminal itself: help, history.</summary>
+    /// <summary>Text of the terminal itself: help, history.</summary>
     Help,
 
     /// <summary>The terminal did not send the command.</summary>

@@ -2,9 +2,10 @@ using System.Collections;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>The segments and sequences of a motion program as columns: 40 bytes a line, 24 more an arc, 12 a sequence, 40 a stroke. Objects are made only while somebody looks at them.</summary>
-/// <remarks>One writer appends stroke by stroke; what a stroke has got does not change any more and may be read from all threads.</remarks>
-/// <param name="segments">About how many there will be: room for so many is taken at once.</param>
+/// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 12 for a sequence, 40 for a stroke. Objects are
+/// created only while they are read.</summary>
+/// <remarks>One writer appends stroke by stroke; the data of a stroke does not change afterwards and may be read from all threads.</remarks>
+/// <param name="segments">Approximate number of segments: memory for this number is allocated at once.</param>
 public sealed class VectorColumns(int segments)
 {
     private const int NoArc = -1;
@@ -25,9 +26,9 @@ public sealed class VectorColumns(int segments)
     }
 
     /// <summary>Appends a stroke of the sequences that were appended since the last one.</summary>
-    /// <param name="index">Of the stroke of the toolpath.</param>
+    /// <param name="index">Index of the stroke of the toolpath.</param>
     /// <param name="start">Where it begins.</param>
-    /// <returns>False when there are none: nothing is appended.</returns>
+    /// <returns>False when there are no such sequences: nothing is appended.</returns>
     public bool EndStroke(int index, CountsPoint start)
     {
         var first = _strokes.Count == 0 ? 0 : _strokes[^1].EndOfSequences;
@@ -36,7 +37,7 @@ public sealed class VectorColumns(int segments)
         return true;
     }
 
-    /// <summary>The strokes so far, each made when it is asked for.</summary>
+    /// <summary>The strokes so far, each created when it is requested.</summary>
     public IReadOnlyList<MotionStroke> Strokes() => new MadeList<MotionStroke>(_strokes.Count, Stroke);
 
     private MotionStroke Stroke(int index)
@@ -132,7 +133,7 @@ internal sealed class SequenceSegments(VectorColumns columns, int first, int end
 {
     public int Count => end - first;
 
-    /// <summary>Along the path, counts.</summary>
+    /// <summary>Path length, counts.</summary>
     public double Length
     {
         get

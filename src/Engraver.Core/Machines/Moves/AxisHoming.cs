@@ -1,36 +1,38 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>How one axis is homed: what is searched, where, how fast, and what the machine counts there.</summary>
+/// <summary>How one axis is homed: the mark to search, the direction, the speeds, and the machine position of the mark.</summary>
 public sealed record AxisHoming
 {
-    /// <summary>What the place is known by.</summary>
+    /// <summary>The mark that defines the home position.</summary>
     public HomingMark By { get; init; } = HomingMark.Switch;
 
-    /// <summary>What the home input reads while the axis is on the home switch, 0 or 1: it depends on the switch and on the polarity that is set in the controller.</summary>
+    /// <summary>The level of the home input while the axis is on the home switch, 0 or 1: it depends on the switch and on the polarity that is set in the
+    /// controller.</summary>
     public int OnSwitch { get; init; }
 
-    /// <summary>Where it is searched: true towards larger machine millimetres.</summary>
+    /// <summary>Direction of the search: true towards larger machine millimetres.</summary>
     public bool Plus { get; init; }
 
     /// <summary>Speed of the search, mm/min.</summary>
     public double FastMmPerMinute { get; init; } = 600.0;
 
-    /// <summary>Speed at which the edge or the index is taken, mm/min. The controller sees it about once in a millisecond, so this speed is the error.</summary>
+    /// <summary>Speed at which the edge or the index is detected, mm/min. The controller reads it about once in a millisecond, so this speed determines the
+    /// error.</summary>
     public double SlowMmPerMinute { get; init; } = 60.0;
 
-    /// <summary>How far the axis moves away from the mark in the end, mm; at least 0.</summary>
+    /// <summary>Distance that the axis finally moves away from the mark, mm; at least 0.</summary>
     public double BackOff { get; init; } = 2.0;
 
     /// <summary>The machine position of the mark, mm.</summary>
     public double Zero { get; init; }
 
-    /// <summary>Controller seconds after which the homing of this axis is given up.</summary>
+    /// <summary>Timeout of the homing of this axis, controller seconds.</summary>
     public double Seconds { get; init; } = 120.0;
 
     /// <summary>Axes are homed one after the other, the smallest number first.</summary>
     public int Order { get; init; }
 
-    /// <summary>What is searched first is the home switch or the limit switch, and not the index alone.</summary>
+    /// <summary>The home switch or the limit switch is searched first, not the index alone.</summary>
     public bool HasSwitch => By != HomingMark.Index;
 
     /// <summary>The mark is an index pulse.</summary>
@@ -40,7 +42,7 @@ public sealed record AxisHoming
     public bool ByLimit => By is HomingMark.Limit or HomingMark.LimitIndex;
 }
 
-/// <summary>What the home position of an axis is known by.</summary>
+/// <summary>The mark that defines the home position of an axis.</summary>
 public enum HomingMark
 {
     /// <summary>The edge of the home switch.</summary>
@@ -49,7 +51,7 @@ public enum HomingMark
     /// <summary>The edge of the limit switch in the direction of the search.</summary>
     Limit,
 
-    /// <summary>The index pulse of the encoder, searched from where the axis stands.</summary>
+    /// <summary>The index pulse of the encoder, searched from the present position of the axis.</summary>
     Index,
 
     /// <summary>The first index pulse on the way back from the home switch.</summary>

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>A dry run of a machine whose tool is moved by an axis: everything is made as it will be, so much higher that the deepest cut passes at clearance height.</summary>
+/// <summary>The lift of a dry run on a machine whose tool is moved by an axis: all motion is as in the job, but raised so far that the deepest cut passes at
+/// clearance height.</summary>
 public static class DryLift
 {
     /// <summary>Counts of the Z axis to add to the frame; 0 where an output is the tool.</summary>
@@ -10,7 +11,7 @@ public static class DryLift
         return program.Profile.Height is null ? 0 : checked((int)Of(program.Profile, MotionExtents.Of(program)));
     }
 
-    /// <summary>The same of a job whose extents are known.</summary>
+    /// <summary>The counts for a job whose extents are known.</summary>
     internal static long Of(MachineProfile profile, in MotionExtents extents) =>
         profile.Height is null || extents.Cuts is not { } cuts ? 0 : profile.ClearanceCounts - (profile.Up < 0 ? cuts.Most : cuts.Least);
 }

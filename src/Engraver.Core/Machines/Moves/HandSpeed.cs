@@ -1,11 +1,12 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>How fast a machine may be moved by hand: the one place that says so, for jogs and steps of pad, command and console.</summary>
+/// <summary>The highest speed of moves by hand: the only place for it, for jogs and steps of pad, command and console.</summary>
 public static class HandSpeed
 {
-    /// <summary>The rapid speed. A machine that has to be homed and is not has no soft limits, and nobody knows how far its switches are: it goes no faster than a jog without the second control, and than its axes search their switches.</summary>
+    /// <summary>The rapid speed. A machine that has to be homed and is not homed has no soft limits, and the distance to its switches is unknown: it moves no
+    /// faster than a jog without the second control, and no faster than its axes search their switches.</summary>
     /// <param name="isHomed">Null for a machine without homing.</param>
-    /// <returns>Of each axis, mm/min.</returns>
+    /// <returns>Speed of each axis, mm/min.</returns>
     public static double Fastest(MachineProfile profile, bool? isHomed)
     {
         ArgumentNullException.ThrowIfNull(profile);

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>A move by hand that the operator asks of a job while it stands held: to a place, by a step, or as long as a key is held.</summary>
+/// <summary>A move by hand that the operator requests while a job is held at standstill: to a point, by a step, or as long as a key is held.</summary>
 public sealed class HeldMove
 {
     private readonly TaskCompletionSource<JobResult> _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -24,15 +24,15 @@ public sealed class HeldMove
     /// <summary>How the move ended.</summary>
     public Task<JobResult> Ended => _ended.Task;
 
-    /// <summary>As long as a key is held.</summary>
+    /// <summary>A move that lasts as long as a key is held.</summary>
     public static HeldMove While(JogControl key) => new() { Jog = key };
 
-    /// <summary>To a place, the controller's own counts.</summary>
+    /// <summary>A move to a point, in the controller's own counts.</summary>
     public static HeldMove To(CountsPoint goal, bool withHeight, double? mmPerMinute = null) => new() { GoalFrom = _ => goal, WithHeight = withHeight, MmPerMinute = mmPerMinute };
 
-    /// <summary>By some counts from where the machine stands.</summary>
+    /// <summary>A move by some counts from the present position of the machine.</summary>
     public static HeldMove By(CountsPoint step) => new() { GoalFrom = here => here + step, WithHeight = step.Z != 0 };
 
-    /// <summary>Told once by the job, through <see cref="JobControl.MoveEnds"/>.</summary>
+    /// <summary>Called once by the job, through <see cref="JobControl.MoveEnds"/>.</summary>
     internal void End(JobResult result) => _ended.TrySetResult(result);
 }

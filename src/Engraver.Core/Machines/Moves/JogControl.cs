@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>What the operator asks of a jog that is under way: its speed now, and its end. May be used from any thread.</summary>
+/// <summary>The operator's requests to a running jog: its present speed, and its end. May be used from any thread.</summary>
 /// <param name="first">The velocity with which it begins.</param>
 public sealed class JogControl(JogVelocity first)
 {
@@ -25,26 +25,26 @@ public sealed class JogControl(JogVelocity first)
     /// <summary>Completes when the key is released.</summary>
     public Task Released => _released.Task;
 
-    /// <summary>The key is released: the machine brakes. The brake is commanded on this thread; its answer is not waited for.</summary>
+    /// <summary>The key is released: the machine brakes. The brake is commanded on this thread, which does not wait for the reply.</summary>
     public void Release() => _released.TrySetResult();
 }
 
-/// <summary>Speed of each axis in a jog, mm/min of the drawing's axes; positive as the drawing counts.</summary>
-/// <param name="X">Of the drawing's X.</param>
-/// <param name="Y">Of the drawing's Y.</param>
-/// <param name="Z">Of the tool's axis, where the machine has one.</param>
+/// <summary>Speed of each axis in a jog, mm/min of the drawing's axes; positive in the positive direction of the drawing.</summary>
+/// <param name="X">Along the drawing's X.</param>
+/// <param name="Y">Along the drawing's Y.</param>
+/// <param name="Z">Along the tool's axis, where the machine has one.</param>
 public readonly record struct JogVelocity(double X, double Y, double Z = 0.0)
 {
     public bool IsZero => X == 0.0 && Y == 0.0 && Z == 0.0;
 
-    /// <summary>Of one axis, in the order of <see cref="MachineAxes.All"/>.</summary>
+    /// <summary>Speed of one axis, in the order of <see cref="MachineAxes.All"/>.</summary>
     public double this[int axis] => axis switch { 0 => X, 1 => Y, 2 => Z, _ => throw new ArgumentOutOfRangeException(nameof(axis)) };
 
-    /// <summary>The same, slowed down where an axis would go faster than this.</summary>
+    /// <summary>The same direction, slowed down where an axis would exceed this speed.</summary>
     /// <param name="mmPerMinute">At least 0.</param>
     public JogVelocity NoFasterThan(double mmPerMinute) => Math.Max(Math.Abs(X), Math.Max(Math.Abs(Y), Math.Abs(Z))) > mmPerMinute ? At(mmPerMinute) : this;
 
-    /// <summary>In this direction at another speed of the fastest axis.</summary>
+    /// <summary>The same direction at another speed of the fastest axis.</summary>
     /// <param name="mmPerMinute">At least 0.</param>
     public JogVelocity At(double mmPerMinute)
     {

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>Jogs one after the other on a machine that is kept ready for the next one: what has to be prepared in the controller, which takes seconds over a serial line, is prepared once. Any thread.</summary>
+/// <summary>Jogs one after the other on a machine that is kept ready for the next one: the preparation of the controller, which takes seconds over a serial
+/// line, is done once. May be used from any thread.</summary>
 /// <remarks>The operator's side calls <see cref="Press"/> and <see cref="Leave"/>, the driver's side the rest.</remarks>
 public sealed class JogStandby
 {
@@ -8,10 +9,10 @@ public sealed class JogStandby
     private (JogControl Control, TaskCompletionSource<JobResult> Ended)? _jog;
     private bool _isLeaving;
 
-    /// <summary>Told each look at the machine between two jogs, on the driver's thread.</summary>
+    /// <summary>Called with each reading of the machine between two jogs, on the driver's thread.</summary>
     public Action<MachineReading>? Seen { get; init; }
 
-    /// <summary>The key of the jog that is asked for or under way; null between two jogs.</summary>
+    /// <summary>The key of the requested or running jog; null between two jogs.</summary>
     public JogControl? Pressed
     {
         get
@@ -20,7 +21,7 @@ public sealed class JogStandby
         }
     }
 
-    /// <summary>No further jog is wanted.</summary>
+    /// <summary>No further jog is requested.</summary>
     public bool IsLeaving
     {
         get
@@ -29,8 +30,8 @@ public sealed class JogStandby
         }
     }
 
-    /// <summary>A key goes down.</summary>
-    /// <returns>Completes when the machine stands, with how the jog ended; null when this standby is over or a jog is under way.</returns>
+    /// <summary>A key is pressed.</summary>
+    /// <returns>Completes when the machine is at rest, with how the jog ended; null when this standby is over or a jog is in progress.</returns>
     public Task<JobResult>? Press(JogControl control)
     {
         ArgumentNullException.ThrowIfNull(control);
@@ -43,7 +44,7 @@ public sealed class JogStandby
         }
     }
 
-    /// <summary>The machine is no longer kept ready; a jog under way goes on to its end first.</summary>
+    /// <summary>The machine is no longer kept ready; a running jog first continues to its end.</summary>
     public void Leave()
     {
         lock (_guard) _isLeaving = true;
@@ -52,10 +53,10 @@ public sealed class JogStandby
     /// <summary>The jog has ended, and the machine is ready for the next one.</summary>
     public void Stands(JobResult result) => TakeJog(isOver: false)?.TrySetResult(result);
 
-    /// <summary>The machine is no longer kept ready; a jog that was asked for or under way ended so.</summary>
+    /// <summary>The machine is no longer kept ready; a requested or running jog ended with this result.</summary>
     public void Over(JobResult result) => TakeJog(isOver: true)?.TrySetResult(result);
 
-    /// <summary>The same by a failure.</summary>
+    /// <summary>The machine is no longer kept ready because of a failure.</summary>
     public void Over(Exception failure) => TakeJog(isOver: true)?.TrySetException(failure);
 
     private TaskCompletionSource<JobResult>? TakeJog(bool isOver)

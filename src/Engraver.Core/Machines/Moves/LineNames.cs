@@ -1,22 +1,22 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>What the inputs or the outputs of a controller are wired to, by number from 1. A value: two with the same names are equal.</summary>
+/// <summary>What the inputs or the outputs of a controller are wired to, by number from 1. Compared by value: two with the same names are equal.</summary>
 public sealed class LineNames : IEquatable<LineNames>
 {
     private readonly SortedDictionary<int, string> _names;
 
     public LineNames(IEnumerable<KeyValuePair<int, string>> names) => _names = new SortedDictionary<int, string>(new Dictionary<int, string>(names));
 
-    /// <summary>Nothing has a name.</summary>
+    /// <summary>No line has a name.</summary>
     public static LineNames None { get; } = new([]);
 
-    /// <summary>Those that have a name, by number.</summary>
+    /// <summary>The lines that have a name, by number.</summary>
     public IReadOnlyDictionary<int, string> All => _names;
 
-    /// <summary>The name, or the number where there is none.</summary>
+    /// <summary>The name, or the number where the line has no name.</summary>
     public string this[int line] => _names.GetValueOrDefault(line, line.ToString(System.Globalization.CultureInfo.InvariantCulture));
 
-    /// <summary>The line with this name, whatever its case, or with this number; null when there is none.</summary>
+    /// <summary>The line with this name, ignoring case, or with this number; null when there is none.</summary>
     /// <param name="most">The largest number.</param>
     public int? Find(string text, int most)
     {

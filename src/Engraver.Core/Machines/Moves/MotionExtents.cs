@@ -1,7 +1,8 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>The counts between which a motion program moves the axes, job frame. In plan: strokes with the bulge of their arcs, the way to the first of them, between them and to the finish.</summary>
-/// <param name="Cuts">The heights of its strokes; null for a program without any.</param>
+/// <summary>The range of counts in which a motion program moves the axes, job frame. In plan: strokes with the bulge of their arcs, and the rapids to the first
+/// stroke, between strokes and to the finish.</summary>
+/// <param name="Cuts">The heights of its strokes; null for a program without strokes.</param>
 public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX, long MostY, CountsRange? Cuts = null)
 {
     public static MotionExtents Of(MotionProgram program)
@@ -27,8 +28,9 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
         return extents;
     }
 
-    /// <summary>The heights that the tool's axis reaches, over the drawing's height 0: from the deepest cut to the clearance height of the rapids; in a dry run as much higher as it is lifted (<see cref="DryLift"/>).</summary>
-    /// <returns>Null where no axis holds the tool, or nothing is cut: the height stays as it is.</returns>
+    /// <summary>The heights that the tool's axis reaches, above the drawing's height 0: from the deepest cut to the clearance height of the rapids; in a dry
+    /// run raised by <see cref="DryLift"/>.</summary>
+    /// <returns>Null where no axis is the tool drive, or nothing is cut: the height does not change.</returns>
     public CountsRange? Heights(MachineProfile profile, bool dryRun)
     {
         ArgumentNullException.ThrowIfNull(profile);
@@ -67,7 +69,7 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
     }
 }
 
-/// <summary>Counts of one axis, both ends reached.</summary>
+/// <summary>A range of counts of one axis; both ends are reached.</summary>
 public readonly record struct CountsRange(long Least, long Most)
 {
     public CountsRange With(long counts) => new(Math.Min(Least, counts), Math.Max(Most, counts));

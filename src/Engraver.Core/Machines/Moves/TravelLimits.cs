@@ -3,8 +3,10 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>How far the axes of a machine may go: the one place that says whether a move leaves the travel, for jogs, moves to a place, jobs and their frames.</summary>
-/// <remarks>The travel is told in machine millimetres, by the controller's own zero, so it holds only while that zero is where the profile means it (<see cref="Origins.MachineMemory"/>).</remarks>
+/// <summary>The travel of the axes of a machine: the only place that decides whether a move leaves the travel, for jogs, moves to a point, jobs and their
+/// frames.</summary>
+/// <remarks>The travel is given in machine millimetres, from the controller's own zero, so it is valid only while that zero is where the profile assumes it
+/// (<see cref="Origins.MachineMemory"/>).</remarks>
 public static class TravelLimits
 {
     /// <summary>The axes that have a travel, with its ends in counts.</summary>
@@ -14,7 +16,7 @@ public static class TravelLimits
         return [.. profile.Axes.All.Where(axis => axis.Travel is not null).Select(axis => Of(axis)!.Value)];
     }
 
-    /// <summary>The ends of one axis' travel in counts, inwards of the millimetres; null where the axis has none.</summary>
+    /// <summary>The ends of one axis' travel in counts, rounded inwards; null where the axis has none.</summary>
     public static SoftLimit? Of(MachineAxis axis)
     {
         if (axis.Travel is not { } travel) return null;
@@ -22,9 +24,10 @@ public static class TravelLimits
         return new SoftLimit(axis.Letter, Clamp(Math.Ceiling(Math.Min(one, other))), Clamp(Math.Floor(Math.Max(one, other))));
     }
 
-    /// <summary>Why a motion may not be made: a place that it reaches lies outside the travel. Null when all of it lies inside.</summary>
-    /// <param name="least">The smallest counts that it reaches, by the controller's own zero, in the order of <see cref="MachineAxes.All"/>; axes that are missing do not move.</param>
-    /// <param name="most">The largest.</param>
+    /// <summary>Why a motion is not allowed: a point that it reaches is outside the travel. Null when the whole motion is inside.</summary>
+    /// <param name="least">The smallest counts that it reaches, from the controller's own zero, in the order of <see cref="MachineAxes.All"/>; axes that are
+    /// missing do not move.</param>
+    /// <param name="most">The largest counts, in the same order.</param>
     public static Diagnostic? Refusal(MachineProfile profile, IReadOnlyList<long> least, IReadOnlyList<long> most)
     {
         ArgumentNullException.ThrowIfNull(profile);
@@ -42,15 +45,16 @@ public static class TravelLimits
         return null;
     }
 
-    /// <summary>The same for one place.</summary>
-    /// <param name="withHeight">The height is part of the place; otherwise it stays as it is.</param>
+    /// <summary>The same check for one point.</summary>
+    /// <param name="withHeight">The height is part of the point; otherwise it does not change.</param>
     public static Diagnostic? Refusal(MachineProfile profile, CountsPoint place, bool withHeight = false)
     {
         long[] counts = withHeight ? [place.X, place.Y, place.Z] : [place.X, place.Y];
         return Refusal(profile, counts, counts);
     }
 
-    /// <summary>Why a step may not be made where nobody knows from which place of the machine it begins: it is longer than the whole travel of an axis. Null when it may.</summary>
+    /// <summary>Why a step is not allowed where the machine position at its start is unknown: it is longer than the whole travel of an axis. Null when it is
+    /// allowed.</summary>
     /// <param name="step">Counts of the controller.</param>
     public static Diagnostic? StepRefusal(MachineProfile profile, CountsPoint step, bool withHeight)
     {
@@ -65,9 +69,10 @@ public static class TravelLimits
         return null;
     }
 
-    /// <summary>The same for a job whose drawing zero lies at these counts: its way in plan, and where an axis holds the tool the heights from its deepest cut to its clearance.</summary>
+    /// <summary>The same check for a job whose drawing zero is at these counts: its path in plan, and where an axis is the tool drive the heights from its
+    /// deepest cut to its clearance.</summary>
     /// <param name="profile">The machine with its travel; the axes of the program's own profile are in the same order.</param>
-    /// <param name="dryRun">The tool stays out of the work: everything is made higher (<see cref="DryLift"/>).</param>
+    /// <param name="dryRun">The tool stays out of the work: all motion is raised (<see cref="DryLift"/>).</param>
     public static Diagnostic? Refusal(MachineProfile profile, MotionProgram program, CountsPoint frame, bool dryRun)
     {
         ArgumentNullException.ThrowIfNull(profile);
@@ -90,10 +95,10 @@ public static class TravelLimits
     private static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
 }
 
-/// <summary>The ends of an axis' travel, counts by the controller's own zero; both may be reached.</summary>
+/// <summary>The ends of an axis' travel, counts from the controller's own zero; both may be reached.</summary>
 /// <param name="Axis">The controller's letter.</param>
 public readonly record struct SoftLimit(char Axis, int Least, int Most)
 {
-    /// <summary>No limit at all, as while an axis is homed and nobody knows where it is.</summary>
+    /// <summary>No limit, as while an axis is homed and its position is unknown.</summary>
     public static SoftLimit None(char axis) => new(axis, int.MinValue, int.MaxValue);
 }

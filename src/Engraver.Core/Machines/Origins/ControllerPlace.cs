@@ -1,9 +1,9 @@
 namespace Engraver.Core.Machines.Origins;
 
-/// <summary>Where a controller says that the machine stands, and what tells whether it still counts from the same zero as before.</summary>
-/// <param name="Position">By the controller's own zero.</param>
+/// <summary>The machine's position as the controller reports it, and the values that show whether it still counts from the same zero as before.</summary>
+/// <param name="Position">Counts from the controller's own zero.</param>
 /// <param name="Serial">The controller's own serial number; null where it has none.</param>
-/// <param name="Mark">The number that an earlier session left in a variable of the controller, which forgets it at power-off; null when there is none.</param>
+/// <param name="Mark">The number that an earlier session stored in a variable of the controller, which loses it at power-off; null when there is none.</param>
 /// <param name="Clock">The controller's own clock since power-on, in its ticks; null where it has none. A smaller number than before means that it was switched off or reset.</param>
 /// <param name="Doubt">Why the position may be wrong although the controller was not switched off ("the stepper motor of axis A is off"); empty for no doubt.</param>
 public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, int? Mark = null, double? Clock = null, string Doubt = "")
@@ -11,12 +11,13 @@ public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, 
     /// <summary>The controller's letters of the axes of <see cref="Position"/>, in its order.</summary>
     public string Letters { get; init; } = "";
 
-    /// <summary>The letters of those axes whose position is lost when their motor is off, because nothing counts how they are moved then.</summary>
+    /// <summary>The letters of those axes whose position is lost when their motor is off, because no encoder counts how they are moved then.</summary>
     public string Uncounted { get; init; } = "";
 
-    /// <summary>The letters of those of <see cref="Uncounted"/> whose last motion was stopped without a ramp: they may have lost steps then. Whether that was before an origin was set the controller does not tell.</summary>
+    /// <summary>The letters of those of <see cref="Uncounted"/> whose last motion was stopped without a ramp: they may have lost steps then. The controller
+    /// does not report whether that was before an origin was set.</summary>
     public string StoppedHard { get; init; } = "";
 
-    /// <summary>The letters of those of them that are taken for steppers because neither the controller nor the profile tells their motor type.</summary>
+    /// <summary>The letters of those of them that are assumed to be steppers because neither the controller nor the profile states their motor type.</summary>
     public string Untold { get; init; } = "";
 }

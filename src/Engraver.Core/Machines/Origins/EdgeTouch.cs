@@ -3,26 +3,26 @@ namespace Engraver.Core.Machines.Origins;
 /// <summary>The edge of a work piece that the tool touches from outside.</summary>
 public enum WorkEdge
 {
-    /// <summary>The tool stands at smaller X than the work piece.</summary>
+    /// <summary>The tool is at smaller X than the work piece.</summary>
     Left,
 
-    /// <summary>The tool stands at smaller Y.</summary>
+    /// <summary>The tool is at smaller Y than the work piece.</summary>
     Bottom,
 
-    /// <summary>The tool stands at larger X.</summary>
+    /// <summary>The tool is at larger X than the work piece.</summary>
     Right,
 
-    /// <summary>The tool stands at larger Y.</summary>
+    /// <summary>The tool is at larger Y than the work piece.</summary>
     Top,
 }
 
-/// <summary>Where the zero of the drawing lies when the tool touches the work piece.</summary>
+/// <summary>Computes the drawing's zero from a tool that touches the work piece.</summary>
 public static class EdgeTouch
 {
-    /// <summary>The zero lies on the edge, which is the tool's radius away from its middle.</summary>
-    /// <param name="at">The middle of the tool, controller counts.</param>
-    /// <param name="radiusMm">Of the tool, or of the pin that stands in for it.</param>
-    /// <returns>The place in the one axis that the edge tells; null in the other.</returns>
+    /// <summary>The zero is on the edge, which is one tool radius away from the tool's centre.</summary>
+    /// <param name="at">The centre of the tool, controller counts.</param>
+    /// <param name="radiusMm">Radius of the tool, or of the pin used in its place.</param>
+    /// <returns>The position in the axis that the edge determines; null in the other.</returns>
     public static (long? X, long? Y) ZeroAt(CountsPoint at, WorkEdge edge, double radiusMm, CountsScale scale)
     {
         var inward = edge is WorkEdge.Left or WorkEdge.Bottom ? radiusMm : -radiusMm;
@@ -31,10 +31,10 @@ public static class EdgeTouch
             : (null, Counts(at.Y + (inward * scale.Y)));
     }
 
-    /// <summary>The zero lies half-way between two touches from opposite sides; the tool's radius does not matter then.</summary>
+    /// <summary>The zero is half-way between two touches from opposite sides; the tool's radius then does not matter.</summary>
     public static CountsPoint Middle(CountsPoint first, CountsPoint second) =>
         new(Counts(((double)first.X + second.X) / 2.0), Counts(((double)first.Y + second.Y) / 2.0));
 
-    /// <summary>To the nearest count, half away from zero as everywhere.</summary>
+    /// <summary>Rounds to the nearest count, half away from zero.</summary>
     private static long Counts(double value) => checked((long)Math.Round(value, MidpointRounding.AwayFromZero));
 }

@@ -1,7 +1,9 @@
 namespace Engraver.Core.Machines.Origins;
 
-/// <summary>The controller's axes and their counts per millimetre by the machine profile under which something was kept, by the drawing's axes; null where nobody knows them: in a file of an older version, and for an axis that was not set.</summary>
-/// <remarks>What is kept are counts, which mean the same place under every profile with the same axes. A profile with other axes or other counts per millimetre describes another machine, or one of the two is wrong: the work would lie elsewhere, or become too large or too small there.</remarks>
+/// <summary>The controller's axes and their counts per millimetre by the machine profile under which a value was stored, by the drawing's axes; null where they
+/// are unknown: in a file of an older version, and for an axis that was not set.</summary>
+/// <remarks>The stored values are counts, which mean the same point under every profile with the same axes. A profile with other axes or other counts per
+/// millimetre describes another machine, or one of the two is wrong: the work would be at another point, or be too large or too small there.</remarks>
 public readonly record struct KeptAxes(KeptAxis? X, KeptAxis? Y, KeptAxis? Z)
 {
     public static KeptAxes Of(MachineProfile profile)
@@ -10,20 +12,21 @@ public readonly record struct KeptAxes(KeptAxis? X, KeptAxis? Y, KeptAxis? Z)
         return new KeptAxes(Of(profile.Axes.X), Of(profile.Axes.Y), profile.Axes.Z is { } z ? Of(z) : null);
     }
 
-    /// <summary>The counts per millimetre without the letters, which a homing tells otherwise (<see cref="MachineProfile.HomedAs"/>).</summary>
+    /// <summary>The counts per millimetre without the letters, which a homing records elsewhere (<see cref="MachineProfile.HomedAs"/>).</summary>
     public KeptAxes WithoutLetters() => new(X is { } x ? x with { Letter = null } : null, Y is { } y ? y with { Letter = null } : null, Z is { } z ? z with { Letter = null } : null);
 
-    /// <summary>What is not known is taken from another.</summary>
+    /// <summary>Takes what is not known from another value.</summary>
     public KeptAxes Or(KeptAxes other) => new(Or(X, other.X), Or(Y, other.Y), Or(Z, other.Z));
 
-    /// <summary>As far as an origin is set.</summary>
+    /// <summary>Only the axes in which an origin is set.</summary>
     public KeptAxes For(WorkOrigin origin)
     {
         ArgumentNullException.ThrowIfNull(origin);
         return new KeptAxes(origin.X is null ? null : X, origin.Y is null ? null : Y, origin.Z is null ? null : Z);
     }
 
-    /// <summary>The first axis that is another, or counts otherwise, by a machine profile; null where none is. What is not known, and an axis that the profile has not, differs from nothing.</summary>
+    /// <summary>The first axis that is another one, or has other counts per millimetre, under a machine profile; null where there is none. Unknown values, and
+    /// axes that the profile does not have, are not differences.</summary>
     public AxisDifference? DifferenceFrom(MachineProfile profile)
     {
         var now = Of(profile);
@@ -39,15 +42,15 @@ public readonly record struct KeptAxes(KeptAxis? X, KeptAxis? Y, KeptAxis? Z)
 }
 
 /// <param name="Counts">Per millimetre; negative where the axis counts downwards.</param>
-/// <param name="Letter">As the controller calls the axis; null where nobody knows.</param>
+/// <param name="Letter">The controller's letter of the axis; null where it is unknown.</param>
 public readonly record struct KeptAxis(double Counts, char? Letter);
 
 /// <summary>An axis of the drawing that two machine profiles describe differently.</summary>
 /// <param name="Axis">X, Y or Z.</param>
-/// <param name="Then">When something was kept.</param>
-/// <param name="Now">By the machine profile in use.</param>
+/// <param name="Then">When the value was stored.</param>
+/// <param name="Now">According to the machine profile in use.</param>
 public readonly record struct AxisDifference(string Axis, KeptAxis Then, KeptAxis Now)
 {
-    /// <summary>True when the drawing's axis is another one of the controller now.</summary>
+    /// <summary>True when the drawing's axis is now another one of the controller.</summary>
     public bool IsOtherLetter => Then.Letter is { } then && then != Now.Letter;
 }

@@ -5,11 +5,11 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines.Origins;
 
-/// <summary>Finds where a job's drawing lies on the machine, and refuses rather than guesses.</summary>
+/// <summary>Finds where a job's drawing is on the machine, and refuses instead of guessing.</summary>
 public static class WorkPlacement
 {
-    /// <param name="memory">What is kept of the machine.</param>
-    /// <param name="place">Where the controller says that it stands now.</param>
+    /// <param name="memory">What is stored of the machine.</param>
+    /// <param name="place">The controller's present position.</param>
     /// <param name="start">The drawing point of the start option, counts of the drawing.</param>
     public static PlacementResult Find(MachineMemory memory, ControllerPlace place, OriginRequest request, MachineProfile profile, CountsPoint start)
     {
@@ -23,7 +23,7 @@ public static class WorkPlacement
         };
     }
 
-    /// <summary>The same place, unless the job that is placed there leaves the machine's travel.</summary>
+    /// <summary>The same placement, unless the job that is placed there leaves the machine's travel.</summary>
     /// <param name="dryRun">The tool stays out of the work.</param>
     public static PlacementResult Within(PlacementResult found, MotionProgram program, bool dryRun, MachineMemory memory, ControllerPlace place)
     {
@@ -34,11 +34,12 @@ public static class WorkPlacement
         return TravelLimits.Refusal(program.Profile, program, frame, dryRun) is { } outside ? found with { Frame = null, Refusal = outside } : found with { StaysInside = true };
     }
 
-    /// <summary>Why a place by the controller's own zero is no certain place of the machine; null when it is one.</summary>
+    /// <summary>Why a position from the controller's own zero is not a certain position of the machine; null when it is one.</summary>
     public static Diagnostic? WhyNotKnown(MachineMemory memory, ControllerPlace place, MachineProfile profile) => NotHomed(memory, place, profile) ?? LossOf(memory, place);
 
-    /// <summary>Why the machine has to be homed first, or driven by another profile; null where it is homed, or need not be.</summary>
-    /// <remarks>A machine that was homed is known by its own profile: with another one its counts would be other millimetres, its travel and its tool another's.</remarks>
+    /// <summary>Why the machine has to be homed first, or used with another profile; null where it is homed, or need not be.</summary>
+    /// <remarks>A machine that was homed is known under its own profile: with another one its counts would be other millimetres, and its travel and its tool
+    /// would be those of another machine.</remarks>
     public static Diagnostic? NotHomed(MachineMemory memory, ControllerPlace place, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(memory);
@@ -52,7 +53,7 @@ public static class WorkPlacement
             : PreparationRules.NotHomed.At(default);
     }
 
-    /// <summary>Why an origin means nothing by a profile with other axes or other counts per millimetre; null where they are the same, or nobody knows.</summary>
+    /// <summary>Why an origin is not valid under a profile with other axes or other counts per millimetre; null where they are the same, or unknown.</summary>
     private static Diagnostic? OtherAxes(string name, WorkOrigin origin, MachineProfile profile) => origin.Axes.DifferenceFrom(profile) switch
     {
         null => null,
@@ -60,7 +61,7 @@ public static class WorkPlacement
         { } other => PreparationRules.SetByOtherCounts.At(default, name, Number(other.Then.Counts), other.Axis, Number(other.Now.Counts)),
     };
 
-    /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
+    /// <summary>Why the controller's position cannot be trusted according to what is stored; null when it can.</summary>
     public static Diagnostic? LossOf(MachineMemory memory, ControllerPlace place)
     {
         ArgumentNullException.ThrowIfNull(memory);
@@ -71,9 +72,9 @@ public static class WorkPlacement
         return memory.HomedAs.Length == 0 && memory.Origins.Values.All(origin => origin.IsAssumed) && memory.RestsAtZero && place.Position == default ? null : PreparationRules.ZeroLost.At(default, memory.Active);
     }
 
-    /// <summary>The height at which a tool that an axis holds travels over the work: where it stands, or at its clearance height where it stands lower.</summary>
-    /// <param name="profile">Of a machine with <see cref="MachineProfile.Height"/>.</param>
-    /// <returns>Counts by the controller's own zero; or why nobody can say how high the work is.</returns>
+    /// <summary>The height at which a tool on a tool axis travels above the work: its present height, or its clearance height where it is lower.</summary>
+    /// <param name="profile">Profile of a machine with <see cref="MachineProfile.Height"/>.</param>
+    /// <returns>Counts from the controller's own zero; or why the height of the work is unknown.</returns>
     public static (int? Height, Diagnostic? Refusal) Over(MachineMemory memory, ControllerPlace place, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(memory);
@@ -86,7 +87,7 @@ public static class WorkPlacement
         return (profile.IsLower(place.Position.Z, clearance) ? clearance : place.Position.Z, null);
     }
 
-    /// <summary>Whether the tool stands as high as the homing leaves it, on a machine that homes it upwards: there it is over any work.</summary>
+    /// <summary>Whether the tool is as high as the homing leaves it, on a machine that homes it upwards: there it is above any work.</summary>
     private static bool IsAtTop(ControllerPlace place, MachineProfile profile)
     {
         if (profile.Axes.Z?.Homing is not { } homing) return false;
@@ -98,7 +99,7 @@ public static class WorkPlacement
     private static PlacementResult Present(ControllerPlace place, CountsPoint start) =>
         Placed((place.Position - start) with { Z = place.Position.Z }, OriginSource.Here);
 
-    /// <summary>The place in plan is typed; the height is that of the active work origin.</summary>
+    /// <summary>The position in plan is typed; the height is that of the active work origin.</summary>
     private static PlacementResult Given(MachineMemory memory, ControllerPlace place, Point2D at, MachineProfile profile)
     {
         if ((place.Doubt.Length > 0 ? place.Doubt : memory.Lost) is { Length: > 0 } doubt) return Refused(PreparationRules.PositionDoubted.At(default, doubt));
@@ -108,7 +109,8 @@ public static class WorkPlacement
         return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
     }
 
-    /// <summary>Where nobody set an origin and the controller counts 0 in all axes, a job's work is taken to be there, in height as in plan, and the list before the start says so; otherwise null.</summary>
+    /// <summary>Where no origin was set and the controller counts 0 in all axes, a job's work is assumed to be there, in height as in plan, and the list before
+    /// the start states it; otherwise null.</summary>
     private static int? HeightOf(WorkOrigin? origin, ControllerPlace place) => origin?.Z ?? (place.Position == default && origin is null or { IsAssumed: true } ? 0 : null);
 
     private static PlacementResult Work(MachineMemory memory, ControllerPlace place, MachineProfile profile)
@@ -135,16 +137,16 @@ public static class WorkPlacement
     private static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
 }
 
-/// <summary>Where the drawing's zero lies by the controller's own zero, or why nobody can say.</summary>
+/// <summary>Where the drawing's zero is from the controller's own zero, or why it is unknown.</summary>
 /// <param name="Frame">Controller counts at the drawing's zero; null when it is refused.</param>
-/// <param name="Source">Where the place was taken from.</param>
-/// <param name="Refusal">What is wrong and what to do; null when there is a place.</param>
+/// <param name="Source">The source of the position.</param>
+/// <param name="Refusal">What is wrong and what to do; null when there is a position.</param>
 public sealed record PlacementResult(CountsPoint? Frame, OriginSource Source, Diagnostic? Refusal)
 {
-    /// <summary>No origin was set: the controller counts 0, and that place is taken.</summary>
+    /// <summary>No origin was set: the controller counts 0, and that point is taken.</summary>
     public bool IsAssumed { get; init; }
 
-    /// <summary>The job was held against the travel of the machine and does not leave it; false also where nobody knows the travel.</summary>
+    /// <summary>The job was compared with the travel of the machine and does not leave it; also false where the travel is unknown.</summary>
     public bool StaysInside { get; init; }
 }
 
@@ -154,14 +156,14 @@ public enum OriginSource
     /// <summary>The active work origin.</summary>
     Work,
 
-    /// <summary>The place where the machine stands.</summary>
+    /// <summary>The present position of the machine.</summary>
     Here,
 
     /// <summary>A machine position that was typed.</summary>
     Given,
 }
 
-/// <summary>What the operator wants the drawing's zero to be.</summary>
+/// <summary>The operator's choice of the drawing's zero.</summary>
 public abstract record OriginRequest
 {
     private OriginRequest()
@@ -171,10 +173,10 @@ public abstract record OriginRequest
     /// <summary>The active work origin of the machine.</summary>
     public sealed record Work : OriginRequest;
 
-    /// <summary>The machine stands at the drawing's start point, and with a Z axis its tool at the height 0 of the drawing.</summary>
+    /// <summary>The machine is at the drawing's start point, and with a Z axis its tool at the height 0 of the drawing.</summary>
     public sealed record PresentPlace : OriginRequest;
 
     /// <summary>A machine position.</summary>
-    /// <param name="Machine">Millimetres by the controller's own zero.</param>
+    /// <param name="Machine">Millimetres from the controller's own zero.</param>
     public sealed record Given(Point2D Machine) : OriginRequest;
 }

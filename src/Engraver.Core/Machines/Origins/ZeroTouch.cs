@@ -2,10 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Machines.Origins;
 
-/// <summary>What the place where the machine stands becomes in a work origin: the drawing's zero, a place of the drawing, a touched edge, or the second of two touches.</summary>
+/// <summary>What the present position of the machine becomes in a work origin: the drawing's zero, a point of the drawing, a touched edge, or the second of two
+/// touches.</summary>
 public sealed record ZeroTouch
 {
-    /// <summary>The origin's X is set; an edge sets only the axis that it tells.</summary>
+    /// <summary>The origin's X is set; an edge sets only the axis that it determines.</summary>
     public bool X { get; init; }
 
     public bool Y { get; init; }
@@ -13,10 +14,10 @@ public sealed record ZeroTouch
     /// <summary>The origin's height is set, on a machine that has a Z axis.</summary>
     public bool Z { get; init; }
 
-    /// <summary>The machine stands at this place of the drawing, mm.</summary>
+    /// <summary>The machine is at this point of the drawing, mm.</summary>
     public Point2D Place { get; init; }
 
-    /// <summary>The tool stands at this height of the drawing, mm.</summary>
+    /// <summary>The tool is at this height of the drawing, mm.</summary>
     public double Height { get; init; }
 
     /// <summary>The tool touches this edge; null for none.</summary>
@@ -25,15 +26,15 @@ public sealed record ZeroTouch
     /// <summary>Radius of the tool that touches the edge, mm.</summary>
     public double Radius { get; init; }
 
-    /// <summary>The zero lies half-way between this touch, controller counts, and the machine; null for no such touch.</summary>
+    /// <summary>The zero is half-way between this touch, controller counts, and the machine; null for no such touch.</summary>
     public CountsPoint? First { get; init; }
 
-    /// <summary>False where the place or the height is more than a controller counts.</summary>
+    /// <summary>False where the point or the height is outside the controller's range of counts.</summary>
     public bool IsCountable(CountsScale scale) => scale.Holds(Bounds2D.FromCorners(Place, Place), default) && scale.HoldsHeight(Height);
 
-    /// <summary>The memory with the origin set; axes that are not set keep their places.</summary>
-    /// <param name="name">The origin.</param>
-    /// <param name="here">Where the machine stands, controller counts.</param>
+    /// <summary>The memory with the origin set; axes that are not set keep their values.</summary>
+    /// <param name="name">Name of the origin.</param>
+    /// <param name="here">Present position of the machine, controller counts.</param>
     public MachineMemory Set(MachineMemory memory, string name, CountsPoint here, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(memory);

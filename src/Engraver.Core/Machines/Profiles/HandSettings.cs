@@ -5,7 +5,7 @@ using static Engraver.Core.Machines.Profiles.MachineProfileValidation;
 
 namespace Engraver.Core.Machines.Profiles;
 
-/// <summary>Checks the part of a profile that hand moves and homing go by: jog speed, travel, homing, names of inputs and outputs.</summary>
+/// <summary>Checks the part of a profile that moves by hand and homing use: jog speed, travel, homing, names of inputs and outputs.</summary>
 internal static class HandSettings
 {
     private const double LongestHomingSeconds = 3600.0;

@@ -12,7 +12,7 @@ internal sealed class TravelDocument
 
     public static TravelDocument? From(AxisTravel? travel) => travel is null ? null : new TravelDocument { Min = travel.Least, Max = travel.Most };
 
-    /// <summary>An end that is missing is no number, for the check of the profile to refuse.</summary>
+    /// <summary>A missing end becomes NaN, which the check of the profile refuses.</summary>
     public AxisTravel ToTravel() => new(Min ?? double.NaN, Max ?? double.NaN);
 }
 
@@ -49,7 +49,7 @@ internal sealed class HomingDocument
     /// <summary>What the drawing calls the axes of <see cref="MachineAxes.All"/>.</summary>
     internal const string AxisNames = "XYZ";
 
-    /// <summary>What is not understood becomes what the check of the profile refuses.</summary>
+    /// <summary>Invalid text becomes a value that the check of the profile refuses.</summary>
     public AxisHoming ToHoming(int order)
     {
         var usual = new AxisHoming();
@@ -86,7 +86,7 @@ internal static class NamesDocument
 {
     public static Dictionary<string, string?>? From(LineNames names) => names.All.Count == 0 ? null : names.All.ToDictionary(entry => entry.Key.ToString(CultureInfo.InvariantCulture), string? (entry) => entry.Value);
 
-    /// <summary>What is no number becomes the number 0, for the check of the profile to refuse.</summary>
+    /// <summary>A key that is not a number becomes the number 0, which the check of the profile refuses.</summary>
     public static LineNames ToNames(Dictionary<string, string?>? document) => document is null
         ? LineNames.None
         : new LineNames(document.GroupBy(entry => int.TryParse(entry.Key, NumberStyles.None, CultureInfo.InvariantCulture, out var line) ? line : 0).Select(same => KeyValuePair.Create(same.Key, same.First().Value ?? "")));

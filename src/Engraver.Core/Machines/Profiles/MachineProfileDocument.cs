@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines.Profiles;
 
-/// <summary>The fields of a profile file; those that are not given keep the default machine profile's value.</summary>
+/// <summary>The fields of a profile file; missing fields keep the default machine profile's value.</summary>
 internal sealed class MachineProfileDocument
 {
     public string? AxisX { get; set; }
@@ -119,17 +119,17 @@ internal sealed class MachineProfileDocument
         Rates = CostPerHour is null && CostPerMetre is null && CostPerStart is null ? profile.Rates : new JobRates(CostPerHour ?? 0.0, CostPerMetre ?? 0.0, CostPerStart ?? 0.0),
     };
 
-    /// <summary>A machine has a Z axis when its profile names its letter or its counts; either alone is for the check of the profile to refuse.</summary>
+    /// <summary>A machine has a Z axis when its profile gives its letter or its counts; the check of the profile refuses one without the other.</summary>
     private MachineAxis? AxisOfHeight(MachineAxis? otherwise) =>
         AxisZ is null && CountsPerMillimetreZ is null && MotorTypeZ is null ? otherwise : Axis('Z', AxisZ, CountsPerMillimetreZ, MotorTypeZ, TravelZ, otherwise ?? new MachineAxis(MachineProfileValidation.NoLetter, 0.0));
 
-    /// <summary>The entries of the list of homings that name no axis of this machine, or one that was named before.</summary>
+    /// <summary>The entries of the list of homings that do not name an axis of this machine, or name one again.</summary>
     public IEnumerable<string> HomingsWithoutAxis(MachineAxes axes) =>
         (Homing ?? []).Where((entry, i) => entry?.Axis is not { Length: 1 } name || HomingDocument.AxisNames.IndexOf(name[0], StringComparison.Ordinal) is not (>= 0 and var at) || at >= axes.All.Count || Homing!.FindIndex(other => other?.Axis == name) != i)
             .Select(entry => entry?.Axis ?? "");
 
     /// <param name="name">X, Y or Z.</param>
-    /// <remarks>What is no single letter becomes none that a controller has, for the check of the profile to refuse.</remarks>
+    /// <remarks>A text that is not a single letter becomes a letter that no controller has, which the check of the profile refuses.</remarks>
     private MachineAxis Axis(char name, string? letter, double? countsPerMillimetre, double? motorType, TravelDocument? travel, MachineAxis otherwise)
     {
         var order = Homing?.FindIndex(entry => entry?.Axis == name.ToString()) ?? -1;
@@ -205,7 +205,7 @@ internal sealed class MachineProfileDocument
         StopsInHold = SpindleStopsInHold ?? spindle.StopsInHold,
     };
 
-    /// <summary>Fields that say something only beside another one, which is not given: they would be dropped without a word.</summary>
+    /// <summary>Fields that have an effect only beside another one, which is missing: they would be ignored silently.</summary>
     public IEnumerable<(string Field, string Needs)> WithoutEffect()
     {
         if (ToolDrive != AxisDrive)

@@ -10,7 +10,8 @@ public static class MachineProfileFile
 {
     private const string Jog = "jogMmPerMinute";
 
-    /// <summary>Reads a profile and checks it against what the controller accepts. Whatever is wrong is a diagnostic, with the line where the text itself is wrong.</summary>
+    /// <summary>Reads a profile and checks it against what the controller accepts. Every error is a diagnostic, with the line where the text itself is
+    /// wrong.</summary>
     public static MachineProfileReading Read(string json, MachineLimits limits)
     {
         var fields = JsonFields.Read(json);
@@ -27,7 +28,8 @@ public static class MachineProfileFile
         }
     }
 
-    /// <summary>What is said of fields that stand in the file. The jog speed that follows from the rapid speed is told only where nothing else is wrong; beside a field that is not known, what is missing may be that field.</summary>
+    /// <summary>The findings about fields that are in the file. A jog speed that follows from the rapid speed is reported only where nothing else is wrong;
+    /// beside an unknown field, a missing field may be that field.</summary>
     private static IEnumerable<Diagnostic> Written(IReadOnlyList<Diagnostic> findings, JsonFields fields, bool isWhole)
     {
         bool IsWritten(Diagnostic finding) => finding.Facts.Count == 0 || fields.LineOf(finding.Facts[0]) > 0;
@@ -48,7 +50,8 @@ public static class MachineProfileFile
         return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);
     }
 
-    /// <summary>The names that may stand in a field; null where any may: the numbers of inputs and outputs, and inside a field that is told as unknown, or as no value, itself.</summary>
+    /// <summary>The names that are allowed in a field; null where any name is allowed: the numbers of inputs and outputs, and inside a field that is itself
+    /// reported as unknown or without a value.</summary>
     private static List<string>? Known(string owner) => owner switch
     {
         "" => Names(MachineProfileJson.Default.MachineProfileDocument),
@@ -65,11 +68,11 @@ public static class MachineProfileFile
         if (trouble.InnerException is JsonException) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.NotJson", place.Line));
         var field = trouble.Path is ['$', '.', .. var name] ? name : string.Empty;
         if (field.Length == 0) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.NotJsonObject"));
-        return MotionRules.ProfileValueUnreadable.At(place, field); // a field that is not known was told before anything was read
+        return MotionRules.ProfileValueUnreadable.At(place, field); // an unknown field was reported before anything was read
     }
 }
 
-/// <summary>Reads and writes profile files without reflection. Fields that are not known are told by <see cref="JsonFields"/>, with their lines.</summary>
+/// <summary>Reads and writes profile files without reflection. <see cref="JsonFields"/> reports unknown fields, with their lines.</summary>
 [JsonSourceGenerationOptions(
     PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase,
     WriteIndented = true,
@@ -80,7 +83,7 @@ public static class MachineProfileFile
 [JsonSerializable(typeof(MachineProfileDocument))]
 internal sealed partial class MachineProfileJson : JsonSerializerContext;
 
-/// <summary>What came of a profile file.</summary>
+/// <summary>The result of reading a profile file.</summary>
 /// <param name="Profile">Null when the file cannot be read.</param>
 /// <param name="Diagnostics">What is wrong with it, with its line: errors without a profile, warnings (settings that contradict each other) beside one.</param>
 public sealed record MachineProfileReading(MachineProfile? Profile, IReadOnlyList<Diagnostic> Diagnostics);

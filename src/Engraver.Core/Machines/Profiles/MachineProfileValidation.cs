@@ -7,7 +7,7 @@ namespace Engraver.Core.Machines.Profiles;
 /// <summary>Checks a profile against what the controller accepts, before anything is generated from it.</summary>
 public static class MachineProfileValidation
 {
-    /// <summary>Stands for a text that is no letter.</summary>
+    /// <summary>Represents a text that is not a letter.</summary>
     internal const char NoLetter = '?';
 
     private const double LongestSettleSeconds = 600.0;
@@ -19,10 +19,10 @@ public static class MachineProfileValidation
     /// <summary>One error for each setting that cannot be used, naming the setting, its value and the limit; empty for a usable profile.</summary>
     public static IReadOnlyList<Diagnostic> Check(MachineProfile profile, MachineLimits limits) => [.. Findings(profile, limits)];
 
-    /// <summary>Whether the machine can cut at this feed; with a scale of 0 it is not the feed that is wrong.</summary>
+    /// <summary>Whether the machine can cut at this feed; true with a scale of 0, where the feed is not the error.</summary>
     public static bool IsFeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) => !profile.Axes.All.All(axis => IsScale(axis.CountsPerMillimetre)) || IsSpeed(mmPerMinute, profile, limits);
 
-    /// <summary>The feeds of this machine, mm/min, as text: what its slower axis resolves to what its finer axis can count.</summary>
+    /// <summary>The feeds of this machine, mm/min, as text: from what its slower axis resolves to what its finer axis can count.</summary>
     public static string FeedRange(MachineProfile profile, MachineLimits limits) =>
         Wording.Get("MachineProfileValidation.FromTo", 60.0 * limits.SlowestSpeed / profile.Scale.Smallest, 60.0 * limits.FastestSpeed / profile.Scale.Largest);
 
@@ -87,7 +87,7 @@ public static class MachineProfileValidation
 
     private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
-    /// <summary>Each axis with the end of its settings' names.</summary>
+    /// <summary>Each axis with the suffix of its settings' names.</summary>
     private static IEnumerable<(string Name, MachineAxis Axis)> Named(MachineAxes axes) => "XYZ".Select(letter => letter.ToString()).Zip(axes.All);
 
     private static bool IsCountable(Point2D place, MachineProfile profile) => !IsScale(profile.Scale.X) || !IsScale(profile.Scale.Y) || profile.Scale.Holds(Bounds2D.FromCorners(place, place), default);

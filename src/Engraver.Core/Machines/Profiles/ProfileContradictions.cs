@@ -3,10 +3,11 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines.Profiles;
 
-/// <summary>Settings of a profile that can each be used and together are hardly meant so: the machine runs, but slower, or less far, than its owner thinks.</summary>
+/// <summary>Settings of a profile that are each valid but together are probably not intended: the machine runs, but slower, or less far, than its owner
+/// expects.</summary>
 internal static class ProfileContradictions
 {
-    /// <summary>Warnings about a profile that the check of its values has passed.</summary>
+    /// <summary>Warnings about a profile whose values have passed the check.</summary>
     public static IEnumerable<Diagnostic> Find(MachineProfile profile) => [.. Speeds(profile), .. Places(profile)];
 
     private static IEnumerable<Diagnostic> Speeds(MachineProfile p)

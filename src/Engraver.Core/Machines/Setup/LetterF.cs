@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Machines.Setup;
 
-/// <summary>The letter F, which looks different in each of the eight ways that two axes can be mirrored and swapped. It is drawn in one go and without lifting, ends where it begins, and is 10 mm high and 6 mm wide.</summary>
+/// <summary>The letter F, which looks different in each of the eight ways in which two axes can be mirrored and swapped. It is drawn in one stroke, ends where
+/// it begins, and is 10 mm high and 6 mm wide.</summary>
 public static class LetterF
 {
     public const double Height = 10.0;
@@ -16,9 +17,9 @@ public static class LetterF
     public static IReadOnlyList<Point2D> Corners { get; } =
         [new(0, Height), new(Width, Height), new(0, Height), new(0, Middle), new(ShortBar, Middle), new(0, Middle), new(0, 0)];
 
-    /// <summary>The letter from where the machine stands; it comes to rest at every corner.</summary>
+    /// <summary>The letter from the present position of the machine; it comes to rest at every corner.</summary>
     /// <param name="test">The machine, with the speed of the test moves.</param>
-    /// <param name="drawn">The axes as they are believed to be; the two may be the other way round than the machine's.</param>
+    /// <param name="drawn">The assumed axes; the two may be swapped compared with the machine's.</param>
     /// <param name="speed">Counts/s along the path, even.</param>
     public static MotionProgram Program(MachineProfile test, MachineAxes drawn, int speed)
     {
@@ -38,11 +39,11 @@ public static class LetterF
         return new MotionProgram(test, default, [new MotionStroke(0, default, sequences)]);
     }
 
-    /// <summary>The axes by which the letter stands upright and the right way round, for what was seen.</summary>
-    /// <param name="axes">Those by which it was drawn.</param>
-    /// <param name="longStroke">Where the long stroke went from its foot.</param>
-    /// <param name="bars">Where the two bars went from the long stroke.</param>
-    /// <returns>Null when no F looks like that: long stroke and bars lie in one line.</returns>
+    /// <summary>The axes with which the letter is upright and not mirrored, for the result that was seen.</summary>
+    /// <param name="axes">The axes with which it was drawn.</param>
+    /// <param name="longStroke">Direction of the long stroke from its foot.</param>
+    /// <param name="bars">Direction of the two bars from the long stroke.</param>
+    /// <returns>Null when an F cannot look like that: long stroke and bars are collinear.</returns>
     public static MachineAxes? Corrected(MachineAxes axes, TableDirection longStroke, TableDirection bars)
     {
         ArgumentNullException.ThrowIfNull(axes);
@@ -51,7 +52,7 @@ public static class LetterF
         return axes with { X = Turned(movesAcross), Y = Turned(movesAlong) };
     }
 
-    /// <summary>The axis with its counts per millimetre turned round, and with them the millimetres that the profile tells of it.</summary>
+    /// <summary>The axis with its counts per millimetre negated, and with them the millimetres that the profile states for it.</summary>
     public static MachineAxis Mirrored(MachineAxis axis) => axis with
     {
         CountsPerMillimetre = -axis.CountsPerMillimetre,
@@ -64,7 +65,7 @@ public static class LetterF
     private static bool IsAcross(TableDirection direction) => direction is TableDirection.Right or TableDirection.Left;
 }
 
-/// <summary>A direction of the tool over the table, as seen by the operator who stands before it. The drawing's X goes right, its Y back.</summary>
+/// <summary>A direction of the tool over the table, as seen by the operator in front of it. The drawing's X goes right, its Y back.</summary>
 public enum TableDirection
 {
     Right,

@@ -1,16 +1,16 @@
 namespace Engraver.Core.Machines.Setup;
 
-/// <summary>One value that a controller is told of its wiring.</summary>
+/// <summary>One value of the controller's settings for its wiring.</summary>
 public abstract record SetupValue
 {
     private SetupValue()
     {
     }
 
-    /// <summary>Only with the motor off.</summary>
+    /// <summary>Set only with the motor off.</summary>
     public sealed record Motor(char Axis, MotorType Type) : SetupValue;
 
-    /// <summary>Only with the motor off: a servo whose encoder is reversed under current runs away.</summary>
+    /// <summary>Set only with the motor off: a servo whose encoder is reversed while it is on runs away.</summary>
     public sealed record Encoder(char Axis, EncoderType Type) : SetupValue;
 
     /// <param name="Counts">At least 1.</param>
@@ -18,20 +18,20 @@ public abstract record SetupValue
 
     public sealed record OffOnError(char Axis, bool IsOn) : SetupValue;
 
-    /// <summary>Of every axis.</summary>
+    /// <summary>For every axis.</summary>
     public sealed record LimitSense(SwitchSense Sense) : SetupValue;
 
-    /// <summary>Of every axis.</summary>
+    /// <summary>For every axis.</summary>
     public sealed record HomeSense(SwitchSense Sense) : SetupValue;
 }
 
-/// <summary>What is sent to the drive of an axis.</summary>
+/// <summary>The signal sent to the drive of an axis.</summary>
 /// <param name="IsReversed">The other sense of rotation.</param>
 public readonly record struct MotorType(MotorSignal Signal, bool IsReversed);
 
 public enum MotorSignal
 {
-    /// <summary>A voltage, by the error of the position loop.</summary>
+    /// <summary>A voltage, from the error of the position loop.</summary>
     Servo,
 
     /// <summary>Pulses and direction, the pulse being the low level.</summary>
@@ -42,7 +42,7 @@ public enum MotorSignal
 }
 
 /// <summary>How an encoder is read.</summary>
-/// <param name="IsReversed">Counts fall where they would rise.</param>
+/// <param name="IsReversed">Counts decrease where they would increase.</param>
 public readonly record struct EncoderType(EncoderSignal Signal, bool IsReversed);
 
 public enum EncoderSignal
@@ -54,9 +54,9 @@ public enum EncoderSignal
 /// <summary>The level of an input that counts as active.</summary>
 public enum SwitchSense
 {
-    /// <summary>A closed switch to ground, the usual state of a controller from the factory.</summary>
+    /// <summary>A switch closed to ground, the factory default of a controller.</summary>
     Low,
 
-    /// <summary>An open one: normally closed switches, whose broken wire is noticed.</summary>
+    /// <summary>An open switch: normally closed switches, where a broken wire is detected.</summary>
     High,
 }
