@@ -2,7 +2,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator;
 
-/// <summary>RA, RD, RC (galil-dmc.md E, Array): every 2^n samples one value of each source goes into the next element of its array.</summary>
+/// <summary>RA, RD, RC (galil-dmc.md E, Array): every 2^n samples, one value of each source is stored in the next element of its array.</summary>
 internal sealed class ArrayCapture(Machine machine)
 {
     private long _last;
@@ -10,13 +10,13 @@ internal sealed class ArrayCapture(Machine machine)
     private int _length;
     private bool _isCircular;
 
-    /// <summary>RA, in order.</summary>
+    /// <summary>The arrays named by RA, in order.</summary>
     public IReadOnlyList<FixedPoint[]> Arrays { get; set; } = [];
 
-    /// <summary>RD, in the same order.</summary>
+    /// <summary>The sources named by RD, in the same order.</summary>
     public IReadOnlyList<Func<FixedPoint>> Sources { get; set; } = [];
 
-    /// <summary><c>_RC</c>: a capture is running.</summary>
+    /// <summary>True while a capture is running: <c>_RC</c>.</summary>
     public bool IsOn { get; private set; }
 
     /// <summary>The element that is filled next: <c>_RD</c>.</summary>
@@ -25,12 +25,14 @@ internal sealed class ArrayCapture(Machine machine)
     /// <summary>Captures since power up that ended because their arrays were full.</summary>
     public long Ends { get; private set; }
 
-    /// <summary>The sample of the next value; long.MaxValue when none will come.</summary>
+    /// <summary>The sample in which the next value is due; long.MaxValue when no value is due.</summary>
     public long NextDue => IsOn ? _last + (long)Math.Max(1, _period / machine.SamplesPerMillisecond) : long.MaxValue;
 
     /// <param name="period">Samples of TM from one value to the next.</param>
-    /// <param name="length">Elements to fill. Negative: overwrite from the beginning again and again; 0: as many as the shortest array has.</param>
-    /// <exception cref="CommandRefusedException">TC 80 while recording; TC 81 unless there is an array for each source; TC 84 for more elements than the shortest array has.</exception>
+    /// <param name="length">Elements to fill. A negative number overwrites repeatedly from the first element; 0 fills as many elements as the shortest array
+    /// has.</param>
+    /// <exception cref="CommandRefusedException">TC 80 while recording; TC 81 unless there is an array for each source; TC 84 for more elements than the
+    /// shortest array has.</exception>
     public void Start(int period, int length)
     {
         if (IsOn) throw new CommandRefusedException(Tc.AlreadyRecording);
@@ -47,7 +49,7 @@ internal sealed class ArrayCapture(Machine machine)
 
     public void Stop() => IsOn = false;
 
-    /// <summary>Takes one value of each source when the sample of <see cref="NextDue"/> has come.</summary>
+    /// <summary>Stores one value of each source when the sample <see cref="NextDue"/> is reached.</summary>
     public void Step()
     {
         if (!IsOn || machine.Sample < NextDue) return;

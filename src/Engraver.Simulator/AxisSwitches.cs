@@ -1,25 +1,25 @@
 namespace Engraver.Simulator;
 
-/// <summary>Positions of the switches and the index pulse of one axis, in counts from where the axis is at power up; DP does not move them.</summary>
+/// <summary>Positions of the switches and the index pulse of one axis, in counts from the axis position at power up; DP does not move them.</summary>
 /// <param name="Axis">0 to 3 for A to D.</param>
 public sealed record AxisSwitches(int Axis)
 {
-    /// <summary>The forward limit switch is active at this position and above it; null when there is none.</summary>
+    /// <summary>The forward limit switch is active at and above this position; null when there is none.</summary>
     public int? ForwardLimitAt { get; init; }
 
-    /// <summary>The reverse limit switch is active at this position and below it; null when there is none.</summary>
+    /// <summary>The reverse limit switch is active at and below this position; null when there is none.</summary>
     public int? ReverseLimitAt { get; init; }
 
-    /// <summary>The home switch is active at this position and above it, or below it (<see cref="IsHomeBelow"/>); null when there is none.</summary>
+    /// <summary>The home switch is active at and above this position, or at and below it (<see cref="IsHomeBelow"/>); null when there is none.</summary>
     public int? HomeAt { get; init; }
 
-    /// <summary>The home switch is active at <see cref="HomeAt"/> and below it.</summary>
+    /// <summary>The home switch is active at and below <see cref="HomeAt"/>.</summary>
     public bool IsHomeBelow { get; init; }
 
-    /// <summary>How far the home switch reaches, counts from <see cref="HomeAt"/>: behind that it is not active any more.</summary>
+    /// <summary>Width of the active range of the home switch, counts from <see cref="HomeAt"/>; the switch is inactive beyond it.</summary>
     public int HomeReach { get; init; } = int.MaxValue;
 
-    /// <summary>The home switch opens its input while it is active, whatever the limit switches do.</summary>
+    /// <summary>The home switch opens its input while it is active, independently of the type of the limit switches.</summary>
     public bool IsHomeNormallyClosed { get; init; }
 
     /// <summary>Position of one index pulse of the encoder; the others follow every <see cref="IndexPeriod"/> counts.</summary>

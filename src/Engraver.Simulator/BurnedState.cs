@@ -4,7 +4,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator;
 
-/// <summary>What BN and BV keep and RS brings back (galil-dmc.md A.6): parameters; variables, arrays and the cam's table. CF, VR, targets and positions are not burned.</summary>
+/// <summary>The state that BN and BV save and RS restores (galil-dmc.md A.6): parameters, variables, arrays and the cam table. CF, VR, targets and positions
+/// are not burned.</summary>
 internal sealed class BurnedState(Machine machine)
 {
     private (AxisSetup[] Axes, (double Speed, double Acceleration, double Deceleration)[] Planes, int[] Polarity) _motion = MotionOf(Prepared(machine));
@@ -14,7 +15,7 @@ internal sealed class BurnedState(Machine machine)
     private KeyValuePair<string, FixedPoint[]>[] _arrays = [];
     private CamTable? _cam;
 
-    /// <summary>BN.</summary>
+    /// <summary>Saves the parameters: BN.</summary>
     public void BurnParameters()
     {
         _motion = MotionOf(machine);
@@ -22,7 +23,7 @@ internal sealed class BurnedState(Machine machine)
         _formats = FormatsOf(machine);
     }
 
-    /// <summary>BV.</summary>
+    /// <summary>Saves the variables, the arrays and the cam table: BV.</summary>
     public void BurnVariables()
     {
         _variables = [.. machine.Variables.Variables];
@@ -30,7 +31,7 @@ internal sealed class BurnedState(Machine machine)
         _cam = new CamTable(machine.Motion.Cam);
     }
 
-    /// <summary>RS. The caller has stopped all motion and all programs.</summary>
+    /// <summary>Restores the saved state: RS. The caller must have stopped all motion and all programs.</summary>
     public void Restore()
     {
         var motion = machine.Motion;
@@ -80,8 +81,8 @@ internal sealed class BurnedState(Machine machine)
         (machine.PositionFormat, machine.VariableFormat, machine.StripLeadingZeros, machine.SampleMicroseconds);
 }
 
-/// <summary>What the owner of the machine burned with BN before the simulation begins (galil-dmc.md A.6); RS brings it back.</summary>
+/// <summary>Parameters burned with BN before the simulation starts (galil-dmc.md A.6); RS restores them.</summary>
 /// <param name="VectorSpeed">VS of both planes, counts/s.</param>
 /// <param name="Acceleration">AC and DC of all axes, VA and VD of both planes, counts/s2.</param>
-/// <param name="AxisSpeeds">SP of the axes from A on, counts/s; null and those left out keep the factory value.</param>
+/// <param name="AxisSpeeds">SP of the axes from A on, counts/s; null and omitted axes keep the factory value.</param>
 public sealed record BurnedMotion(int VectorSpeed, int Acceleration, IReadOnlyList<int?> AxisSpeeds);

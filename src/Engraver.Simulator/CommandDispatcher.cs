@@ -6,17 +6,17 @@ using System.Runtime.CompilerServices;
 
 namespace Engraver.Simulator;
 
-/// <summary>Executes what hosts send and answers it, with the faults of the fault plan. All members are called under the controller's lock.</summary>
+/// <summary>Executes and answers the commands of hosts, with the faults of the fault plan. All members are called under the controller's lock.</summary>
 internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, SimulatorOptions options) : ICommandSink
 {
     private readonly DelayedReplies _replies = new(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
 
-    /// <summary>Where the commands of each handle print; collected together with the handle.</summary>
+    /// <summary>The output of each handle's commands; garbage-collected together with the handle.</summary>
     private readonly ConditionalWeakTable<Handle, CommandContext> _contexts = [];
     private long _commands;
     private TimeSpan _late;
 
-    /// <summary>Replies that the fault plan delays are waiting to be sent.</summary>
+    /// <summary>True while replies that the fault plan delays wait to be sent.</summary>
     public bool HasLateReplies => _replies.AreWaiting;
 
     /// <summary>Sends the delayed replies that are due.</summary>
@@ -43,7 +43,7 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
         return reply;
     }
 
-    /// <summary>Makes the answer late: by controller time where that is virtual or a host has the clock, otherwise by wall time.</summary>
+    /// <summary>Delays the answer: by controller time when it is virtual or a host has the clock, otherwise by wall time.</summary>
     private void LateBy(TimeSpan delay)
     {
         if (options.IsVirtual || clock.Hosts.AreThere) clock.Spend(delay);
@@ -75,7 +75,7 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
     {
         if (failed)
         {
-            machine.Program.Truncate(0); // half a program must not run
+            machine.Program.Truncate(0); // an incomplete program must not run
         }
 
         return IsFrozen ? null : "::";
@@ -129,7 +129,7 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
         else machine.Handles.Remove(handle);
     }
 
-    /// <summary>True once the fault plan's limit is passed: no command is answered any more.</summary>
+    /// <summary>True after the fault plan's limit is passed: no further command is answered.</summary>
     public bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
 
     private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)

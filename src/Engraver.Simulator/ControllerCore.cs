@@ -9,7 +9,7 @@ internal sealed class ControllerCore : IDisposable
     private static readonly TimeSpan ShortestTick = TimeSpan.FromMilliseconds(2);
     private static readonly TimeSpan LongestTick = TimeSpan.FromHours(1);
 
-    /// <summary>Period of <see cref="Tick"/> at speed max while hosts have the clock (they advance time themselves): only looks for a host that is stuck.</summary>
+    /// <summary>Period of <see cref="Tick"/> at speed max while hosts have the clock and advance time themselves: it only checks for a stuck host.</summary>
     private static readonly TimeSpan HostTick = TimeSpan.FromMilliseconds(100);
 
     private readonly Lock _gate = new();
@@ -36,13 +36,13 @@ internal sealed class ControllerCore : IDisposable
 
     public Machine Machine { get; }
 
-    /// <summary>The hosts that keep step with the controller.</summary>
+    /// <summary>The hosts that run in step with the controller.</summary>
     public HostClockCoordinator Hosts { get; }
 
-    /// <summary>Faults with the exception (a bug of the simulator) that ended the controller's work; never completes otherwise.</summary>
+    /// <summary>Faults with the exception (an internal error of the simulator) that stopped the controller; never completes otherwise.</summary>
     public Task Broken => _broken.Task;
 
-    /// <summary>The error that ended the writing of the record file; null while it is written.</summary>
+    /// <summary>The error that stopped writing the record file; null while writing succeeds.</summary>
     public IOException? RecordFailure => _recordFile.Failure;
 
     public ControllerStatus Status
@@ -57,7 +57,7 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
-    /// <param name="datagrams">Where the answers of a UDP handle go; null for a connection.</param>
+    /// <param name="datagrams">Receives the answers of a UDP handle; null for a connection.</param>
     public Handle? Open(int localPort, int remotePort, Action? disconnect, DatagramSender? datagrams = null)
     {
         lock (_gate)
@@ -68,7 +68,7 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
-    /// <summary>Plugs a cable into the serial port; null when one is plugged in.</summary>
+    /// <summary>Connects a cable to the serial port; returns null when one is already connected.</summary>
     public Handle? OpenSerial(int baud, Action? disconnect)
     {
         lock (_gate)
@@ -79,8 +79,8 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
-    /// <summary>Takes bytes that a client sent. A bug that shows here breaks the controller, not the thread that carries the bytes.</summary>
-    /// <param name="taken">Told the controller's clock, before the bytes are executed; null for nobody.</param>
+    /// <summary>Takes bytes that a client sent. An internal error that occurs here stops the controller, not the thread that carries the bytes.</summary>
+    /// <param name="taken">Called with the controller's clock before the bytes are executed; null for no callback.</param>
     public void Receive(Handle handle, ReadOnlySpan<byte> bytes, Action<long>? taken = null)
     {
         lock (_gate)
@@ -102,7 +102,7 @@ internal sealed class ControllerCore : IDisposable
         Hosts.FireDue();
     }
 
-    /// <summary>Awaits a task that serves clients; an exception in it ends the controller's work as one of its own would.</summary>
+    /// <summary>Awaits a task that serves clients; an exception in it stops the controller like an exception of the controller itself.</summary>
     public async Task WatchAsync(Task serving)
     {
         try
@@ -120,7 +120,7 @@ internal sealed class ControllerCore : IDisposable
         Hosts.FireDue();
     }
 
-    /// <summary>The client went away: its handle is free again, motion and threads go on.</summary>
+    /// <summary>Called when the client has disconnected: its handle is free again; motion and threads continue.</summary>
     public void Detach(Handle handle)
     {
         lock (_gate)
@@ -216,13 +216,14 @@ internal sealed class ControllerCore : IDisposable
     public void Dispose()
     {
         CutAll();
-        _timer.Dispose(); // a tick that is under way goes on beside this
+        _timer.Dispose(); // a tick that is already running continues in parallel
         _recordFile.Complete();
     }
 
     private TimeSpan TickPeriod => !_options.IsVirtual ? ShortestTick : _clock.Hosts.AreThere ? HostTick : SilenceRule.Short;
 
-    /// <summary>Wall time until something can happen without a command. Infinite when idle: then no processor time is used, and the next command wakes the controller and brings it up to the wall.</summary>
+    /// <summary>Wall time until the next event that needs no command. Infinite when idle: then no processor time is used, and the next command wakes the
+    /// controller and advances it to the wall clock.</summary>
     private TimeSpan QuietTime()
     {
         if (_status.IsAwaited || _dispatcher.HasLateReplies || _clock.Hosts.AreThere) return TickPeriod;
@@ -232,7 +233,7 @@ internal sealed class ControllerCore : IDisposable
         return TimeSpan.FromMilliseconds(Math.Clamp(milliseconds, ShortestTick.TotalMilliseconds, LongestTick.TotalMilliseconds));
     }
 
-    /// <summary>Sets the timer to fire within <paramref name="delay"/>; a timer that fires sooner stays.</summary>
+    /// <summary>Sets the timer to fire within <paramref name="delay"/>; a timer that is due sooner stays as it is.</summary>
     private void TickWithin(TimeSpan delay)
     {
         if (delay == Timeout.InfiniteTimeSpan) return;
@@ -279,7 +280,8 @@ internal sealed class ControllerCore : IDisposable
         _clock.Look(isHeldUp, isHeldUp && (Machine.Handles.Open.Any(static handle => handle.Output.IsRead) || Machine.Serial.Client?.Output.IsRead == true));
     }
 
-    /// <summary>Ends the controller's work after a bug of the simulator, since its state cannot be trusted. Cuts every client, so that none waits for an answer, and faults <see cref="Broken"/>.</summary>
+    /// <summary>Stops the controller after an internal error of the simulator, because its state can no longer be trusted. Disconnects every client, so that no
+    /// client waits for an answer, and faults <see cref="Broken"/>.</summary>
     private void Break(Exception bug)
     {
         if (!_broken.TrySetException(new InvalidOperationException($"the simulated controller failed ({bug.GetType().Name}: {bug.Message}); every client was cut off", bug))) return;

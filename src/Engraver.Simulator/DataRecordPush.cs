@@ -3,7 +3,7 @@ using Engraver.Simulator.Language.Commands;
 
 namespace Engraver.Simulator;
 
-/// <summary>DR n,h (galil-dmc.md A.9): a data record every n samples as a datagram of its own, without a prompt.</summary>
+/// <summary>DR n,h (galil-dmc.md A.9): a data record every n samples as a separate datagram, without a prompt.</summary>
 internal sealed class DataRecordPush(Machine machine)
 {
     private long _last;
@@ -19,7 +19,7 @@ internal sealed class DataRecordPush(Machine machine)
     /// <summary>Records sent since power up.</summary>
     public long Sent { get; private set; }
 
-    /// <summary>The sample of the next record; long.MaxValue when none will come.</summary>
+    /// <summary>The sample in which the next record is due; long.MaxValue when no record is due.</summary>
     public long NextDue => IsOn ? _last + (long)Math.Max(1, Period / machine.SamplesPerMillisecond) : long.MaxValue;
 
     public void Start(int period, int handleIndex)
@@ -31,7 +31,7 @@ internal sealed class DataRecordPush(Machine machine)
 
     public void Stop() => Period = 0;
 
-    /// <summary>Sends a record when the sample of <see cref="NextDue"/> has come; switches itself off when the handle is closed.</summary>
+    /// <summary>Sends a record when the sample <see cref="NextDue"/> is reached; switches off when the handle is closed.</summary>
     public void Step()
     {
         if (machine.Sample < NextDue) return;

@@ -11,23 +11,28 @@ public sealed record FaultPlan
     /// <summary>Handles whose link is cut after a number of commands.</summary>
     public IReadOnlyList<HandleDrop> Drops { get; init; } = [];
 
-    /// <summary>After this many commands no command is answered any more, although motion and programs go on; null: never.</summary>
+    /// <summary>After this many commands no further command is answered, although motion and programs continue; null: never.</summary>
     public long? FreezeAfterCommands { get; init; }
 
-    /// <summary>At this command the simulator throws, as a bug of its own would: all links are cut and <c>simulate</c> ends with exit code 70; null: never.</summary>
+    /// <summary>At this command the simulator throws, as in an internal error: all links are cut and <c>simulate</c> ends with exit code 70; null:
+    /// never.</summary>
     public long? BreakDownAtCommand { get; init; }
 
     /// <summary>Wall time by which every reply is delayed.</summary>
     public TimeSpan ReplyDelay { get; init; } = TimeSpan.Zero;
 
-    /// <summary>Faults that happen at a moment of the controller's clock, of the cutting or of the conversation.</summary>
+    /// <summary>Faults that occur at a given controller time, segment or byte.</summary>
     public IReadOnlyList<ScheduledFault> Faults { get; init; } = [];
 
     /// <summary>
-    /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"breakDownAtCommand":120,"replyDelay":"00:00:00.050"}</c>;
-    /// with moments, <c>{"faults":[{"kind":"limitSwitch","atSeconds":1.5,"forSeconds":0.2,"axis":"A","forward":true},{"kind":"reset","atSegment":40},{"kind":"delay","atByte":900,"seconds":0.3}]}</c>.
+    /// Reads a plan as written in a faults file:
+    /// <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],
+    /// "freezeAfterCommands":99,"breakDownAtCommand":120,"replyDelay":"00:00:00.050"}</c>;
+    /// faults with a trigger:
+    /// <c>{"faults":[{"kind":"limitSwitch","atSeconds":1.5,"forSeconds":0.2,"axis":"A","forward":true},
+    /// {"kind":"reset","atSegment":40},{"kind":"delay","atByte":900,"seconds":0.3}]}</c>.
     /// </summary>
-    /// <exception cref="JsonException">The text is not a valid plan; where a fault of it cannot happen, a <see cref="FaultPlanException"/>.</exception>
+    /// <exception cref="JsonException">The text is not a valid plan; a <see cref="FaultPlanException"/> when one of its faults cannot occur.</exception>
     public static FaultPlan Parse(string json)
     {
         var plan = JsonSerializer.Deserialize<FaultPlan>(json, FileFormat) ?? throw new JsonException("A fault plan is an object.");
@@ -60,10 +65,10 @@ public sealed record FaultPlan
 /// <summary>The n-th command received (from 1) is answered "?" with the given TC code (galil-dmc.md A.8) and not executed.</summary>
 public readonly record struct CommandRefusal(long Command, int TcCode);
 
-/// <summary>The link of a handle (0 = A) is cut after this many commands on it; the controller lives on.</summary>
+/// <summary>The link of a handle (0 = A) is cut after this many commands on it; the controller continues to run.</summary>
 public readonly record struct HandleDrop(int Handle, long AfterCommands);
 
-/// <summary>A fault of a plan cannot happen.</summary>
+/// <summary>A fault of a plan cannot occur.</summary>
 public sealed class FaultPlanException : JsonException
 {
     public FaultPlanException()
@@ -83,7 +88,7 @@ public sealed class FaultPlanException : JsonException
     internal FaultPlanException(int fault, FaultFlaw flaw)
         : base($"faults[{fault}].{flaw.Field}: {flaw.Reason}") => (Fault, Flaw) = (fault, flaw);
 
-    /// <summary>Its place in the list of faults, from 0.</summary>
+    /// <summary>Index of the fault in the list of faults, from 0.</summary>
     public int Fault { get; }
 
     public FaultFlaw Flaw { get; }

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator;
 
-/// <summary>Lets the scheduled faults of a plan happen at their moments. All members are called under the controller's lock.</summary>
+/// <summary>Triggers the scheduled faults of a plan. All members are called under the controller's lock.</summary>
 internal sealed class FaultSchedule
 {
     private const double SamplesPerSecond = 1000.0;
@@ -22,26 +22,26 @@ internal sealed class FaultSchedule
         UpdateNext();
     }
 
-    /// <summary>The first sample in which a fault happens or ends by the clock; <see cref="long.MaxValue"/> for none.</summary>
+    /// <summary>The first sample in which a fault starts or ends at a controller time; <see cref="long.MaxValue"/> when there is none.</summary>
     public long NextDue { get; private set; }
 
-    /// <summary>A fault waits for a segment: no sample may be jumped over.</summary>
+    /// <summary>A fault waits for a segment: no sample may be skipped.</summary>
     public bool AwaitsSegment { get; private set; }
 
-    /// <summary>A command was lost, or its answer: its host waits for what will not come.</summary>
+    /// <summary>A command or its answer was lost: its host waits for an answer that is never sent.</summary>
     public bool IsAnswerOwed { get; private set; }
 
     /// <summary>Bytes that have arrived so far, over all links.</summary>
     public long Bytes { get; private set; }
 
-    /// <summary>One more fault; one whose moment is past happens at once.</summary>
+    /// <summary>Adds a fault; a fault whose trigger has already passed occurs at once.</summary>
     public void Add(ScheduledFault fault)
     {
         _planned.Add(fault);
         Happen();
     }
 
-    /// <summary>Called after every sample, and after every jump over several.</summary>
+    /// <summary>Called after every sample, and after every jump over several samples.</summary>
     public void Step()
     {
         if (NextDue > _machine.Sample && !AwaitsSegment) return;
@@ -55,14 +55,14 @@ internal sealed class FaultSchedule
         Happen();
     }
 
-    /// <summary>A byte has arrived.</summary>
+    /// <summary>Called when a byte has arrived.</summary>
     public void Arrived()
     {
         Bytes++;
         if (_planned.Count > 0) Happen();
     }
 
-    /// <summary>Whether the command that has just arrived is lost.</summary>
+    /// <summary>True when the command that has just arrived is lost.</summary>
     public bool LosesCommand()
     {
         IsAnswerOwed = _lostCommands > 0;
@@ -70,7 +70,7 @@ internal sealed class FaultSchedule
         return IsAnswerOwed;
     }
 
-    /// <summary>Whether the answer that is about to be sent is lost.</summary>
+    /// <summary>True when the answer that is about to be sent is lost.</summary>
     public bool LosesReply()
     {
         IsAnswerOwed = _lostReplies > 0;
@@ -78,7 +78,7 @@ internal sealed class FaultSchedule
         return IsAnswerOwed;
     }
 
-    /// <summary>By how much the answer that is about to be sent is late.</summary>
+    /// <summary>Delay of the answer that is about to be sent.</summary>
     public TimeSpan TakeDelay()
     {
         if (_late == 0) return TimeSpan.Zero;
@@ -86,7 +86,7 @@ internal sealed class FaultSchedule
         return _delay;
     }
 
-    /// <summary>Bytes that come before the answer that is about to be sent.</summary>
+    /// <summary>Garbage bytes to send before the answer that is about to be sent.</summary>
     public byte[] TakeGarbage()
     {
         var bytes = new byte[_garbageBytes];

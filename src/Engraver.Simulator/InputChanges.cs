@@ -23,13 +23,13 @@ internal sealed class InputChanges(Machine machine)
         Watch();
     }
 
-    /// <summary>Starts #ININT when a watched input has its level.</summary>
+    /// <summary>Starts #ININT when a watched input has its interrupt level.</summary>
     public void Watch()
     {
         if (machine.InputInterrupt.IsDue(machine.Io.Inputs) && machine.Threads.Interrupt("ININT")) machine.InputInterrupt.Taken();
     }
 
-    /// <summary>Takes a character from the serial port; true when it is data for the program and not part of a command (CI n,1).</summary>
+    /// <summary>Takes a character from the serial port; returns true when it is data for the program and not part of a command (CI n,1).</summary>
     public bool TakeSerial(char c)
     {
         if (machine.SerialInterrupt.Accept(c) && machine.Threads[0].IsRunning && machine.Threads.Interrupt("COMINT")) machine.SerialInterrupt.Taken();

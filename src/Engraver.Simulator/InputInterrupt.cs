@@ -1,6 +1,6 @@
 namespace Engraver.Simulator;
 
-/// <summary>II (galil-dmc.md D): when a watched input has its level, #ININT runs in thread 0; RI arms it again.</summary>
+/// <summary>II (galil-dmc.md D): when a watched input has its interrupt level, #ININT runs in thread 0; RI arms it again.</summary>
 internal sealed class InputInterrupt
 {
     private byte _inputs;

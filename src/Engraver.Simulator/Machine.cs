@@ -5,7 +5,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator;
 
-/// <summary>The controller itself, without any notion of wall time: commands go in, samples pass. The owner makes sure that calls never overlap.</summary>
+/// <summary>The controller without wall time: it takes commands and advances by samples. The owner ensures that calls never overlap.</summary>
 internal sealed class Machine
 {
     private static readonly long TicksPerSample = TimeSpan.TicksPerMillisecond;
@@ -55,7 +55,7 @@ internal sealed class Machine
 
     public MotionRecord Record => _recorder.Record;
 
-    /// <summary>What goes wrong on purpose, at its moments.</summary>
+    /// <summary>The injected faults and their triggers.</summary>
     public FaultSchedule Faults { get; }
 
     /// <summary>Changes from outside: input lines and characters on the serial port.</summary>
@@ -118,30 +118,32 @@ internal sealed class Machine
         | (InputInterrupt.IsRunning ? 0x04 : 0)
         | (Serial.Echo ? 0x01 : 0);
 
-    /// <summary>What BN and BV saved.</summary>
+    /// <summary>The state saved by BN and BV.</summary>
     public BurnedState Burned { get; }
 
     /// <summary>The program that BP saved; RS restores it.</summary>
     public string[] BurnedProgram { get; set; } = [];
 
-    /// <summary>Changes with every event that a silent host could be waiting for.</summary>
+    /// <summary>Counter that changes with every event that a silent host could be waiting for.</summary>
     public long Events => Motion.Ends + Threads.Events + Records.Sent + Capture.Ends + _outputChanges;
 
     private long _outputChanges;
 
-    /// <summary>A sequence was begun and not closed, so that its host has segments to send; at speed max time then stands still (contract of <c>simulate</c>).</summary>
+    /// <summary>A sequence has been started and not closed, so that its host must still send segments; at speed max, time then stops (contract of
+    /// <c>simulate</c>).</summary>
     public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.Profile.IsStopping) || Motion.Contour.AwaitsRecords;
 
-    /// <summary>Nothing moves and no thread runs: only a command or an input can change anything.</summary>
+    /// <summary>Nothing moves and no thread runs: only a command or an input can change the state.</summary>
     public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn && !Capture.IsOn && Faults.NextDue == long.MaxValue;
 
-    /// <summary>The first sample in which something can happen without a command or an input, while nothing moves; long.MaxValue when nothing can.</summary>
+    /// <summary>The first sample in which an event can occur without a command or an input, while nothing moves; long.MaxValue when no event can
+    /// occur.</summary>
     public long QuietUntil => Math.Min(Threads.QuietUntil(Sample), NextSnapshot);
 
     /// <summary>The sample in which the next data record, captured value or fault is due.</summary>
     private long NextSnapshot => Math.Min(Math.Min(Records.NextDue, Capture.NextDue), Math.Max(Faults.NextDue, Sample + 1));
 
-    /// <summary>~a to ~h.</summary>
+    /// <summary>The variable axes ~a to ~h.</summary>
     public VariableAxes VariableAxes { get; } = new();
 
     public string Print(FixedPoint value) => ValueFormat.Print(value);
@@ -149,13 +151,13 @@ internal sealed class Machine
     /// <summary>PF and LZ together: how positions print.</summary>
     public string PrintPosition(int value) => Padded(PositionFormat).Print(FixedPoint.FromInteger(value));
 
-    /// <summary>The answer to a query whose whole number PF does not format.</summary>
+    /// <summary>Formats the answer to a query whose whole number PF does not format.</summary>
     public string PrintWhole(long value) => Padded(NumberFormat.Position).Print(FixedPoint.FromInteger(value));
 
-    /// <summary>The format with leading zeros under LZ 0, which applies to the answer to every query (A.3).</summary>
+    /// <summary>Applies leading zeros under LZ 0, which holds for the answer to every query (A.3).</summary>
     public NumberFormat Padded(NumberFormat format) => format with { LeadingZeros = !StripLeadingZeros };
 
-    /// <summary>Lets controller time pass.</summary>
+    /// <summary>Advances controller time.</summary>
     public void Advance(TimeSpan time)
     {
         _clockTicks += time.Ticks;
@@ -165,7 +167,7 @@ internal sealed class Machine
         }
     }
 
-    /// <summary>Lets time pass to the next event, or by <paramref name="atMost"/> samples when none comes.</summary>
+    /// <summary>Advances time to the next event, or by <paramref name="atMost"/> samples when there is no event.</summary>
     public void AdvanceToEvent(long atMost)
     {
         var events = Events;
@@ -175,8 +177,9 @@ internal sealed class Machine
         _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
     }
 
-    /// <summary>Lets time pass until nothing moves and no thread runs, for at most <paramref name="atMost"/> samples, <paramref name="longestRest"/> samples without motion or a change of an output, and <paramref name="steps"/> steps of computing.</summary>
-    /// <returns>True when the rest lasted <paramref name="longestRest"/>, or will last until a command comes.</returns>
+    /// <summary>Advances time until nothing moves and no thread runs, for at most <paramref name="atMost"/> samples, <paramref name="longestRest"/> samples
+    /// without motion or a change of an output, and <paramref name="steps"/> steps of computing.</summary>
+    /// <returns>True when the rest lasted <paramref name="longestRest"/>, or will last until a command arrives.</returns>
     public bool AdvanceToRest(long atMost, long longestRest, int steps)
     {
         var limit = Sample + atMost;
@@ -200,7 +203,7 @@ internal sealed class Machine
         _recorder.OutputsChanged(Sample);
     }
 
-    /// <summary>AB: no ramps; motors with OE 1 or 3 go off (B.8).</summary>
+    /// <summary>AB: stops without ramps; motors with OE 1 or 3 are switched off (B.8).</summary>
     public void Abort(bool programsToo, int stopCode)
     {
         foreach (var plane in Motion.Planes) plane.Halt(stopCode);
@@ -217,10 +220,10 @@ internal sealed class Machine
         if (programsToo) Threads.HaltAll();
     }
 
-    /// <summary>Whether the abort input is closed (<c>_AB</c> 0).</summary>
+    /// <summary>True when the abort input is closed (<c>_AB</c> 0).</summary>
     public bool IsAbortInputActive { get; private set; }
 
-    /// <summary>The change to active aborts. Motion that is begun while the input stays active is not held back.</summary>
+    /// <summary>The change to active triggers the abort. Motion that starts while the input stays active is not blocked.</summary>
     public void SetAbortInput(bool active)
     {
         var edge = active && !IsAbortInputActive;
@@ -228,7 +231,7 @@ internal sealed class Machine
         if (edge) Abort(!Motion.Polarity.AbortKeepsPrograms, StopCode.AbortInput);
     }
 
-    /// <summary>RS: back to the burned state (A.1); #AUTO starts when the burned program has it.</summary>
+    /// <summary>RS: restores the burned state (A.1); #AUTO starts if the burned program contains it.</summary>
     public void Reset()
     {
         Abort(true, StopCode.Aborted);
@@ -258,7 +261,8 @@ internal sealed class Machine
         Serial.Client?.Cut();
     }
 
-    /// <summary>Off and on again: as RS, and the links and the clock of the controller begin anew. The motors stand where they stood, and are called 0.</summary>
+    /// <summary>Power cycle: as RS, and the links and the clock of the controller restart. The motors keep their physical positions, which become position
+    /// 0.</summary>
     public void PowerCycle()
     {
         CutLinks();
@@ -267,7 +271,7 @@ internal sealed class Machine
         _timeSince = Sample;
     }
 
-    /// <summary>One sample, or a jump over samples in which nothing can happen.</summary>
+    /// <summary>Computes one sample, or a jump over samples in which no event can occur.</summary>
     private void PassTowards(long lastSample)
     {
         if (!Motion.CanProgress && Threads.QuietUntil(Sample) is var quiet && quiet > Sample + 1)
@@ -290,7 +294,8 @@ internal sealed class Machine
         Faults.Step();
     }
 
-    /// <summary>Skips samples of constant speed in which no thread runs, nothing is recorded and no limit is reached; the sample after them is stepped like any other.</summary>
+    /// <summary>Skips samples of constant speed in which no thread runs, nothing is recorded and no limit is reached; the sample after them is computed
+    /// normally.</summary>
     private bool TryJump(long lastSample)
     {
         var samples = Motion.Steady.Samples(Math.Min(lastSample, NextSnapshot) - Sample - 1);
@@ -307,7 +312,8 @@ internal sealed class Machine
         return true;
     }
 
-    /// <summary>Bisects for the largest number of samples after which no thread is released and no limit is reached. No axis changes direction within them, so that an event which has not happened after the last has not happened before it.</summary>
+    /// <summary>Bisects for the largest number of samples after which no thread is released and no limit is reached. No axis changes direction within them, so
+    /// that an event which has not occurred after the last sample has not occurred earlier.</summary>
     private long SamplesWithoutEvent(long samples)
     {
         if (!HappensWithin(samples)) return samples;

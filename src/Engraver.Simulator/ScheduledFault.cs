@@ -16,7 +16,8 @@ public sealed record ScheduledFault
     /// <summary>When so many bytes have arrived, over all links.</summary>
     public long? AtByte { get; init; }
 
-    /// <summary>Controller seconds after which a switch, an input or a shaft is free again; null: never. Only for <see cref="FaultKind.LimitSwitch"/>, <see cref="FaultKind.AbortInput"/> and <see cref="FaultKind.Jam"/>.</summary>
+    /// <summary>Controller seconds after which a switch, an input or a shaft is free again; null: never. Only for <see cref="FaultKind.LimitSwitch"/>,
+    /// <see cref="FaultKind.AbortInput"/> and <see cref="FaultKind.Jam"/>.</summary>
     public double? ForSeconds { get; init; }
 
     /// <summary>A to D: the axis of a limit switch, a motor or a jam.</summary>
@@ -116,6 +117,7 @@ public enum FaultKind
     /// <summary>A shaft is blocked: its motor does not move, and the position error grows.</summary>
     Jam,
 
-    /// <summary>The controller is switched off and on again: links, variables, programs and positions are lost, what was burned comes back (galil-dmc.md A.6).</summary>
+    /// <summary>The controller is switched off and on again: links, variables, programs and positions are lost, what was burned comes back (galil-dmc.md
+    /// A.6).</summary>
     PowerCycle,
 }

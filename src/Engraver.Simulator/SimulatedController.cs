@@ -26,7 +26,8 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Every sample of motion and every output change so far.</summary>
     public MotionRecord Record => _core.Machine.Record;
 
-    /// <summary>Faults with the exception (a bug of the simulator) that ended its work, on whatever thread it happened; all links are cut then. Never completes otherwise.</summary>
+    /// <summary>Faults with the exception (a bug of the simulator) that ended its work, on whatever thread it happened; all links are cut then. Never completes
+    /// otherwise.</summary>
     public Task Broken => _core.Broken;
 
     public ControllerStatus Status => _core.Status;
@@ -42,7 +43,8 @@ public sealed class SimulatedController : IAsyncDisposable
     public Stream OpenConnection() => OpenConnection(taken: null);
 
     /// <summary>The same with somebody who is told when bytes are taken.</summary>
-    /// <param name="taken">Called for each write before it is executed, with <see cref="ClockTicks"/> at that moment; under the controller's lock. Null for nobody.</param>
+    /// <param name="taken">Called for each write before it is executed, with <see cref="ClockTicks"/> at that moment; under the controller's lock. Null for
+    /// nobody.</param>
     /// <exception cref="IOException">All handles are busy.</exception>
     public Stream OpenConnection(Action<long>? taken)
     {
@@ -66,10 +68,12 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
-    /// <summary>Gives the controller's clock to a host of this process: from now on time passes only by the commands of hosts and while every host that has the clock waits, however late one is. Disposing the clock gives it back.</summary>
+    /// <summary>Gives the controller's clock to a host of this process: from now on time passes only by the commands of hosts and while every host that has the
+    /// clock waits, however late one is. Disposing the clock gives it back.</summary>
     public HostClock JoinClock() => _core.Hosts.Join(isElsewhere: false);
 
-    /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); each connection counts as one host that has the clock, and one that hangs is given up.</summary>
+    /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); each
+    /// connection counts as one host that has the clock, and one that hangs is given up.</summary>
     /// <exception cref="System.Net.Sockets.SocketException">No port is free.</exception>
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation)
     {
@@ -83,7 +87,8 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
-    /// <summary>Answers datagrams on loopback until the controller is disposed: commands, and data records after DR (galil-dmc.md A.1, A.9; hosts expect port 60007).</summary>
+    /// <summary>Answers datagrams on loopback until the controller is disposed: commands, and data records after DR (galil-dmc.md A.1, A.9; hosts expect port
+    /// 60007).</summary>
     /// <param name="port">0 lets the system pick.</param>
     /// <exception cref="System.Net.Sockets.SocketException">The port is taken or not allowed.</exception>
     public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation)
@@ -98,7 +103,8 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
-    /// <summary>The client end of the serial port, without a terminal but with the same bytes and, at speed max, the same byte times. Disposing it unplugs the cable.</summary>
+    /// <summary>The client end of the serial port, without a terminal but with the same bytes and, at speed max, the same byte times. Disposing it unplugs the
+    /// cable.</summary>
     /// <param name="baud">Bits per second; a byte takes ten bits.</param>
     /// <exception cref="IOException">The port already has a client.</exception>
     public Stream OpenSerialConnection(int baud)
@@ -107,7 +113,8 @@ public sealed class SimulatedController : IAsyncDisposable
         return new MemoryConnection(_core, _core.OpenSerial(baud, null) ?? throw new IOException("The serial port has a client."));
     }
 
-    /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed. When its links are dropped, the host sees a hang-up and a new terminal is served at the path.</summary>
+    /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed. When its links are dropped, the host sees a hang-up and a
+    /// new terminal is served at the path.</summary>
     /// <param name="path">A symbolic link to the terminal is made here and removed at the end. A link that an earlier run left behind is replaced.</param>
     /// <param name="baud">Bits per second in each direction; a byte takes ten bits.</param>
     /// <exception cref="IOException">The path is taken or cannot be written, the port already has a client, or the system has no free terminal.</exception>
@@ -130,7 +137,8 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.CompletedTask;
     }
 
-    /// <summary>Whether bytes on a served serial line take no time, as long as what they say is of no interest. Whoever listens on the line may set it, and the bytes that were just heard go as it says.</summary>
+    /// <summary>Whether bytes on a served serial line take no time, as long as what they say is of no interest. Whoever listens on the line may set it, and the
+    /// bytes that were just heard go as it says.</summary>
     public bool SerialCarriesAtOnce
     {
         get => _core.Machine.Serial.CarriesAtOnce;
@@ -147,7 +155,8 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.Advance(controllerTime);
     }
 
-    /// <summary>Lets virtual time pass sample by sample until the condition holds; false when it does not within <paramref name="atMost"/> of controller time.</summary>
+    /// <summary>Lets virtual time pass sample by sample until the condition holds; false when it does not within <paramref name="atMost"/> of controller
+    /// time.</summary>
     public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
     {
         RequireVirtualTime();
@@ -170,7 +179,8 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.WaitUntilAsync(condition, cancellation);
 
     /// <summary>Waits until nothing moves and no thread runs.</summary>
-    /// <returns>False when a sequence has run out of segments: the controller then stays as it is until its host ends the sequence (galil-dmc.md B.7).</returns>
+    /// <returns>False when a sequence has run out of segments: the controller then stays as it is until its host ends the sequence (galil-dmc.md
+    /// B.7).</returns>
     public async Task<bool> WaitUntilIdleAsync(CancellationToken cancellation)
     {
         var status = await _core.WaitUntilAsync(s => s.IsIdle || (s.IsDry && !s.IsMoving && s.RunningThreads == 0), cancellation).ConfigureAwait(false);
@@ -191,17 +201,20 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Motion.Axes[axis].Inputs.HomeGrounded = active);
     }
 
-    /// <summary>Blocks or frees the shaft of axis 0 to 3. While it is blocked the motor does not move: the position error of a servo grows, and a stepper loses the steps that it is sent.</summary>
+    /// <summary>Blocks or frees the shaft of axis 0 to 3. While it is blocked the motor does not move: the position error of a servo grows, and a stepper loses
+    /// the steps that it is sent.</summary>
     public void HoldMotor(int axis, bool held)
     {
         RequireAxis(axis);
         _core.With(m => m.Motion.Axes[axis].Motor.IsHeld = held);
     }
 
-    /// <summary>Where the motor of axis 0 to 3 really stands, counts from where it stood at the first power up: DP, homing and power cycles change what that is called and not where it is.</summary>
+    /// <summary>Where the motor of axis 0 to 3 really stands, counts from where it stood at the first power up: DP, homing and power cycles change what that is
+    /// called and not where it is.</summary>
     public int MotorPlace(int axis) => (int)Math.Round(Axis(axis, static found => found.Motor.Position - found.Shift), MidpointRounding.AwayFromZero);
 
-    /// <summary>Where a position that the controller now calls so really is, a stepper's lost steps included, counts from where axis 0 to 3 stood at the first power up.</summary>
+    /// <summary>Where a position that the controller now calls so really is, a stepper's lost steps included, counts from where axis 0 to 3 stood at the first
+    /// power up.</summary>
     public int PlaceOf(int axis, int position) => (int)Math.Round(Axis(axis, found => position - found.Motor.Lost - found.Shift), MidpointRounding.AwayFromZero);
 
     /// <summary>One more fault beside those of the plan; its moment counts from power up, and one that is past happens at once.</summary>
@@ -232,7 +245,8 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Inputs.Set(input, level));
     }
 
-    /// <summary>Activates or releases the abort input. Its activation stops all motion without a ramp, and programs too unless CN's fifth field is 1; <c>_AB</c> is 0 while it is active (galil-dmc.md D).</summary>
+    /// <summary>Activates or releases the abort input. Its activation stops all motion without a ramp, and programs too unless CN's fifth field is 1;
+    /// <c>_AB</c> is 0 while it is active (galil-dmc.md D).</summary>
     public void SetAbortInput(bool active) => _core.With(m => m.SetAbortInput(active));
 
     /// <summary>Stops listening, cuts every link, completes the record's file.</summary>

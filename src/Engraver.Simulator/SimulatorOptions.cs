@@ -2,7 +2,8 @@ using System.Net;
 
 namespace Engraver.Simulator;
 
-/// <summary>How the simulated DMC-2143 behaves. Every open point of the reference ([U], [U-] in galil-dmc.md) that the simulator can vary is a setting here.</summary>
+/// <summary>How the simulated DMC-2143 behaves. Every open point of the reference ([U], [U-] in galil-dmc.md) that the simulator can vary is a setting
+/// here.</summary>
 public sealed record SimulatorOptions
 {
     /// <summary>Controller seconds per wall second: 1 is real time, <see cref="double.PositiveInfinity"/> is virtual time ("max").</summary>
@@ -29,7 +30,8 @@ public sealed record SimulatorOptions
     /// <summary>Lines of program memory (galil-dmc.md 0.3).</summary>
     public int ProgramLines { get; init; } = 1000;
 
-    /// <summary>Contour records that can wait while one is executed (galil-dmc.md C.4): 1 as on older controllers, whose programs wait with WC, or 511 as on newer ones.</summary>
+    /// <summary>Contour records that can wait while one is executed (galil-dmc.md C.4): 1 as on older controllers, whose programs wait with WC, or 511 as on
+    /// newer ones.</summary>
     public int ContourRecords { get; init; } = 1;
 
     /// <summary>What ^R^V answers (galil-dmc.md I.6).</summary>
@@ -44,10 +46,12 @@ public sealed record SimulatorOptions
     /// <summary>Time constant of the servo lag, by which the motors trail their commanded positions (galil-dmc.md I.14); zero is a perfect motor.</summary>
     public TimeSpan ServoLag { get; init; }
 
-    /// <summary>Letters of the axes whose encoder is wired against their motor: a servo there runs away until its motor type or its encoder type is reversed (galil-dmc.md C, MT and CE).</summary>
+    /// <summary>Letters of the axes whose encoder is wired against their motor: a servo there runs away until its motor type or its encoder type is reversed
+    /// (galil-dmc.md C, MT and CE).</summary>
     public string ReversedWiring { get; init; } = "";
 
-    /// <summary>Positions of limit switches, home switches and index pulses. An axis left out has only the switches that are set by hand, and an index pulse every 4000 counts.</summary>
+    /// <summary>Positions of limit switches, home switches and index pulses. An axis left out has only the switches that are set by hand, and an index pulse
+    /// every 4000 counts.</summary>
     public IReadOnlyList<AxisSwitches> Switches { get; init; } = [];
 
     /// <summary>Speeds and accelerations that were burned before power up; null for the factory's.</summary>
@@ -62,10 +66,12 @@ public sealed record SimulatorOptions
     /// <summary>The address that TH and _IA0 report; the controller listens on loopback in any case.</summary>
     public IPAddress Address { get; init; } = IPAddress.Loopback;
 
-    /// <summary>Whether <see cref="SimulatedController.Record"/> keeps its rows. If not, its listeners and its file still get them, and memory does not grow with machine time.</summary>
+    /// <summary>Whether <see cref="SimulatedController.Record"/> keeps its rows. If not, its listeners and its file still get them, and memory does not grow
+    /// with machine time.</summary>
     public bool KeepsRecord { get; init; } = true;
 
-    /// <summary>Whether samples of constant speed in which nothing else can happen are computed in one jump instead of one by one; the result is the same to the last bit.</summary>
+    /// <summary>Whether samples of constant speed in which nothing else can happen are computed in one jump instead of one by one; the result is the same to
+    /// the last bit.</summary>
     public bool JumpsSteadyMotion { get; init; } = true;
 
     /// <summary>The wall clock and its timers.</summary>

@@ -1,13 +1,17 @@
 namespace Engraver.Simulator.Clocks;
 
-/// <summary>The controller's time, given to a host that keeps step with it: while the host has this clock, time passes only by the commands that it sends and while it waits.</summary>
+/// <summary>The controller's time as a clock for a host that runs in step with the controller. While the host has this clock, time passes only with the
+/// commands that it sends and while it waits.</summary>
 /// <remarks>
-/// <para>A timer that is created with a due time (<c>Task.Delay</c> on this clock) is a wait of the host: as soon as every host with a clock waits, time passes up to the first timer. A timer
-/// that is created without a due time and set later is a deadline: it fires when time reaches it, and does not itself let time pass.</para>
-/// <para>So a host that its computer delays loses no controller time, and the same host does the same in every run. A host must be one line of work, because the clock keeps one mark of whether
-/// it waits: while one of two tasks of a host waits, time passes although the other is at work.</para>
-/// <para>A host of this process is waited for without end; one of another process that says nothing for seconds is given up, and time passes without it.</para>
-/// <para>Disposing gives the clock back. Without any host, time follows the wall or, at speed max, the silence of all hosts.</para>
+/// <para>A timer that is created with a due time (<c>Task.Delay</c> on this clock) is a wait of the host: as soon as every host with a clock waits, time
+/// advances to the first timer. A timer
+/// that is created without a due time and set later is a deadline: it fires when time reaches it, but does not advance time.</para>
+/// <para>A host that is delayed by its computer therefore loses no controller time and behaves identically in every run. A host must be one sequential task,
+/// because the clock keeps one flag that states whether
+/// the host waits: while one of two tasks of a host waits, time passes although the other task is working.</para>
+/// <para>A host in this process is waited for indefinitely. A host in another process that is silent for several seconds is considered lost, and time passes
+/// without it.</para>
+/// <para>Disposing returns the clock. When no host has the clock, time follows the wall clock or, at speed max, the silence of all hosts.</para>
 /// </remarks>
 public sealed class HostClock : TimeProvider, IDisposable
 {
@@ -15,7 +19,7 @@ public sealed class HostClock : TimeProvider, IDisposable
 
     internal HostClock(HostClockCoordinator coordinator, bool isElsewhere) => (_coordinator, IsElsewhere) = (coordinator, isElsewhere);
 
-    /// <summary>The host is another process: it may hang or die while this one lives, and is given up when it is silent for long.</summary>
+    /// <summary>The host is another process: it can hang or end while this process runs, and is considered lost after a long silence.</summary>
     internal bool IsElsewhere { get; }
 
     /// <summary>Ticks of 100 ns since the controller was switched on.</summary>
@@ -26,7 +30,7 @@ public sealed class HostClock : TimeProvider, IDisposable
 
     public override long GetTimestamp() => _coordinator.Now;
 
-    /// <summary>Counts from 1970, so that two runs write the same dates.</summary>
+    /// <summary>The controller's time, counted from 1970 so that two runs write the same dates.</summary>
     public override DateTimeOffset GetUtcNow() => DateTimeOffset.UnixEpoch + TimeSpan.FromTicks(GetTimestamp());
 
     public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)

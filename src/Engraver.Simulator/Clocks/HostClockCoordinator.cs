@@ -2,7 +2,7 @@ namespace Engraver.Simulator.Clocks;
 
 /// <summary>Serves the hosts that have the controller's clock. All members may be called from any thread.</summary>
 /// <param name="gate">The controller's lock.</param>
-/// <param name="happened">Called under the lock when time has passed or may pass.</param>
+/// <param name="happened">Called under the lock when time has passed or can pass.</param>
 /// <param name="flush">Called without the lock after time has passed, to write the record's file.</param>
 internal sealed class HostClockCoordinator(Machine machine, ControllerClock clock, Lock gate, Action happened, Action flush)
 {
@@ -19,7 +19,7 @@ internal sealed class HostClockCoordinator(Machine machine, ControllerClock cloc
         }
     }
 
-    /// <summary>Gives a host the clock.</summary>
+    /// <summary>Assigns the clock to a host.</summary>
     /// <param name="isElsewhere">The host is another process.</param>
     public HostClock Join(bool isElsewhere)
     {
@@ -60,7 +60,8 @@ internal sealed class HostClockCoordinator(Machine machine, ControllerClock cloc
         }
     }
 
-    /// <summary>Lets time pass in the thread of the host that waits: to the end of its wait, until another host is at work or, at a finite speed, until controller time is ahead of the wall; the controller's timer then lets the rest pass.</summary>
+    /// <summary>Advances time on the thread of the waiting host: to the end of its wait, until another host is working or, at a finite speed, until controller
+    /// time is ahead of the wall clock. The controller's timer then advances the rest.</summary>
     /// <param name="own">The wait; it fires in this thread.</param>
     public void PassWhileAllWait(HostTimer own)
     {

@@ -7,13 +7,13 @@ internal sealed class HostClocks
     private readonly List<HostTimer> _set = [];
     private long _begun;
 
-    /// <summary>At least one host has the clock: time passes only as the hosts let it.</summary>
+    /// <summary>At least one host has the clock: time passes only while the hosts wait or send commands.</summary>
     public bool AreThere => _hosts.Count > 0;
 
     /// <summary>Every host waits for one of its timers.</summary>
     public bool AllWait => All(static host => host.IsWaiting);
 
-    /// <summary>When the first timer fires, ticks; <see cref="long.MaxValue"/> when none is set.</summary>
+    /// <summary>Time at which the first timer fires, ticks; <see cref="long.MaxValue"/> when no timer is set.</summary>
     public long NextDue
     {
         get
@@ -28,7 +28,7 @@ internal sealed class HostClocks
 
     public void Add(HostClock host) => _hosts.Add(host);
 
-    /// <summary>Removes a host with its timers, which fire no more.</summary>
+    /// <summary>Removes a host and its timers, which no longer fire.</summary>
     public void Remove(HostClock host)
     {
         _hosts.Remove(host);
@@ -38,7 +38,7 @@ internal sealed class HostClocks
     /// <param name="due">Ticks of controller time; <see cref="long.MaxValue"/> stops the timer.</param>
     public void Set(HostTimer timer, long due, long period, bool isWait)
     {
-        // A wait that is ended early, by a cancellation, leaves the host at work, unless it has begun another one meanwhile.
+        // A wait that is cancelled early leaves the host working, unless it has started another wait in the meantime.
         if (timer.IsWait && !isWait) timer.Host.IsWaiting = _set.Exists(other => other.Host == timer.Host && other.IsWait && other.Begun > timer.Begun);
         if (isWait) timer.Begun = ++_begun;
         (timer.Due, timer.Period, timer.IsWait) = (due, period, isWait);
@@ -48,7 +48,7 @@ internal sealed class HostClocks
         _set.Add(timer);
     }
 
-    /// <summary>Takes the first timer that is due; its host counts as at work from now on if it waited for this timer. Null when none is due.</summary>
+    /// <summary>Takes the first timer that is due; its host counts as working from now on if it waited for this timer. Null when no timer is due.</summary>
     public HostTimer? TakeDue(long now)
     {
         HostTimer? first = null;

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Clocks;
 
-/// <summary>A timer on a host's clock. All but the callback is guarded by the controller's lock.</summary>
+/// <summary>A timer on a host's clock. All members except the callback are guarded by the controller's lock.</summary>
 internal sealed class HostTimer(HostClockCoordinator coordinator, HostClock host, TimerCallback callback, object? state) : ITimer
 {
     public HostClock Host => host;
@@ -8,13 +8,13 @@ internal sealed class HostTimer(HostClockCoordinator coordinator, HostClock host
     /// <summary>Controller time at which it fires, ticks; <see cref="long.MaxValue"/> while stopped.</summary>
     public long Due { get; set; } = long.MaxValue;
 
-    /// <summary>Ticks between two firings; 0 fires only once.</summary>
+    /// <summary>Ticks between two firings; with 0 the timer fires only once.</summary>
     public long Period { get; set; }
 
-    /// <summary>The host waits for it, so that time may pass up to it.</summary>
+    /// <summary>The host waits for this timer, so that time can advance to it.</summary>
     public bool IsWait { get; set; }
 
-    /// <summary>Waits in the order in which they began.</summary>
+    /// <summary>Sequence number of the wait: waits are numbered in the order in which they started.</summary>
     public long Begun { get; set; }
 
     public void Fire() => callback(state);

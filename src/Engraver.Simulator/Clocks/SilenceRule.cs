@@ -1,16 +1,18 @@
 namespace Engraver.Simulator.Clocks;
 
-/// <summary>Virtual time while no host has the clock (<see cref="HostClock"/>): after 5 ms of wall time without a byte it advances to the next event, but while an open sequence
-/// waits for its host only after 2 s (contract of "engraver simulate", speed max).</summary>
+/// <summary>Virtual time while no host has the clock (<see cref="HostClock"/>): after 5 ms of wall time without a byte, time advances to the next event; while
+/// an open sequence
+/// waits for its host, it advances only after 2 s (contract of "engraver simulate", speed max).</summary>
 internal sealed class SilenceRule(Machine machine, TimeProvider time)
 {
-    /// <summary>Wall time without a byte from any host after which time passes; also the period of looking.</summary>
+    /// <summary>Wall time without a byte from any host after which time passes; also the period of the check.</summary>
     public static readonly TimeSpan Short = TimeSpan.FromMilliseconds(5);
 
-    /// <summary>The same while a begun sequence without VE waits for its host.</summary>
+    /// <summary>The same while a started sequence without VE waits for its host.</summary>
     private static readonly TimeSpan Long = TimeSpan.FromSeconds(2);
 
-    /// <summary>Most samples in one call of <see cref="Look"/>: of motion without an event, and (<see cref="BusyLeap"/>) of threads that never wait.</summary>
+    /// <summary>Maximum number of samples in one call of <see cref="Look"/>: of motion without an event, and (<see cref="BusyLeap"/>) of threads that never
+    /// wait.</summary>
     private const long LongestLeap = 20_000;
     private const long BusyLeap = 5;
 
@@ -28,7 +30,8 @@ internal sealed class SilenceRule(Machine machine, TimeProvider time)
         machine.AdvanceToEvent(Leap());
     }
 
-    /// <summary>Most samples to advance: any number while everything waits; few where samples or program lines must be computed, so that one call stays short.</summary>
+    /// <summary>Maximum number of samples to advance: unlimited while everything waits; few when samples or program lines must be computed, so that one call
+    /// stays short.</summary>
     private long Leap() =>
         machine.Motion.CanProgress ? LongestLeap
         : machine.Threads.QuietUntil(machine.Sample) <= machine.Sample ? BusyLeap

@@ -16,10 +16,10 @@ internal sealed class CommandContext
 
     public ProgramThread? Thread { get; }
 
-    /// <summary>Text the command printed, as Latin-1 characters: the reply to a host, an unsolicited message of a program.</summary>
+    /// <summary>Text that the command printed, as Latin-1 characters: the reply to a host, or an unsolicited message of a program.</summary>
     public TextBuffer Output { get; } = new();
 
-    /// <summary>The handle a program message was sent to with {Ex}; null means CF decides.</summary>
+    /// <summary>The handle to which {Ex} sends a program message; null when CF selects it.</summary>
     public int? OutputHandle { get; set; }
 
     public bool IsProgram => Thread is not null;

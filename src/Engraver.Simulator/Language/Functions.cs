@@ -19,7 +19,7 @@ internal static class Functions
             "ABS" => argument.Raw < 0 ? -argument : argument,
             "INT" => FixedPoint.FromInteger(argument.Integer),
             "FRAC" => argument - FixedPoint.FromInteger(argument.Integer),
-            "RND" => FixedPoint.FromInteger((argument.Raw + 0x8000) >> 16), // half rounds up, also below zero: -5.5 -> -5
+            "RND" => FixedPoint.FromInteger((argument.Raw + 0x8000) >> 16), // a half is rounded up, also below zero: -5.5 -> -5
             "SQR" => FixedPoint.FromDouble(Math.Sqrt(Math.Abs(argument.Value))),
             "COM" => FixedPoint.FromInteger(~argument.Integer),
             "SIN" => FixedPoint.FromDouble(Math.Sin(Radians(argument))),

@@ -38,7 +38,7 @@ internal sealed class Interpreter(Machine machine)
     }
 }
 
-/// <summary>The last statements of hosts in parsed form: a host that polls asks the same thing thousands of times.</summary>
+/// <summary>The last statements of hosts in parsed form: a polling host sends the same statement thousands of times.</summary>
 internal sealed class StatementCache
 {
     private const int Places = 64;

@@ -2,7 +2,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>Names that look like variables and belong to the controller: TIME (galil-dmc.md C) and what the serial port received (CI, C.3).</summary>
+/// <summary>Names that look like variables but belong to the controller: TIME (galil-dmc.md C) and the input of the serial port (CI, C.3).</summary>
 internal static class Keywords
 {
     public static bool IsReserved(ReadOnlySpan<char> name) => name is "TIME" or "P1CH" or "P1ST" or "P1NM" or "P1CD";

@@ -2,10 +2,10 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>Numbers and texts as they are written in statements (galil-dmc.md A.3 Numbers, E).</summary>
+/// <summary>Numbers and texts as written in statements (galil-dmc.md A.3 Numbers, E).</summary>
 internal static class NumberLiteral
 {
-    private const long LargestWhole = 2147483648; // one beyond the largest number: only its negative exists, and wrapping to 48 bits gives that
+    private const long LargestWhole = 2147483648; // one above the largest number: only its negative exists, which wrapping to 48 bits gives
 
     /// <summary>A decimal number, or a hexadecimal one after a dollar sign; digits below 1/65536 are cut off (0.6 becomes 0.59999).</summary>
     /// <param name="length">Characters read.</param>

@@ -27,7 +27,7 @@ internal readonly record struct OperandRequest(Machine Machine, CommandContext C
         : throw new CommandRefusedException(Tc.BadOperand);
 }
 
-/// <summary>What follows the two letters of an operand: nothing, an axis, a plane, a digit, or a handle and a digit.</summary>
+/// <summary>The suffix after the two letters of an operand: nothing, an axis, a plane, a digit, or a handle and a digit.</summary>
 internal readonly record struct OperandSuffix(char First, char Second, int Length)
 {
     public static OperandSuffix Parse(ReadOnlySpan<char> text) =>

@@ -102,7 +102,7 @@ internal static class Operands
 
     private static FixedPoint Real(double value) => FixedPoint.FromDouble(value);
 
-    /// <summary>A path length in whole counts; the tolerance of 1e-6 keeps rounding from reporting one count less at an exact end.</summary>
+    /// <summary>A path length in whole counts; the tolerance of 1e-6 prevents rounding from reporting one count less at an exact end.</summary>
     private static FixedPoint Length(double value) => Whole((long)Math.Floor(value + 1e-6));
 
     private static FixedPoint ProgramError(OperandRequest request)

@@ -7,7 +7,8 @@ internal sealed record ProgramLine(string Text, string? Label, Statement[] Parts
 {
     private const int LongestLabel = 7;
 
-    /// <summary>Parses a line; a bad label is refused with TC 61. Characters other than letters and digits are tolerated ("_" occurs in the field, E Label).</summary>
+    /// <summary>Parses a line; a bad label is refused with TC 61. Characters other than letters and digits are tolerated ("_" occurs in the field, E
+    /// Label).</summary>
     public static ProgramLine Parse(string text)
     {
         var parts = Statements.Split(text);

@@ -15,7 +15,7 @@ internal sealed class ProgramThread
 
     public int Number { get; }
 
-    /// <summary>Where its commands print; restarted for each.</summary>
+    /// <summary>The output of its commands; cleared for each command.</summary>
     public CommandContext Context { get; }
 
     public bool IsRunning { get; private set; }
@@ -26,10 +26,10 @@ internal sealed class ProgramThread
     /// <summary>Statement within the line.</summary>
     public int Part { get; set; }
 
-    /// <summary>What the thread waits for; null when it can run.</summary>
+    /// <summary>The condition that the thread waits for; null when it can run.</summary>
     public Trippoint? Trippoint { get; set; }
 
-    /// <summary>Set by a jump: the rest of the line is not run.</summary>
+    /// <summary>Set by a jump: the rest of the line is skipped.</summary>
     public bool Jumped { get; set; }
 
     /// <summary>The sample from which AT counts.</summary>
@@ -74,7 +74,7 @@ internal sealed class ProgramThread
     }
 
     /// <summary>Returns to the statement after the call.</summary>
-    /// <param name="restoreTrippoint">Whether an interrupted trippoint is waited for again (C.3).</param>
+    /// <param name="restoreTrippoint">True to wait for an interrupted trippoint again (C.3).</param>
     public void Return(bool restoreTrippoint)
     {
         var frame = Calls.Pop();
@@ -83,9 +83,9 @@ internal sealed class ProgramThread
     }
 }
 
-/// <summary>Where a subroutine or an automatic subroutine returns to.</summary>
-/// <param name="Interrupt">True for an automatic subroutine, which may restore the trippoint it interrupted.</param>
+/// <summary>Return address of a subroutine or an automatic subroutine.</summary>
+/// <param name="Interrupt">True for an automatic subroutine, which can restore the trippoint that it interrupted.</param>
 internal readonly record struct CallFrame(int Line, int Part, bool Interrupt, Trippoint? Trippoint);
 
-/// <summary>A condition that a thread waits for. <paramref name="AtSample"/> is the sample of release when it is known beforehand.</summary>
+/// <summary>A condition that a thread waits for. <paramref name="AtSample"/> is the sample of release when it is known in advance.</summary>
 internal sealed record Trippoint(Func<bool> IsReleased, long? AtSample = null);

@@ -3,7 +3,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>The eight threads: each running thread executes one line in turn, and every command costs controller time (galil-dmc.md E Threads, A.4).</summary>
+/// <summary>The eight threads: each running thread executes one line in turn, and every command takes controller time (galil-dmc.md E Threads, A.4).</summary>
 internal sealed class Scheduler
 {
     public const int ThreadCount = 8;
@@ -40,7 +40,7 @@ internal sealed class Scheduler
 
     public bool AnyRunning => Running != 0;
 
-    /// <summary>The first sample in which a thread can run while nothing moves; long.MaxValue when only motion or a command can release one.</summary>
+    /// <summary>The first sample in which a thread can run while nothing moves; long.MaxValue when only motion or a command can release a thread.</summary>
     public long QuietUntil(long sample)
     {
         var first = long.MaxValue;
@@ -52,7 +52,8 @@ internal sealed class Scheduler
         return first;
     }
 
-    /// <summary>As <see cref="QuietUntil"/>, during steady motion: a thread in a <see cref="WaitLoop"/> counts as waiting too, when it is the only one that can run. <see cref="Pass"/> then advances it round its loop.</summary>
+    /// <summary>As <see cref="QuietUntil"/>, during steady motion: a thread in a <see cref="WaitLoop"/> also counts as waiting when it is the only thread that
+    /// can run. <see cref="Pass"/> then advances it through its loop.</summary>
     public long QuietWhileSteady(long sample)
     {
         _waiting = null;
@@ -72,7 +73,7 @@ internal sealed class Scheduler
         return first;
     }
 
-    /// <summary>The condition of at least one waiting thread holds.</summary>
+    /// <summary>True when the condition of at least one waiting thread holds.</summary>
     public bool IsAnyReleased()
     {
         foreach (var thread in _threads)
@@ -83,7 +84,8 @@ internal sealed class Scheduler
         return false;
     }
 
-    /// <summary>Accounts for samples in which only the thread that <see cref="QuietWhileSteady"/> found in a loop could run; processor time that was overspent before is paid back first.</summary>
+    /// <summary>Accounts for samples in which only the thread that <see cref="QuietWhileSteady"/> found in a loop could run; processor time overspent earlier
+    /// is subtracted first.</summary>
     public void Pass(long samples)
     {
         var time = _budget.Ticks + (samples * TimeSpan.TicksPerMillisecond);
@@ -101,7 +103,7 @@ internal sealed class Scheduler
 
     public void ForgetUnusedTime() => _budget = TimeSpan.Zero;
 
-    /// <summary>Releases trippoints and spends one sample of processor time.</summary>
+    /// <summary>Releases trippoints and uses one sample of processor time.</summary>
     public void RunSample()
     {
         _budget += TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond);
@@ -130,7 +132,7 @@ internal sealed class Scheduler
         thread.Halt();
     }
 
-    /// <summary>Makes thread 0 run an automatic subroutine (C.3). False when the program has none or it cannot run.</summary>
+    /// <summary>Makes thread 0 run an automatic subroutine (C.3). Returns false when the program does not have it or it cannot run.</summary>
     public bool Interrupt(string label)
     {
         var zero = _threads[0];
@@ -139,7 +141,7 @@ internal sealed class Scheduler
 
         if (zero.Calls.Count >= ProgramThread.DeepestCall)
         {
-            // Handlers that never returned have filled the stack: a command error that no handler can take.
+            // Handlers that never returned have filled the stack: this command error cannot be handled.
             _machine.LastError = Tc.TooDeep;
             LastError = (zero.Line, zero.Number);
             HaltAll();
@@ -235,7 +237,7 @@ internal sealed class Scheduler
         Events += thread.IsRunning ? 0 : 1;
     }
 
-    /// <summary>Sends a message of a program. One that nobody acknowledges is error 123 and runs #TCPERR (A.5, C.3).</summary>
+    /// <summary>Sends a message of a program. A message that is not acknowledged is error 123 and runs #TCPERR (A.5, C.3).</summary>
     private void Tell(ReadOnlySpan<char> text, int? handle)
     {
         if (_machine.Messages.Send(text, handle)) return;
@@ -243,7 +245,7 @@ internal sealed class Scheduler
         Interrupt("TCPERR");
     }
 
-    /// <summary>Handles a command error: without #CMDERR all threads stop; with it only the faulty one, and thread 0 is interrupted (C.3).</summary>
+    /// <summary>Handles a command error: without #CMDERR all threads stop; with it only the faulty thread stops, and thread 0 is interrupted (C.3).</summary>
     private void Fail(ProgramThread thread, int line, Statement? statement, int code)
     {
         _machine.LastError = code;

@@ -3,7 +3,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>One statement, parsed once and run as often as its program needs: what it is, and its text without meaningless blanks.</summary>
+/// <summary>One statement, parsed once and run any number of times: its type, and its text without meaningless blanks.</summary>
 internal sealed class Statement
 {
     private Statement(StatementKind kind, string text, CommandEntry? command)
@@ -29,7 +29,7 @@ internal sealed class Statement
         return text[0] == '~' || (IsAssignment(plain) && !HasAbsentMnemonic(text)) ? new(StatementKind.Assignment, plain, null) : new(StatementKind.Unknown, text, null);
     }
 
-    /// <summary>The command a statement starts with, or null when it is no command or the name of a variable that merely starts like one.</summary>
+    /// <summary>The command a statement starts with, or null when it is not a command, or is the name of a variable that starts like one.</summary>
     private static CommandEntry? FindCommand(string statement)
     {
         var entry = CommandTable.Find(statement);
@@ -41,7 +41,8 @@ internal sealed class Statement
         return assigned && !IsAxisAssignment(statement, entry, name) ? null : entry;
     }
 
-    /// <summary>SPA=1000: the mnemonic, one axis, plane or handle letter, an equals sign. SP=1000 without a letter is the command too and is refused when it runs.</summary>
+    /// <summary>SPA=1000: the mnemonic, one axis, plane or handle letter, an equals sign. SP=1000 without a letter is also the command, and is refused when it
+    /// runs.</summary>
     private static bool IsAxisAssignment(string statement, CommandEntry entry, int name) =>
         name == entry.Mnemonic.Length
         || (entry.TakesLetter && name == entry.Mnemonic.Length + 1 && IsLetterOfMachine(statement[name - 1]));
@@ -57,7 +58,7 @@ internal sealed class Statement
         return close >= 0 && close + 1 < text.Length && text[close + 1] == '=';
     }
 
-    /// <summary>True for EW 1=5: with its blank it is a command (which this controller lacks); without, EW1=5 is a variable.</summary>
+    /// <summary>True for EW 1=5: with the blank it is a command (which this controller does not have); without it, EW1=5 is a variable.</summary>
     private static bool HasAbsentMnemonic(string text) => text.Length > 2 && text[2] == ' ' && CommandTable.IsNotModelled(text[..2]);
 
     private static bool IsCommandNotModelled(string text, int name) =>
@@ -88,7 +89,7 @@ internal sealed class Statement
 
 internal enum StatementKind
 {
-    /// <summary>Nothing to do: blank, or a comment after an apostrophe.</summary>
+    /// <summary>True for an empty statement: blank, or a comment after an apostrophe.</summary>
     Nothing,
     Command,
     Assignment,

@@ -3,7 +3,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>Reads one compacted statement from left to right: characters, names, fields (galil-dmc.md E). One reader serves one statement after the other.</summary>
+/// <summary>Reads one compacted statement from left to right: characters, names, fields (galil-dmc.md E). One reader serves one statement after the
+/// other.</summary>
 internal sealed class StatementReader(Machine machine)
 {
     private readonly List<Field> _fields = new(8);
@@ -19,7 +20,7 @@ internal sealed class StatementReader(Machine machine)
 
     public char Next => _position < _text.Length ? _text[_position] : '\0';
 
-    /// <summary>What has not been read yet.</summary>
+    /// <summary>The text that has not been read yet.</summary>
     public ReadOnlySpan<char> Rest => _text.AsSpan(_position);
 
     /// <summary>Number of parentheses and brackets that are open at the reading position.</summary>
@@ -85,7 +86,8 @@ internal sealed class StatementReader(Machine machine)
         return _text.AsSpan(start, _position - start);
     }
 
-    /// <summary>Comma separated fields up to the end, or up to the "&lt;" or "&gt;" of a segment speed. The list belongs to the reader and is filled anew by the next call.</summary>
+    /// <summary>Comma separated fields up to the end, or up to the "&lt;" or "&gt;" of a segment speed. The list belongs to the reader and is overwritten by
+    /// the next call.</summary>
     public List<Field> TakeFields(bool comparisons = true)
     {
         _fields.Clear();
@@ -130,7 +132,8 @@ internal sealed class StatementReader(Machine machine)
         return selection;
     }
 
-    /// <summary>The letter of an axis or plane, also through a variable axis <c>~a</c> to <c>~h</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
+    /// <summary>The letter of an axis or plane, also through a variable axis <c>~a</c> to <c>~h</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual
+    /// axes).</summary>
     public char TakeLetter() => TryTake('~') ? machine.VariableAxes.LetterOf(TakeCharacter()) : TakeCharacter();
 }
 

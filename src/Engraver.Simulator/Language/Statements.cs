@@ -5,7 +5,8 @@ namespace Engraver.Simulator.Language;
 /// <summary>Divides lines into statements and removes blanks without meaning (galil-dmc.md A.3).</summary>
 internal static class Statements
 {
-    /// <summary>The parts between semicolons; a semicolon in quotes does not divide. Whether ";" ends a comment is not documented (L.3): here it does.</summary>
+    /// <summary>The parts between semicolons; a semicolon in quotes does not divide. Whether ";" ends a comment is not documented (L.3): here it
+    /// does.</summary>
     public static Statement[] Split(string line)
     {
         var parts = new List<Statement>();

@@ -9,7 +9,7 @@ internal sealed class VariableAxes
     private readonly int[] _axes = new int[8];
 
     /// <param name="name">a to h.</param>
-    /// <exception cref="CommandRefusedException">TC 4 for another name, TC 6 for a number that is no axis.</exception>
+    /// <exception cref="CommandRefusedException">TC 4 for another name, TC 6 for a number that is not an axis.</exception>
     public int this[char name]
     {
         get => _axes[PlaceOf(name)];

@@ -3,15 +3,16 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>A few program lines in which a thread only tests, again and again, values that steady motion does not change: <c>#ROOM</c>, <c>JP#ROOM,_LMS&lt;50</c>. Meanwhile none of its samples need be run.</summary>
-/// <param name="Label">The line that the last jump goes back to.</param>
-/// <param name="Jumps">The lines of its conditional jumps, in order; at present only the last one is taken.</param>
+/// <summary>A few program lines in which a thread only repeats tests of values that steady motion does not change: <c>#ROOM</c>, <c>JP#ROOM,_LMS&lt;50</c>.
+/// During the loop, its samples need not be run.</summary>
+/// <param name="Label">The line to which the last jump returns.</param>
+/// <param name="Jumps">The lines of its conditional jumps, in order; currently only the last one is taken.</param>
 /// <param name="Next">Index of the jump that is tested next.</param>
 internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int Next)
 {
     private const int MostLines = 6;
 
-    /// <summary>The loop that a thread is in; null when it does anything else, or would leave the loop now.</summary>
+    /// <summary>The loop that a thread is in; null when it is not in a wait loop, or would leave the loop now.</summary>
     public static WaitLoop? Find(Machine machine, ProgramThread thread)
     {
         if (thread.Part != 0) return null;
@@ -26,7 +27,7 @@ internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int
         return null;
     }
 
-    /// <summary>The line of the thread after so many more tests.</summary>
+    /// <summary>The line of the thread after the given number of further tests.</summary>
     public int LineAfter(long questions) => (Next + questions) % Jumps.Count is > 0 and var jump ? Jumps[(int)jump] : Label;
 
     private static WaitLoop? Between(Machine machine, ProgramThread thread, int label, int last)
@@ -51,7 +52,7 @@ internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int
         return jump.Success && machine.Program.TryFind(jump.Groups["label"].Value, out var target) ? (target, jump.Groups["condition"].Value) : null;
     }
 
-    /// <summary>Whether the jump would be taken now; null when its condition would be refused, which the thread reports itself when it runs the line.</summary>
+    /// <summary>True when the jump would be taken now; null when its condition would be refused, which the thread reports when it runs the line.</summary>
     private static bool? Holds(Machine machine, ProgramThread thread, string condition)
     {
         var reader = new StatementReader(machine).On(condition, thread.Context);
@@ -66,7 +67,8 @@ internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int
         }
     }
 
-    /// <summary>Matches a jump on room in the buffer, segments begun, motion begun, outputs, variables (lower case; the controller's own names are capitals) and numbers: within a segment at constant speed these do not change.</summary>
+    /// <summary>Matches a jump on room in the buffer, segments started, motion started, outputs, variables (lower case; the controller's names are in capitals)
+    /// and numbers: within a segment at constant speed these do not change.</summary>
     [GeneratedRegex(@"^JP ?#(?<label>\w+),(?<condition>(?:_(?:LM|CS)[ST]?|_BG[A-HST]?|@OUT\[\d\]|[a-z]\w*|\d+|[-+<>=&|()])+)$", RegexOptions.CultureInvariant)]
     private static partial Regex Jump();
 }

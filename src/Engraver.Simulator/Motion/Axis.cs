@@ -127,7 +127,8 @@ internal sealed class Axis
     /// <summary>Settings that are stored and read back: KP, KD, ER and the like.</summary>
     public Dictionary<string, FixedPoint> Settings { get; } = [];
 
-    /// <summary>The loop of a servo corrects in the wrong direction: its wiring, its motor type and its encoder type are not reversed in pairs (galil-dmc.md C, MT and CE).</summary>
+    /// <summary>The loop of a servo corrects in the wrong direction: its wiring, its motor type and its encoder type are not reversed in pairs (galil-dmc.md C,
+    /// MT and CE).</summary>
     public bool IsLoopReversed => !IsStepper && (_isWiredReversed ^ (MotorType.Value < 0) ^ (Settings.Count > 0 && ((int)Setting("CE", 0) & ReversedEncoder) != 0));
 
     public bool IsStepper => Math.Abs(MotorType.Value) >= 2;
@@ -251,7 +252,8 @@ internal sealed class Axis
     /// <summary>The axis' positions from now on at constant speed.</summary>
     public AxisCourse Course() => _profile.Course();
 
-    /// <summary>Only the profile determines the position: no smoothing, no lag, no blocked or disabled motor, no switch that it could pass, no latch that waits for an index.</summary>
+    /// <summary>Only the profile determines the position: no smoothing, no lag, no blocked or disabled motor, no switch that it could pass, no latch that waits
+    /// for an index.</summary>
     public bool IsPlain => Smoothing >= 1 && !MotorOff && !IsLoopReversed && Motor.IsPlain && !Inputs.HasSwitches && Latch is not { IsArmed: true, WaitsForIndex: true };
 
     /// <summary>Moves the switches with the command: in a homing the commanded position operates them, not the motor that trails it.</summary>

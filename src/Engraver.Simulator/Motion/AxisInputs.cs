@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Limit switches, home switch and index of one axis (galil-dmc.md C.1, C.2). A switch is operated by hand, by the position of the axis, or both.</summary>
+/// <summary>Limit switches, home switch and index of one axis (galil-dmc.md C.1, C.2). A switch is operated by hand, by the position of the axis, or
+/// both.</summary>
 internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
 {
     private const int UsualPeriod = 4000;

@@ -2,7 +2,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion;
 
-/// <summary>CM, DT, CD, WC (galil-dmc.md C.4): increments of several axes over 2^n samples each, at constant speed within a record and without any ramp.</summary>
+/// <summary>CM, DT, CD, WC (galil-dmc.md C.4): increments of several axes over 2^n samples each, at constant speed within a record and without any
+/// ramp.</summary>
 internal sealed class ContourMode(int capacity)
 {
     private readonly Queue<ContourRecord> _waiting = new();

@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Speed and distance of one axis in an independent move, sample by sample (galil-dmc.md C): to a position, at a speed, or as a homing run asks.</summary>
+/// <summary>Speed and distance of one axis in an independent move, sample by sample (galil-dmc.md C): to a position, at a speed, or as a homing run
+/// asks.</summary>
 internal sealed class IndependentProfile(Axis axis)
 {
     private double _speed;
@@ -109,7 +110,8 @@ internal sealed class IndependentProfile(Axis axis)
 
     private double SteadyPlace(long samples) => _steadyFrom + ((_steadySamples + samples) * (Direction * (_speed * Ramp.Sample)));
 
-    /// <summary>Remembers where constant speed began: distances are then a number of samples times the distance of one, so that rounding does not add up. Begins anew when a command changed the position.</summary>
+    /// <summary>Remembers where constant speed began: distances are then a number of samples times the distance of one, so that rounding does not add up.
+    /// Begins anew when a command changed the position.</summary>
     private void StartSteady()
     {
         if (_isSteady && axis.Position == _steadyPlace) return;

@@ -263,7 +263,8 @@ internal sealed class MotionKernel
         axis.SetPosition(Math.Clamp(axis.Position + counts, int.MinValue, int.MaxValue)); // limited, because gears that drive each other would run to infinity
     }
 
-    /// <summary>Counts a position error beyond ER once until it has been smaller again; with OE 1 or 3 everything that moves the axis stops and its motors are switched off (C, ER, OE).</summary>
+    /// <summary>Counts a position error beyond ER once until it has been smaller again; with OE 1 or 3 everything that moves the axis stops and its motors are
+    /// switched off (C, ER, OE).</summary>
     private void CheckError(Axis axis)
     {
         var beyond = !axis.MotorOff && axis.ErrorLimit > 0 && Math.Abs(axis.Error) > axis.ErrorLimit;

@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>The motor with its encoder: perfect, or a first-order lag behind the command (galil-dmc.md I.14). A stepper has no encoder in its loop: it does the steps that it is sent, and those that come while its shaft is blocked are lost.</summary>
+/// <summary>The motor with its encoder: perfect, or a first-order lag behind the command (galil-dmc.md I.14). A stepper has no encoder in its loop: it does the
+/// steps that it is sent, and those that come while its shaft is blocked are lost.</summary>
 internal sealed class Motor(TimeSpan lag)
 {
     private const double AlmostThere = 0.01;
@@ -47,7 +48,8 @@ internal sealed class Motor(TimeSpan lag)
         if (Math.Abs(commanded - Position) < AlmostThere) Position = commanded;
     }
 
-    /// <summary>Moves for one sample away from the commanded position: the loop corrects every error in the wrong direction (motor or encoder reversed; galil-dmc.md C, MT and CE).</summary>
+    /// <summary>Moves for one sample away from the commanded position: the loop corrects every error in the wrong direction (motor or encoder reversed;
+    /// galil-dmc.md C, MT and CE).</summary>
     public void RunAway(double commanded, bool isOff)
     {
         if (!WillRunOn(commanded, isOff)) return;

@@ -104,7 +104,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     }
 
     /// <summary>Number of samples for which the speed stays constant and the segment does not end; 0 when the next sample may change either.</summary>
-    /// <remarks>The speed limit never rises along a segment, so that testing the last of the samples is enough. The search need not find the largest number: samples left over are stepped.</remarks>
+    /// <remarks>The speed limit never rises along a segment, so that testing the last of the samples is enough. The search need not find the largest number:
+    /// samples left over are stepped.</remarks>
     public long SteadySamples(VectorSegment segment, long atMost)
     {
         if (Speed <= 0 || Speed != Target || IsStopping || IsEnding) return 0;
@@ -117,7 +118,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return samples;
     }
 
-    /// <summary>Advances at the present speed by so many samples of <see cref="SteadySamples"/>; the position equals that of single steps to the last bit.</summary>
+    /// <summary>Advances at the present speed by so many samples of <see cref="SteadySamples"/>; the position equals that of single steps to the last
+    /// bit.</summary>
     public void PassSteady(long samples)
     {
         var step = Speed * Ramp.Sample;
@@ -125,7 +127,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         Travelled = _steadyFrom + (_steadySamples * step);
     }
 
-    /// <summary>Sets the path length to what it will be after so many samples, so that conditions can be tested; <see cref="PassSteady"/> must follow.</summary>
+    /// <summary>Sets the path length to what it will be after so many samples, so that conditions can be tested; <see cref="PassSteady"/> must
+    /// follow.</summary>
     public void ShowSteady(long samples) => Travelled = TravelledAfter(samples);
 
     /// <summary>Path length so many samples of constant speed from now.</summary>
@@ -150,7 +153,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return Math.Min(end, segment.EndLength - Travelled - change);
     }
 
-    /// <summary>Advances the path length. At constant speed it is a number of samples times the distance of one, so that rounding does not add up and a jump ends exactly where single samples do.</summary>
+    /// <summary>Advances the path length. At constant speed it is a number of samples times the distance of one, so that rounding does not add up and a jump
+    /// ends exactly where single samples do.</summary>
     private void Go(double distance, bool isSteady)
     {
         if (isSteady)

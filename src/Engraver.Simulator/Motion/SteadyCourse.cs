@@ -76,5 +76,6 @@ internal sealed class PathCourse : SteadyCourse
     private double Scale(int slot) => slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1;
 }
 
-/// <summary>First axis: CentreX + RadiusX cos(angle), second: CentreY + RadiusY sin(angle), counts; the angle goes from Start by the signed sweep, degrees.</summary>
+/// <summary>First axis: CentreX + RadiusX cos(angle), second: CentreY + RadiusY sin(angle), counts; the angle goes from Start by the signed sweep,
+/// degrees.</summary>
 public readonly record struct ArcCourse(double CentreX, double CentreY, double RadiusX, double RadiusY, double StartDegrees, double SweepDegrees);

@@ -1,7 +1,9 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Motion at constant speed in which nothing else can happen: vector paths within a segment and independent moves. The positions of its samples follow in closed form.</summary>
-/// <remarks>Everything else is stepped sample by sample: gears, cams, contours, tangents, smoothing, lag, switches, homing, ramps, the ends of segments, and the last samples before a change.</remarks>
+/// <summary>Motion at constant speed in which nothing else can happen: vector paths within a segment and independent moves. The positions of its samples follow
+/// in closed form.</summary>
+/// <remarks>Everything else is stepped sample by sample: gears, cams, contours, tangents, smoothing, lag, switches, homing, ramps, the ends of segments, and
+/// the last samples before a change.</remarks>
 internal sealed class SteadyMotion(MotionKernel kernel)
 {
     /// <summary>Spans of fewer samples are stepped: a jump costs as much as some of them, and short spans are judged sample by sample.</summary>
@@ -32,7 +34,8 @@ internal sealed class SteadyMotion(MotionKernel kernel)
         return samples < Shortest || _planes.Count + _moves.Count == 0 || kernel.HasFollowers ? 0 : samples;
     }
 
-    /// <summary>Sets every position to what it will be after so many of the <see cref="Samples"/>, so that conditions can be tested; <see cref="Pass"/> must follow before time goes on.</summary>
+    /// <summary>Sets every position to what it will be after so many of the <see cref="Samples"/>, so that conditions can be tested; <see cref="Pass"/> must
+    /// follow before time goes on.</summary>
     public void Place(long samples)
     {
         foreach (var plane in _planes) plane.PlaceSteady(samples);

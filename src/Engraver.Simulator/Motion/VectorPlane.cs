@@ -134,7 +134,8 @@ internal sealed class VectorPlane
         MarkAxes(StopCode.VectorRunning);
     }
 
-    /// <summary>STS or a limit: brakes at VD and drops the rest of the sequence (B.8). A plane that ran out of segments is not ended by it; that needs VE or AB1 (B.7).</summary>
+    /// <summary>STS or a limit: brakes at VD and drops the rest of the sequence (B.8). A plane that ran out of segments is not ended by it; that needs VE or
+    /// AB1 (B.7).</summary>
     public void Stop(int code)
     {
         if (!IsRunning || Profile.IsStopping || IsDry) return;
@@ -169,7 +170,8 @@ internal sealed class VectorPlane
         return Profile.Travelled != before || !IsRunning;
     }
 
-    /// <summary>Number of samples for which the speed stays constant within one segment and no axis changes direction; 0 when the next sample must be stepped.</summary>
+    /// <summary>Number of samples for which the speed stays constant within one segment and no axis changes direction; 0 when the next sample must be
+    /// stepped.</summary>
     public long SteadySamples(long atMost)
     {
         if (IsDry || Tangent.Axis is not null || Buffer.Current is not { } segment || !CanBeCourse(segment)) return 0;

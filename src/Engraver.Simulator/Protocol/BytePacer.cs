@@ -1,7 +1,8 @@
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>One direction of a serial line in real time: a byte has arrived when its time on the wire has passed.</summary>
-/// <param name="byteTime">Wall time of a byte as the line is now; zero for one that carries at once, as in virtual time, where the clock is advanced instead.</param>
+/// <param name="byteTime">Wall time of a byte as the line is now; zero for one that carries at once, as in virtual time, where the clock is advanced
+/// instead.</param>
 internal sealed class BytePacer(TimeProvider time, Func<TimeSpan> byteTime)
 {
     private static readonly TimeSpan Shortest = TimeSpan.FromMilliseconds(1);

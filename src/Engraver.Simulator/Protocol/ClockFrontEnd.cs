@@ -6,9 +6,11 @@ using Engraver.Simulator.Clocks;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>The clock over TCP on loopback, for hosts in other processes: each connection counts as a host that has the clock (<see cref="HostClock"/>), and closing it gives the clock back.</summary>
+/// <summary>The clock over TCP on loopback, for hosts in other processes: each connection counts as a host that has the clock (<see cref="HostClock"/>), and
+/// closing it gives the clock back.</summary>
 /// <remarks>
-/// Lines of ASCII, each ended by LF; numbers are whole microseconds of controller time. <c>now</c> is answered with the time. <c>wait N</c> lets N microseconds pass and is then answered with the
+/// Lines of ASCII, each ended by LF; numbers are whole microseconds of controller time. <c>now</c> is answered with the time. <c>wait N</c> lets N microseconds
+/// pass and is then answered with the
 /// time; a <c>stop</c> meanwhile ends the wait, which is then answered at once. Any other line closes the connection.
 /// </remarks>
 internal sealed class ClockFrontEnd : IAsyncDisposable

@@ -145,7 +145,8 @@ internal sealed class Handle
         }
     }
 
-    /// <summary>Appends to the command, up to the longest line. After that length even an open quote no longer protects a semicolon: some clients never send a CR (L.1.2), and must still be answered.</summary>
+    /// <summary>Appends to the command, up to the longest line. After that length even an open quote no longer protects a semicolon: some clients never send a
+    /// CR (L.1.2), and must still be answered.</summary>
     private void Append(char c)
     {
         if (++_length > LongestCommand) return;

@@ -3,7 +3,8 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Accepts connections on loopback until it is disposed, and then waits for the end of those that are being served. An exception while serving ends the controller's work.</summary>
+/// <summary>Accepts connections on loopback until it is disposed, and then waits for the end of those that are being served. An exception while serving ends
+/// the controller's work.</summary>
 internal sealed class LoopbackListener : IAsyncDisposable
 {
     private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);

@@ -7,7 +7,8 @@ using Microsoft.Win32.SafeHandles;
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>A pseudo-terminal of Linux: the simulator opens the master, a host opens the slave as it would open a serial device.</summary>
-/// <remarks>The simulator keeps the slave open too. So a host that leaves is not noticed, as on a real RS-232 line, and the next one finds the terminal's settings unchanged.</remarks>
+/// <remarks>The simulator keeps the slave open too. So a host that leaves is not noticed, as on a real RS-232 line, and the next one finds the terminal's
+/// settings unchanged.</remarks>
 internal sealed class PseudoTerminal : IDisposable
 {
     private const int ReadWriteNoTerminal = 0x2 | 0x100; // O_RDWR O_NOCTTY

@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>One pseudo-terminal between a host and the serial port, until it is pulled: a thread waits for the host's bytes, two tasks carry bytes at the speed of the line.</summary>
+/// <summary>One pseudo-terminal between a host and the serial port, until it is pulled: a thread waits for the host's bytes, two tasks carry bytes at the speed
+/// of the line.</summary>
 internal sealed class SerialCable : IDisposable
 {
     /// <summary>Bytes that go over the wire before the controller sees them: few, so that time does not jump over a long download.</summary>
@@ -38,7 +39,8 @@ internal sealed class SerialCable : IDisposable
         }
     }
 
-    /// <summary>Carries bytes until the cable is pulled; the terminal and its link are gone then. A host that leaves is not noticed, as on a real line.</summary>
+    /// <summary>Carries bytes until the cable is pulled; the terminal and its link are gone then. A host that leaves is not noticed, as on a real
+    /// line.</summary>
     public async Task ServeAsync()
     {
         new Thread(Listen) { IsBackground = true, Name = "serial port" }.Start();

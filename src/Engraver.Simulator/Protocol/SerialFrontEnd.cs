@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>The serial port on a pseudo-terminal. When the controller cuts its links (a fault that resets them, a power cycle), the host sees a hang-up, and the port comes back on a new terminal at the same path.</summary>
+/// <summary>The serial port on a pseudo-terminal. When the controller cuts its links (a fault that resets them, a power cycle), the host sees a hang-up, and
+/// the port comes back on a new terminal at the same path.</summary>
 internal sealed class SerialFrontEnd : IAsyncDisposable
 {
     private readonly ControllerCore _core;

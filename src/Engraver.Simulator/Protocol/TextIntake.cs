@@ -3,7 +3,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Text that follows a command up to an end mark and is answered with a prompt only then: a program (DL) or the elements of an array (QD) (galil-dmc.md A.6).</summary>
+/// <summary>Text that follows a command up to an end mark and is answered with a prompt only then: a program (DL) or the elements of an array (QD)
+/// (galil-dmc.md A.6).</summary>
 internal sealed class TextIntake(Handle handle, ICommandSink sink)
 {
     private readonly StringBuilder _received = new();

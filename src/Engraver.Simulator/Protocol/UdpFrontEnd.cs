@@ -3,7 +3,8 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Datagrams on loopback; every sender has one handle until IHx=>-1 frees it (galil-dmc.md A.1). A sender without a free handle gets no answer.</summary>
+/// <summary>Datagrams on loopback; every sender has one handle until IHx=>-1 frees it (galil-dmc.md A.1). A sender without a free handle gets no
+/// answer.</summary>
 internal sealed class UdpFrontEnd : IAsyncDisposable
 {
     private const int LargestDatagram = 2048;

@@ -1,7 +1,8 @@
 namespace Engraver.Simulator;
 
 /// <summary>Everything that the axes and outputs did: one row for every sample of motion and one for every output change at rest (galil-dmc.md I.16).</summary>
-/// <remarks>Thread safe. Rows lie in chunks; a span of constant speed is kept as its closed form. When a motion begins at a position that no row has, a row with that position comes first.
+/// <remarks>Thread safe. Rows lie in chunks; a span of constant speed is kept as its closed form. When a motion begins at a position that no row has, a row
+/// with that position comes first.
 /// A record that keeps no rows still passes them to its listeners and its file.</remarks>
 public sealed class MotionRecord
 {
@@ -48,7 +49,8 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>From here on the listener is called with every row, on the thread that computes it; it must be quick and must not call the controller.</summary>
+    /// <summary>From here on the listener is called with every row, on the thread that computes it; it must be quick and must not call the
+    /// controller.</summary>
     /// <returns>Dispose it to end the subscription.</returns>
     public IDisposable Subscribe(IMotionListener listener)
     {
@@ -61,7 +63,8 @@ public sealed class MotionRecord
         return new Subscription(this, listener);
     }
 
-    /// <summary>Writes the header now, and all rows, also those already kept, whenever <see cref="FlushCsv"/> runs (the controller does so every few milliseconds and when it is disposed).</summary>
+    /// <summary>Writes the header now, and all rows, also those already kept, whenever <see cref="FlushCsv"/> runs (the controller does so every few
+    /// milliseconds and when it is disposed).</summary>
     /// <param name="writer">The record owns it from now on, and closes it when the controller is disposed.</param>
     public void AttachCsv(TextWriter writer)
     {
@@ -78,7 +81,8 @@ public sealed class MotionRecord
         FlushCsv();
     }
 
-    /// <summary>Writes the rows that wait and closes the file; later rows are not written. Safe beside a <see cref="FlushCsv"/> on another thread, which writes before the file is closed or not at all.</summary>
+    /// <summary>Writes the rows that wait and closes the file; later rows are not written. Safe beside a <see cref="FlushCsv"/> on another thread, which writes
+    /// before the file is closed or not at all.</summary>
     /// <exception cref="IOException">Writing fails; the file is closed all the same.</exception>
     internal void CompleteCsv()
     {
@@ -94,7 +98,8 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>Writes the rows that wait to the attached file and flushes it to the operating system. Does nothing without a file, and after the controller was disposed.</summary>
+    /// <summary>Writes the rows that wait to the attached file and flushes it to the operating system. Does nothing without a file, and after the controller
+    /// was disposed.</summary>
     public void FlushCsv()
     {
         lock (_csvGate)

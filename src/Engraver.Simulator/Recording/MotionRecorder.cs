@@ -2,7 +2,8 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>Records what the axes and outputs do: every sample of motion with the position it began from, spans of constant speed in closed form, and every change of an output at rest.</summary>
+/// <summary>Records what the axes and outputs do: every sample of motion with the position it began from, spans of constant speed in closed form, and every
+/// change of an output at rest.</summary>
 internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool keepsRows)
 {
     private MotionSample? _last;

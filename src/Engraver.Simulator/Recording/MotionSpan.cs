@@ -51,7 +51,8 @@ public sealed class MotionSpan
         return (places[x], places[y]);
     }
 
-    /// <summary>The arc on which two axes go from the first sample to the last, at most a quarter of an ellipse; null when they go straight, or stand.</summary>
+    /// <summary>The arc on which two axes go from the first sample to the last, at most a quarter of an ellipse; null when they go straight, or
+    /// stand.</summary>
     /// <param name="x">The axis of the cosine, from 0 for A.</param>
     /// <param name="y">The axis of the sine.</param>
     public ArcCourse? ArcOf(int x, int y)
@@ -75,7 +76,8 @@ public interface IMotionListener
     void Add(MotionSpan span);
 }
 
-/// <summary>Where the axes stood at one sample: commanded positions in counts, of a stepper the place of its shaft, and the outputs 1 to 8 as a byte (bit 0 = output 1).</summary>
+/// <summary>Where the axes stood at one sample: commanded positions in counts, of a stepper the place of its shaft, and the outputs 1 to 8 as a byte (bit 0 =
+/// output 1).</summary>
 /// <param name="Sample">Sample number since power up; its time is Sample times 1 ms nominal.</param>
 public readonly record struct MotionSample(long Sample, int A, int B, int C, int D, byte Outputs)
 {

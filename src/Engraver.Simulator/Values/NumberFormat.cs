@@ -2,9 +2,11 @@ using System.Globalization;
 
 namespace Engraver.Simulator.Values;
 
-/// <summary>How a number is printed: digits before and after the point, padded or not, decimal or hexadecimal (galil-dmc.md A.3 format commands, E messages).</summary>
+/// <summary>How a number is printed: digits before and after the point, padded or not, decimal or hexadecimal (galil-dmc.md A.3 format commands, E
+/// messages).</summary>
 /// <param name="Digits">Places before the point.</param>
-/// <param name="Decimals">Places after the point, rounded: what was given with up to four decimals prints as it was given, although 0.6 is kept as 0.59999 (4.1 with {F5.2} prints 00004.10, E Messages).</param>
+/// <param name="Decimals">Places after the point, rounded: what was given with up to four decimals prints as it was given, although 0.6 is kept as 0.59999 (4.1
+/// with {F5.2} prints 00004.10, E Messages).</param>
 /// <param name="LeadingZeros">Whether unused places before the point print as zeros.</param>
 /// <param name="Hex">Hexadecimal with a dollar sign.</param>
 internal readonly record struct NumberFormat(int Digits, int Decimals, bool LeadingZeros, bool Hex)

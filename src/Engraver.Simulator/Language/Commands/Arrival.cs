@@ -2,7 +2,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Language.Commands;
 
-/// <summary>What MC waits for: the end of the profiles and the motors in position, but no longer than TW (galil-dmc.md C, MC).</summary>
+/// <summary>The condition that MC waits for: the end of the profiles and the motors in position, but no longer than TW (galil-dmc.md C, MC).</summary>
 internal sealed class Arrival(Machine machine, Axis[] axes)
 {
     private const double UsualTimeOut = 32766;
@@ -30,7 +30,7 @@ internal sealed class Arrival(Machine machine, Axis[] axes)
         return _over;
     }
 
-    /// <summary>A stepper is in position when its smoothed pulses are out, 3 KS samples after the profile (C, KS).</summary>
+    /// <summary>A stepper is in position when its smoothed pulses have been sent, 3 KS samples after the profile (C, KS).</summary>
     private static bool IsInPosition(Axis axis, long waited) =>
         axis.IsStepper ? waited >= SmoothingSamples * axis.Setting("KS", 2) : Math.Abs(axis.Error) < 1;
 }

@@ -54,7 +54,7 @@ internal static class AxisParameters
 
     public static AxisParameter? Find(ReadOnlySpan<char> mnemonic) => Lookup.TryGetValue(mnemonic, out var parameter) ? parameter : null;
 
-    /// <summary>Calls <paramref name="apply"/> for every axis that was given a value, by position or by letter.</summary>
+    /// <summary>Calls <paramref name="apply"/> for every axis that has a value, by position or by letter.</summary>
     public static void ForEachValue(StatementReader reader, Action<Axis, FixedPoint> apply)
     {
         foreach (var (axis, field) in TakeAxisFields(reader))
@@ -63,7 +63,7 @@ internal static class AxisParameters
         }
     }
 
-    /// <summary>A speed rounded to an even number of counts/s (C, SP); outside the range it is refused with TC 6.</summary>
+    /// <summary>A speed rounded to an even number of counts/s (C, SP); a speed outside the range is refused with TC 6.</summary>
     /// <param name="samplesPerMillisecond">1000/TM: the step is 2 counts a sample.</param>
     public static double Speed(double value, double smallest, double largest, double samplesPerMillisecond = 1)
     {
@@ -149,7 +149,7 @@ internal static class AxisParameters
         if (machine.Motion.IsBusy(axis)) throw new CommandRefusedException(Tc.NotWhileRunning);
     }
 
-    /// <summary>DC in motion is refused unless the axis jogs or already stops (C).</summary>
+    /// <summary>DC in motion is refused unless the axis jogs or is already stopping (C).</summary>
     private static void SetDeceleration(Machine machine, Axis axis, FixedPoint value)
     {
         if (axis is { IsMoving: true, IsStopping: false, CurrentMove: not AxisMove.Jog })
@@ -200,7 +200,7 @@ internal static class AxisParameters
         axis.Redefine(value.Integer);
     }
 
-    /// <summary>MT needs the motor off (C).</summary>
+    /// <summary>MT requires the motor to be off (C).</summary>
     private static void SetMotorType(Machine machine, Axis axis, FixedPoint value)
     {
         NotWhileBusy(machine, axis);
@@ -216,7 +216,7 @@ internal static class AxisParameters
         axis.IsTracking = InRange(value.Value, 0, 1) == 1;
     }
 
-    /// <summary>IP at rest is PR and BG; in motion it extends the move or, in a jog, jumps (C).</summary>
+    /// <summary>IP at rest equals PR and BG; in motion it extends the move or, in a jog, jumps by the distance (C).</summary>
     private static void IncrementPosition(Machine machine, Axis axis, FixedPoint value)
     {
         if (axis.IsMoving)
@@ -235,8 +235,8 @@ internal static class AxisParameters
 }
 
 /// <summary>A setting that every axis has, readable as <c>_XXa</c>, <c>XX ?</c> and <c>XXa=?</c>.</summary>
-/// <param name="Write">Null when it can only be read.</param>
-/// <param name="Format">How queries print it; null is the position format PF.</param>
+/// <param name="Write">Null for a read-only setting.</param>
+/// <param name="Format">Format of the reply to a query; null for the position format PF.</param>
 internal sealed record AxisParameter(
     string Mnemonic,
     Func<Axis, FixedPoint> Read,

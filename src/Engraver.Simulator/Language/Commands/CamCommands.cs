@@ -5,7 +5,8 @@ using static Engraver.Simulator.Language.Commands.VectorCommands;
 
 namespace Engraver.Simulator.Language.Commands;
 
-/// <summary>The electronic cam (galil-dmc.md C.4): EA master, EM cycles, EP interval, ET table, EC its index, EB on and off, EG and EQ for each slave.</summary>
+/// <summary>The electronic cam (galil-dmc.md C.4): EA master, EM cycles, EP interval, ET table, EC its index, EB on and off, EG and EQ for each
+/// slave.</summary>
 internal static class CamCommands
 {
     private const int LargestModulus = 8_388_607;
@@ -23,7 +24,7 @@ internal static class CamCommands
         new("EQ", CommandScope.Both, r => AxisFields.Run(r, (m, a) => FollowerOf(m.Motion.Cam, a).Waiting, Disengage), TakesLetter: true),
     ];
 
-    /// <summary>EM of an axis: of the master the modulus, of a slave its change in one cycle; counts.</summary>
+    /// <summary>EM of an axis: for the master its modulus, for a slave its change in one cycle; counts.</summary>
     public static int CycleOf(ElectronicCam cam, Axis axis) => axis == cam.Master ? cam.Modulus : FollowerOf(cam, axis).Cycle;
 
     private static CamFollower FollowerOf(ElectronicCam cam, Axis axis) =>
@@ -123,7 +124,8 @@ internal static class CamCommands
         else if (!cam.IsEnabled) cam.Enable();
     }
 
-    /// <summary>EG: engages when the master is at this position of its cycle, or at once for a number outside the cycle. A slave that another mode drives is refused.</summary>
+    /// <summary>EG: engages when the master is at this position of its cycle, or at once for a number outside the cycle. A slave that another mode drives is
+    /// refused.</summary>
     private static void Engage(Machine machine, Axis axis, int place)
     {
         var cam = machine.Motion.Cam;

@@ -71,7 +71,7 @@ internal static class CaptureCommands
 
     private static FixedPoint Whole(long value) => FixedPoint.FromInteger(value);
 
-    /// <summary>RC n,m: a value every 2^n samples, m of them; a negative m overwrites for ever, RC 0 stops.</summary>
+    /// <summary>RC n,m: a value every 2^n samples, m of them; a negative m overwrites endlessly, RC 0 stops.</summary>
     private static void Record(StatementReader reader)
     {
         var fields = reader.TakeFields();

@@ -2,7 +2,7 @@ using System.Collections.Frozen;
 
 namespace Engraver.Simulator.Language.Commands;
 
-/// <summary>Every command this controller knows; what is not here is answered "?" with TC 1 and listed in docs/simulator-fidelity.md.</summary>
+/// <summary>Every command that this controller supports; any other command is answered with "?" and TC 1 and is listed in docs/simulator-fidelity.md.</summary>
 internal static class CommandTable
 {
     private static readonly FrozenDictionary<string, CommandEntry> Table = new[]
@@ -31,7 +31,8 @@ internal static class CommandTable
     private static readonly FrozenDictionary<string, CommandEntry>.AlternateLookup<ReadOnlySpan<char>> Lookup =
         Table.GetAlternateLookup<ReadOnlySpan<char>>();
 
-    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, or EAC=1 would be taken for a variable.</summary>
+    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be recognised, otherwise EAC=1 would be read as a
+    /// variable.</summary>
     private static readonly FrozenSet<string> Absent = (
         "AF AG AO AQ AU BA BC BD BI BK BM BR BZ DV ED EW GD HS IA IK LC MB MW NB NF NZ "
         + "OC PL QH QS SL TA TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
@@ -42,7 +43,7 @@ internal static class CommandTable
 
     public static bool IsNotModelled(string mnemonic) => Absent.Contains(mnemonic);
 
-    /// <summary>The command that a statement begins with. Longer mnemonics are tried first, or ENDIF would be read as EN (L.2 point 9).</summary>
+    /// <summary>The command that a statement begins with. Longer mnemonics are tried first, otherwise ENDIF would be read as EN (L.2 point 9).</summary>
     public static CommandEntry? Find(ReadOnlySpan<char> statement) =>
         statement.StartsWith("ENDIF") ? Get("ENDIF")
         : statement.StartsWith("ELSE") ? Get("ELSE")
@@ -56,7 +57,7 @@ internal static class CommandTable
 /// <param name="TakesLetter">The form mnemonic + letter + "=" belongs to the command and not to a variable.</param>
 internal sealed record CommandEntry(string Mnemonic, CommandScope Scope, Action<StatementReader> Run, bool TakesLetter = false);
 
-/// <summary>Where a command may be given (galil-dmc.md E).</summary>
+/// <summary>The contexts in which a command is allowed (galil-dmc.md E).</summary>
 internal enum CommandScope
 {
     Both,

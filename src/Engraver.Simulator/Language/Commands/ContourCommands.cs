@@ -57,7 +57,7 @@ internal static class ContourCommands
         contour.TimeExponent = (int)AxisParameters.InRange(field.Value?.Integer ?? throw new CommandRefusedException(Tc.NotEnoughFields), 0, LargestExponent);
     }
 
-    /// <summary>CD a,b,c,d, optionally =n for the interval 2^n. <c>CD 0=0</c>, and CD 0 behind DT 0, are the end.</summary>
+    /// <summary>CD a,b,c,d, optionally =n for the interval 2^n. <c>CD 0=0</c>, and CD 0 after DT 0, end the contour.</summary>
     private static void Store(StatementReader reader)
     {
         var motion = reader.Machine.Motion;
@@ -84,7 +84,7 @@ internal static class ContourCommands
         contour.TimeExponent = exponent;
     }
 
-    /// <summary>WC: waits until the record before has begun, so that the next one finds room (UM17).</summary>
+    /// <summary>WC: waits until the previous record has started, so that there is room for the next one (UM17).</summary>
     private static void Wait(StatementReader reader)
     {
         reader.ExpectEnd();

@@ -16,7 +16,7 @@ internal sealed class DataRecord
     private DataRecord(Machine machine) => _machine = machine;
 
     /// <summary>The record as Latin-1 characters, without the prompt.</summary>
-    /// <param name="mask">Letters of the wanted blocks; empty wants all.</param>
+    /// <param name="mask">Letters of the requested blocks; empty for all blocks.</param>
     public static string Build(Machine _machine, string mask)
     {
         var wanted = mask.Trim().Length == 0 ? Blocks : mask.Trim();

@@ -41,7 +41,7 @@ internal static class FlowCommands
         return holds;
     }
 
-    /// <summary>A line number: of a label with an optional offset, or the value of an expression.</summary>
+    /// <summary>A line number: that of a label with an optional offset, or the value of an expression.</summary>
     private static int TakeLine(StatementReader reader)
     {
         int line;
@@ -60,7 +60,8 @@ internal static class FlowCommands
         return line >= 0 && line < reader.Machine.Program.Count ? line : throw new CommandRefusedException(Tc.InvalidLine);
     }
 
-    /// <summary>EN, RE, RI: returns from a subroutine, or ends the thread. Argument 1 restores an interrupted trippoint, a second one arms CI again (C.3); the third is what <c>_JS</c> reads (E Flow).</summary>
+    /// <summary>EN, RE, RI: returns from a subroutine, or ends the thread. Argument 1 restores an interrupted trippoint, a second argument arms CI again (C.3);
+    /// the third is the value that <c>_JS</c> reads (E Flow).</summary>
     private static void End(StatementReader reader)
     {
         var thread = reader.Context.Thread!;
@@ -144,7 +145,7 @@ internal static class FlowCommands
         thread.Start(line, reader.Machine.Sample);
     }
 
-    /// <summary>TR 1 prints every program line as a message before it runs, TR 0 ends that (A.5).</summary>
+    /// <summary>TR 1 prints every program line as a message before it runs, TR 0 stops printing (A.5).</summary>
     private static void Trace(StatementReader reader)
     {
         var field = reader.TakeFields()[0];

@@ -3,7 +3,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language.Commands;
 
-/// <summary>GA names the master of each axis (galil-dmc.md B.6): <c>GAC=S</c> or <c>GA ,,S</c>; the query <c>GAC=?</c> or <c>GA ,,?</c> answers its letter, 0 for none [U]. GR and GM are settings of the axes.</summary>
+/// <summary>GA names the master of each axis (galil-dmc.md B.6): <c>GAC=S</c> or <c>GA ,,S</c>; the query <c>GAC=?</c> or <c>GA ,,?</c> replies with its
+/// letter, 0 for none [U]. GR and GM are settings of the axes.</summary>
 internal static class GearCommands
 {
     public static IEnumerable<CommandEntry> Entries { get; } = [new("GA", CommandScope.Both, SetMasters, TakesLetter: true)];

@@ -46,7 +46,7 @@ internal static class IndependentCommands
         Refuse(motion.IsOnCam(axis), Tc.NotOnCamSlave);
     }
 
-    /// <summary>The move's target lies beyond a software limit; such a move does not begin (C, BL/FL).</summary>
+    /// <summary>The move's target is beyond a software limit; such a move does not start (C, BL/FL).</summary>
     private static bool IsBeyond(long target, Axis axis) => target > axis.ForwardSoftLimit || target < axis.ReverseSoftLimit;
 
     private static void CheckPlane(MotionKernel motion, VectorPlane plane)
@@ -67,7 +67,7 @@ internal static class IndependentCommands
         Refuse(Array.Exists(axes, reader.Machine.Motion.IsBusy), Tc.NotWhileRunning);
         foreach (var axis in axes)
         {
-            // SH sets the commanded position to where the motor is (C, SH).
+            // SH sets the commanded position to the motor position (C, SH).
             if (!off && axis.MotorOff) axis.TakeMotorPosition();
             axis.MotorOff = off;
         }

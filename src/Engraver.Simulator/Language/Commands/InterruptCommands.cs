@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Language.Commands;
 
-/// <summary>What interrupts thread 0: II m,n,o,p (galil-dmc.md D) names inputs, CI m,n (C.3) input on the serial port.</summary>
+/// <summary>The sources that interrupt thread 0: II m,n,o,p (galil-dmc.md D) names inputs, CI m,n (C.3) input on the serial port.</summary>
 internal static class InterruptCommands
 {
     private const int Inputs = 8;
@@ -11,7 +11,7 @@ internal static class InterruptCommands
         new("CI", CommandScope.Both, SerialInterrupt),
     ];
 
-    /// <summary>II: first and last input, or a mask, and the levels wanted.</summary>
+    /// <summary>II: first and last input, or a mask, and the interrupt levels.</summary>
     private static void InputInterrupt(StatementReader reader)
     {
         var fields = reader.TakeFields();
@@ -21,7 +21,8 @@ internal static class InterruptCommands
         reader.Machine.Inputs.Watch();
     }
 
-    /// <summary>CI 1 interrupts at a carriage return, CI 2 at any character, CI 0 never; CI -1 forgets what was received. A second field 1 takes the port from the command interpreter [U].</summary>
+    /// <summary>CI 1 interrupts at a carriage return, CI 2 at any character, CI 0 never; CI -1 discards the received input. A second field of 1 disconnects the
+    /// port from the command interpreter [U].</summary>
     private static void SerialInterrupt(StatementReader reader)
     {
         var fields = reader.TakeFields();

@@ -34,7 +34,8 @@ internal static class LinkCommands
         }
     }
 
-    /// <summary>IHT closes the other handles, IHS the sender's, IHA to IHH the named one; written =&gt;-3 or =-3, types -1 UDP, -2 TCP, -3 any (A.1).</summary>
+    /// <summary>IHT closes the other handles, IHS the sender's handle, IHA to IHH the named handle; written =&gt;-3 or =-3, types -1 UDP, -2 TCP, -3 any
+    /// (A.1).</summary>
     private static void CloseHandles(StatementReader reader)
     {
         var which = reader.TakeCharacter();
@@ -74,7 +75,7 @@ internal static class LinkCommands
         else reader.Machine.Serial.Echo = AxisParameters.InRange(field.Value?.Integer ?? 0, 0, 1) == 1;
     }
 
-    /// <summary>CW 1 sets bit 7 of messages, CW 2 does not; the second field is about a blocked serial port.</summary>
+    /// <summary>CW 1 sets bit 7 of messages, CW 2 does not; the second field sets the behaviour of a blocked serial port.</summary>
     private static void MarkMessages(StatementReader reader)
     {
         var fields = reader.TakeFields();
@@ -95,7 +96,7 @@ internal static class LinkCommands
         messages.WhenBlocked = fields.ElementAtOrDefault(1).Value?.Integer ?? messages.WhenBlocked;
     }
 
-    /// <summary>DR n,h: a record every n samples, 8 at least, to UDP handle h or, without h, to the handle CF names (A.9). DR 0 stops.</summary>
+    /// <summary>DR n,h: a record every n samples, 8 at least, to UDP handle h or, without h, to the handle that CF names (A.9). DR 0 stops.</summary>
     private static void DataRecordRate(StatementReader reader)
     {
         var fields = reader.TakeFields();

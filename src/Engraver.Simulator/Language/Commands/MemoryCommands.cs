@@ -29,7 +29,7 @@ internal static class MemoryCommands
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>DL, DL n, DL #label, DL #: from here on the handle takes program text until a terminator.</summary>
+    /// <summary>DL, DL n, DL #label, DL #: from now on the handle takes program text until a terminator.</summary>
     private static void Download(StatementReader reader)
     {
         RefuseWhileRunning(reader);
@@ -57,7 +57,7 @@ internal static class MemoryCommands
         if (reader.Machine.Threads.AnyRunning) throw new CommandRefusedException(Tc.ProgramRunning);
     }
 
-    /// <summary>BN in a program is refused with TC 17, as the text of that code says (E).</summary>
+    /// <summary>BN in a program is refused with TC 17, as the text of that code states (E).</summary>
     private static void BurnParameters(StatementReader reader)
     {
         reader.ExpectEnd();

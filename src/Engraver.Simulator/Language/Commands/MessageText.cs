@@ -65,7 +65,8 @@ internal sealed class MessageText
         AppendNumber(_pending ?? _reader.Machine.ValueFormat, value);
     }
 
-    /// <summary>Prints a number with its sign column; before a negative number that follows another, a blank where the controller is of that kind (<see cref="NumberSpacing"/>).</summary>
+    /// <summary>Prints a number with its sign column; before a negative number that follows another number, also a blank if the controller prints one
+    /// (<see cref="NumberSpacing"/>).</summary>
     private void AppendNumber(NumberFormat format, FixedPoint value)
     {
         if (_afterNumber && value.Raw < 0 && !format.Hex && _reader.Machine.Options.NumberSpacing == NumberSpacing.Blank) _text.Append(' ');
@@ -73,7 +74,7 @@ internal sealed class MessageText
         _afterNumber = true;
     }
 
-    /// <summary>{Fm.n} {Zm.n} {$m.n} {Sn} format a value; {N} {^n} {Ex} {P1} stand alone.</summary>
+    /// <summary>{Fm.n} {Zm.n} {$m.n} {Sn} format a value; {N} {^n} {Ex} {P1} are used without a value.</summary>
     private void ReadBraces(FixedPoint? value)
     {
         _reader.Take('{', Tc.BadBraces);
@@ -92,7 +93,7 @@ internal sealed class MessageText
                 _reader.Context.OutputHandle = rest[0] - 'A';
                 break;
             case 'P' when rest == "1":
-                _reader.Context.OutputHandle = -1; // the serial port: nobody on Ethernet hears it
+                _reader.Context.OutputHandle = -1; // the serial port: no host on Ethernet receives it
                 break;
             case 'S':
                 AppendText(Unpacked(value ?? throw new CommandRefusedException(Tc.BadBraces), rest.Length == 0 ? 6 : Number(rest, 6)));

@@ -4,7 +4,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language.Commands;
 
-/// <summary>Questions about the state (galil-dmc.md A.3 number replies, A.8 to A.10) and MG.</summary>
+/// <summary>Queries of the state (galil-dmc.md A.3 number replies, A.8 to A.10) and MG.</summary>
 internal static class ReportCommands
 {
     public static IEnumerable<CommandEntry> Entries { get; } =

@@ -88,7 +88,7 @@ internal static class SegmentCommands
         plane.Store(segment);
     }
 
-    /// <summary>A speed attached to a segment. It counts in samples and is not rescaled by TM, unlike VS (B.4).</summary>
+    /// <summary>A speed attached to a segment. It is counted per sample and, unlike VS, is not rescaled by TM (B.4).</summary>
     private static double SpeedOfSample(StatementReader reader, VectorPlane plane, double smallest, double largest) =>
         PlaneSettings.VectorSpeed(plane, reader.TakeExpression(comparisons: false).Value, smallest, largest) * reader.Machine.SamplesPerMillisecond;
 

@@ -11,7 +11,7 @@ internal static class StopCommands
         new("AB", CommandScope.Both, Abort),
     ];
 
-    /// <summary>ST without axes stops every axis and plane and, from a host only, ends the programs too.</summary>
+    /// <summary>ST without axes stops every axis and plane and, from a host only, also ends the programs.</summary>
     private static void Stop(StatementReader reader)
     {
         var machine = reader.Machine;

@@ -19,7 +19,7 @@ internal static class SystemCommands
         new("CN", CommandScope.Both, Polarity),
     ];
 
-    /// <summary>RS: back to the burned state; every connection is closed after its prompt (A.1).</summary>
+    /// <summary>RS: restores the burned state; every connection is closed after its prompt (A.1).</summary>
     private static void Reset(StatementReader reader)
     {
         reader.ExpectEnd();
@@ -30,7 +30,8 @@ internal static class SystemCommands
         }
     }
 
-    /// <summary>TM in microseconds; refused in motion. The kernel keeps its 1 ms grid; steps of speeds, WT n,1, TIME and the speeds on segments follow TM (C).</summary>
+    /// <summary>TM in microseconds; refused in motion. The kernel keeps its 1 ms grid; steps of speeds, WT n,1, TIME and the speeds on segments follow TM
+    /// (C).</summary>
     private static void SampleTime(StatementReader reader)
     {
         var field = reader.TakeFields()[0];

@@ -63,7 +63,7 @@ internal static class TrippointCommands
         Set(reader, () => !Array.Exists(axes, motion.IsBusy) && !Array.Exists(planes, p => p.IsActive));
     }
 
-    /// <summary>MC: AM, and then the motors in position, or TW's time-out with SC 99 and #MCTIME (C, MC).</summary>
+    /// <summary>MC: waits for AM, then until the motors are in position or the TW time-out expires with SC 99 and #MCTIME (C, MC).</summary>
     private static void AfterArrival(StatementReader reader)
     {
         Axis[] axes = [.. reader.TakeAxes().AxesOrAll];
@@ -97,7 +97,7 @@ internal static class TrippointCommands
     {
         var input = reader.TakeExpression().Integer;
         var io = reader.Machine.Io;
-        var number = input > 0 ? input : ~input + 1; // the smallest number has no positive counterpart and names no input
+        var number = input > 0 ? input : ~input + 1; // the smallest number has no positive counterpart and is not an input
         io.Input(number);
         Set(reader, () => io.Input(number) == input > 0);
     }
@@ -105,7 +105,7 @@ internal static class TrippointCommands
     private static Func<bool> AfterDistance(Axis axis, int distance) =>
         () => !axis.IsMoving || Math.Abs(axis.Position - axis.MoveStart) >= Math.Abs((double)distance);
 
-    /// <summary>AR counts from the position of the AR before, or from the beginning of the move.</summary>
+    /// <summary>AR counts from the position of the previous AR, or from the start of the move.</summary>
     private static Func<bool> AfterRelativeDistance(Axis axis, int distance)
     {
         var start = axis.TrippointReference;

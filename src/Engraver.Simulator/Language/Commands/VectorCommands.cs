@@ -33,7 +33,7 @@ internal static class VectorCommands
         motion.Selected = selection is { Planes: [var plane], Axes: [] } ? plane : throw new CommandRefusedException(Tc.PlaneNotValid);
     }
 
-    /// <summary>VMAB, VMABC with C along the tangent, VMABN and VMAN with the virtual axis (B.6).</summary>
+    /// <summary>VMAB; VMABC with C along the tangent; VMABN and VMAN with the virtual axis (B.6).</summary>
     private static void VectorMode(StatementReader reader)
     {
         var plane = IdlePlane(reader);
@@ -87,7 +87,7 @@ internal static class VectorCommands
         }
     }
 
-    /// <summary>TN m,n: m in steps of 1/256 count per degree (B.6).</summary>
+    /// <summary>TN m,n: m is set in steps of 1/256 count per degree (B.6).</summary>
     private static void Tangent(StatementReader reader)
     {
         var plane = reader.Machine.Motion.Selected;
@@ -111,7 +111,7 @@ internal static class VectorCommands
         return plane;
     }
 
-    /// <summary>ES m,n behind VM: resolutions of the two axes (B.1).</summary>
+    /// <summary>ES m,n after VM: resolutions of the two axes (B.1).</summary>
     private static void Scale(StatementReader reader)
     {
         var plane = IdlePlane(reader);

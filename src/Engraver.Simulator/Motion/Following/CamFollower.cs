@@ -72,7 +72,8 @@ internal sealed class CamFollower(Axis axis)
     /// <summary>Signed distance from the slave's position to the one that the table asks for.</summary>
     public double Heading(ElectronicCam cam) => Target(cam) - axis.Position;
 
-    /// <summary>Counts the slave's position within its cycle, and applies the table from now on: a slave that is elsewhere jumps to the table's position [U].</summary>
+    /// <summary>Counts the slave's position within its cycle, and applies the table from now on: a slave that is elsewhere jumps to the table's position
+    /// [U].</summary>
     private void Start(ElectronicCam cam)
     {
         _engageAt = null;

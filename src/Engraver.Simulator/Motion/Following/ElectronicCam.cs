@@ -2,7 +2,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion.Following;
 
-/// <summary>The electronic cam (galil-dmc.md C.4): slaves follow the encoder of a master axis through a table, linearly from point to point, cycle after cycle.</summary>
+/// <summary>The electronic cam (galil-dmc.md C.4): slaves follow the encoder of a master axis through a table, linearly from point to point, cycle after
+/// cycle.</summary>
 internal sealed class ElectronicCam
 {
     public const int Points = 257;
