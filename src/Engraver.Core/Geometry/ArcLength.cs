@@ -5,10 +5,11 @@ public static class ArcLength
 {
     private const double RelativeTolerance = 1e-12;
 
-    /// <summary>Deepest halving. At a cusp (speed zero inside the span) each level halves the error, so that forty take it below the rounding of any drawing.</summary>
+    /// <summary>Deepest halving. At a cusp (speed zero inside the span) each level halves the error, so forty levels reduce it below the rounding of any
+    /// drawing.</summary>
     private const int MostHalvings = 40;
 
-    /// <summary>Most halvings of one span in all, for the case that rounding never lets the halves agree.</summary>
+    /// <summary>Maximum number of halvings of one span in total, for the case that rounding prevents the halves from agreeing.</summary>
     private const int MostParts = 20_000;
 
     /// <summary>Positive half of the ten Gauss-Legendre nodes on [-1, 1].</summary>

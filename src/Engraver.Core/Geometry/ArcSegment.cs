@@ -62,7 +62,7 @@ public readonly record struct ArcSegment(Point2D Centre, double Radius, Angle St
         return ahead <= Sweep.Abs() || ahead.Degrees == 0.0;
     }
 
-    /// <summary>Shortest distance from a place to the arc, its ends included.</summary>
+    /// <summary>Shortest distance from a point to the arc, its ends included.</summary>
     public double DistanceTo(Point2D place)
     {
         var spoke = place - Centre;

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Polynomials by their Bernstein coefficients, each multiplied by its binomial coefficient: a product is then a plain convolution, and signs stay as they are.</summary>
+/// <summary>Polynomials by their Bernstein coefficients, each multiplied by its binomial coefficient: a product is then a plain convolution, and the signs are
+/// unchanged.</summary>
 internal static class Bernstein
 {
     /// <summary>Binomial coefficients up to twice the largest degree.</summary>
@@ -37,7 +38,7 @@ internal static class Bernstein
         (first, var last, var changes) = (0, 0, 0);
         foreach (var coefficient in polynomial)
         {
-            var sign = coefficient > 0.0 ? 1 : coefficient < 0.0 ? -1 : 0; // of a place beyond what a double can square it is not a number
+            var sign = coefficient > 0.0 ? 1 : coefficient < 0.0 ? -1 : 0; // for a point too far away to be squared in a double this is NaN
             if (sign == 0) continue;
             if (first == 0) first = sign;
             else if (sign != last) changes++;

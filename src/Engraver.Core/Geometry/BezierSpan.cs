@@ -1,7 +1,8 @@
 namespace Engraver.Core.Geometry;
 
 /// <summary>One smooth piece of a curve: a rational Bezier curve in space, parameter 0 to 1. Ellipse arcs and spline spans are such pieces exactly.</summary>
-/// <remarks>Held homogeneously, (x w, y w, z w, w) for each control point; all weights are positive, so the curve lies in the hull of its control points. Immutable.</remarks>
+/// <remarks>Stored homogeneously, (x w, y w, z w, w) for each control point; all weights are positive, so the curve is inside the hull of its control points.
+/// Immutable.</remarks>
 public sealed class BezierSpan
 {
     /// <summary>Doubles for each control point.</summary>
@@ -40,7 +41,7 @@ public sealed class BezierSpan
 
     public Point2D PointAt(double parameter) => Evaluate(parameter, out _);
 
-    /// <summary>The place in plan and the derivative by the parameter.</summary>
+    /// <summary>The point in plan and the derivative with respect to the parameter.</summary>
     public Point2D Evaluate(double parameter, out Vector2D derivative)
     {
         var place = EvaluateInSpace(parameter, out var slope);
@@ -58,7 +59,7 @@ public sealed class BezierSpan
         return speed > still ? derivative * (1.0 / speed) : Part(parameter, 1.0).FirstDirection(0, 1, still);
     }
 
-    /// <summary>The place in space and the derivative by the parameter (de Casteljau).</summary>
+    /// <summary>The point in space and the derivative with respect to the parameter (de Casteljau).</summary>
     public Vector3D EvaluateInSpace(double parameter, out Vector3D derivative)
     {
         Span<double> work = stackalloc double[_points.Length];
@@ -73,7 +74,7 @@ public sealed class BezierSpan
         return place;
     }
 
-    /// <summary>The part between two parameters as a span of its own.</summary>
+    /// <summary>The part between two parameters as a separate span.</summary>
     public BezierSpan Part(double from, double to)
     {
         if (from == 0.0 && to == 1.0) return this;
@@ -100,7 +101,7 @@ public sealed class BezierSpan
         return new BezierSpan(points);
     }
 
-    /// <summary>Scaled about the origin.</summary>
+    /// <summary>The span scaled about the origin.</summary>
     public BezierSpan Scaled(double factor)
     {
         var points = (double[])_points.Clone();

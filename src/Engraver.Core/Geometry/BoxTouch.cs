@@ -1,12 +1,12 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Whether a segment touches a box, as a crossing selection asks.</summary>
+/// <summary>Tests whether a segment touches a box, for a crossing selection.</summary>
 public static class BoxTouch
 {
-    /// <summary>After so many halvings a piece of a curve equals its chord within rounding.</summary>
+    /// <summary>After this number of halvings a piece of a curve equals its chord within rounding.</summary>
     private const int MostHalvings = 24;
 
-    /// <summary>True when any point of the segment lies in the box, its border included.</summary>
+    /// <summary>True when any point of the segment is in the box, its border included.</summary>
     public static bool Touches(this Bounds2D box, Segment segment)
     {
         if (box.IsEmpty) return false;
@@ -15,7 +15,7 @@ public static class BoxTouch
         return segment.Kind == SegmentKind.Line ? LineCrosses(box, segment.Line) : ArcCrosses(box, segment.Arc);
     }
 
-    /// <summary>Halves what extends over a border; a span whose control points all lie beyond one border is outside.</summary>
+    /// <summary>Halves every part that crosses a border; a span whose control points are all beyond one border is outside.</summary>
     private static bool CurveCrosses(Bounds2D box, BezierSpan span, int halvings)
     {
         if (box.Contains(span.Start) || box.Contains(span.End)) return true;
@@ -27,7 +27,7 @@ public static class BoxTouch
         return CurveCrosses(box, first, halvings - 1) || CurveCrosses(box, second, halvings - 1);
     }
 
-    /// <summary>Clips the line at the four borders (Liang and Barsky); true when something is left.</summary>
+    /// <summary>Clips the line at the four borders (Liang and Barsky); true when a part remains.</summary>
     private static bool LineCrosses(Bounds2D box, LineSegment line)
     {
         var along = line.End - line.Start;

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Boxes sorted along a Hilbert curve under a tree of boxes with four children to a node: nearest and overlap queries in logarithmic time, however unevenly a drawing is spread.</summary>
+/// <summary>Boxes sorted along a Hilbert curve under a tree of boxes with four children per node: nearest and overlap queries in logarithmic time, however
+/// unevenly the drawing is distributed.</summary>
 /// <remarks>Items can be hidden and shown again, for example strokes that have been cut. Not safe for use from several threads while items are hidden or shown.</remarks>
 public sealed class BoxTree
 {
@@ -10,7 +11,7 @@ public sealed class BoxTree
     private readonly int[] _slotOfItem;
     private readonly Bounds2D[][] _boxes;
 
-    /// <summary>For each box the lowest number of an item in it that is shown; <see cref="Nobody"/> when none is.</summary>
+    /// <summary>For each box the lowest number of a shown item in it; <see cref="Nobody"/> when there is none.</summary>
     private readonly int[][] _lowest;
 
     private BoxTree(int[] items, Bounds2D[] leaves)
@@ -25,10 +26,12 @@ public sealed class BoxTree
         _lowest = [.. lowest];
     }
 
-    /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>. Several items may be pieces of one thing and all return the distance of the whole; each piece must then lie in its box.</summary>
+    /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>. Several items may be pieces of one object and all return the distance
+    /// of the whole; each piece must then be in its box.</summary>
     public delegate double Measure(int item, Point2D place);
 
-    /// <summary>All items, hidden ones too, along the Hilbert curve: asked in this order, questions that follow each other go through the same boxes, which are then still in the processor's cache.</summary>
+    /// <summary>All items, hidden ones too, along the Hilbert curve: successive queries in this order go through the same boxes, which are then still in the
+    /// processor's cache.</summary>
     public ReadOnlySpan<int> AlongCurve => _items;
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>.</summary>
@@ -50,7 +53,7 @@ public sealed class BoxTree
         return Build(boxes);
     }
 
-    /// <summary>Leaves an item out of every answer until it is shown again. Hiding it twice has no further effect.</summary>
+    /// <summary>Excludes an item from every result until it is shown again. Hiding it twice has no further effect.</summary>
     public void Hide(int item) => Set(item, Nobody);
 
     public void Show(int item) => Set(item, item);
@@ -59,7 +62,7 @@ public sealed class BoxTree
     /// <param name="place">Point to measure from.</param>
     /// <param name="measure">Exact distance of an item.</param>
     /// <param name="within">Largest distance of interest; positive infinity for any.</param>
-    /// <param name="distance">Distance of the answer, or <paramref name="within"/> when there is none.</param>
+    /// <param name="distance">Distance of the result, or <paramref name="within"/> when there is none.</param>
     public int Nearest(Point2D place, Measure measure, double within, out double distance)
     {
         var best = new Best(-1, within);
@@ -150,7 +153,8 @@ public sealed class BoxTree
         }
     }
 
-    /// <summary>Index of the smallest value; among equals of the one with the lowest number, so that no other box at that distance need be searched.</summary>
+    /// <summary>Index of the smallest value; among equal values of the one with the lowest number, so that no other box at that distance must be
+    /// searched.</summary>
     private static int IndexOfSmallest(ReadOnlySpan<double> values, ReadOnlySpan<int> numbers)
     {
         var smallest = 0;
@@ -194,7 +198,7 @@ public sealed class BoxTree
 
         public double Distance { get; private set; } = distance;
 
-        /// <summary>True when an item this far away, with no lower number, is no better.</summary>
+        /// <summary>True when an item at this distance, with a number that is not lower, is not better.</summary>
         public readonly bool Beats(double distance, int item) => distance > Distance || (distance == Distance && Item >= 0 && item >= Item);
 
         public void Offer(int item, double distance)

@@ -1,9 +1,9 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Smallest box of a span in plan: the span is halved wherever control points still lie outside the box found so far.</summary>
+/// <summary>Smallest box of a span in plan: the span is halved wherever control points are still outside the box found so far.</summary>
 public static class CurveBounds
 {
-    /// <summary>Largest distance by which the true curve may leave the box, as a part of the span's size.</summary>
+    /// <summary>Largest distance by which the true curve may exceed the box, as a part of the span's size.</summary>
     private const double RelativeTolerance = 1e-13;
 
     private const int MostHalvings = 50;

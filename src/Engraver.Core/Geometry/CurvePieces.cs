@@ -14,7 +14,7 @@ public static class CurvePieces
     /// <summary>Longest leg of the control polygon as a multiple of the average, and largest weight as a multiple of the smallest.</summary>
     private const double Evenness = 3.0;
 
-    /// <summary>A piece smaller than this part of its coordinates is rounding, and is not divided.</summary>
+    /// <summary>The size of a piece smaller than this part of its coordinates is rounding; it is not divided.</summary>
     private const double Speck = 1e-12;
 
     /// <summary>Lines, arcs and circles unchanged, every curve as its pieces.</summary>
@@ -72,7 +72,8 @@ public static class CurvePieces
         return true;
     }
 
-    /// <summary>True when the speed is nowhere much above its average, so that steps of the parameter skip nothing. It may be lower, down to zero.</summary>
+    /// <summary>True when the speed is nowhere much above its average, so that steps of the parameter do not skip any part. It may be lower, down to
+    /// zero.</summary>
     private static bool IsEven(BezierSpan span)
     {
         var (longest, least, most) = (0.0, span.Weight(0), span.Weight(0));

@@ -1,10 +1,11 @@
 namespace Engraver.Core.Geometry;
 
 /// <summary>An ellipse or a part of one, in space: Centre + First cos(a) + Second sin(a) for a from <see cref="Start"/> over <see cref="Sweep"/>.</summary>
-/// <remarks>The two vectors are conjugate half-diameters: perpendicular when the ellipse was drawn as such, not when a circle was scaled unequally or tilted. A whole turn is exactly +-360 degrees.</remarks>
+/// <remarks>The two vectors are conjugate half-diameters: perpendicular when an ellipse was drawn, not when a circle was scaled unequally or tilted. A whole
+/// turn is exactly +-360 degrees.</remarks>
 public readonly record struct EllipseArc(Vector3D Centre, Vector3D First, Vector3D Second, Angle Start, Angle Sweep)
 {
-    /// <summary>Relative difference of two half-diameters below which they make a circle; the rounding of deeply nested inserts is far smaller.</summary>
+    /// <summary>Relative difference of two half-diameters below which they form a circle; the rounding of deeply nested inserts is far smaller.</summary>
     private const double EqualDiameters = 1e-9;
 
     /// <summary>Slope below which a tilted circle counts as level: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>The cubic spline through given points, twice continuously differentiable, with knots at chord lengths, as CAD programs draw a spline of which only the fit points are stored.</summary>
+/// <summary>The cubic spline through given points, twice continuously differentiable, with knots at chord lengths, as CAD programs draw a spline that is stored
+/// with fit points only.</summary>
 public static class FitPointSpline
 {
     /// <param name="points">At least two, no two neighbours equal; closed: the first is not repeated at the end.</param>

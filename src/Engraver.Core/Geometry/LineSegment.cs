@@ -11,7 +11,7 @@ public readonly record struct LineSegment(Point2D Start, Point2D End)
 
     public Point2D PointAt(double fraction) => Start + ((End - Start) * fraction);
 
-    /// <summary>Shortest distance from a place to the piece, its ends included.</summary>
+    /// <summary>Shortest distance from a point to the line segment, its ends included.</summary>
     public double DistanceTo(Point2D place)
     {
         var along = End - Start;

@@ -27,7 +27,7 @@ public sealed class NurbsCurve
 
     public int PointCount => _points.Length / BezierSpan.Stride;
 
-    /// <summary>True for points + degree + 1 knots that never fall (except by rounding) and whose domain has a length.</summary>
+    /// <summary>True for points + degree + 1 knots that do not decrease (except by rounding) and whose domain has a length.</summary>
     public static bool AreUsable(ReadOnlySpan<double> knots, int degree, int points)
     {
         if (degree < 1 || degree > LargestDegree || points <= degree || knots.Length != points + degree + 1) return false;
@@ -49,7 +49,7 @@ public sealed class NurbsCurve
         return level;
     }
 
-    /// <summary>Substitutes for unusable knots: uniform, and the curve begins and ends at its outer control points.</summary>
+    /// <summary>Substitutes for unusable knots: uniform, with the curve beginning and ending at its outer control points.</summary>
     public static double[] UniformKnots(int degree, int points)
     {
         var knots = new double[points + degree + 1];
@@ -71,7 +71,7 @@ public sealed class NurbsCurve
         return spans.Count == 0 ? null : new RationalCurve(SegmentKind.Spline, Closed(spans));
     }
 
-    /// <summary>Makes a curve whose ends differ only by rounding close exactly.</summary>
+    /// <summary>Exactly closes a curve whose ends differ only by rounding.</summary>
     private static BezierSpan[] Closed(List<BezierSpan> spans)
     {
         const double Rounding = 1e-12;
@@ -103,7 +103,7 @@ public sealed class NurbsCurve
         return Forward(tail, i, a, b);
     }
 
-    /// <summary>From the blossoms f(a.., u(i+1) .. u(i+m)), m = 0 .. degree, to f(a.., b..). <paramref name="tail"/> holds them with m falling.</summary>
+    /// <summary>From the blossoms f(a.., u(i+1) .. u(i+m)), m = 0 .. degree, to f(a.., b..). <paramref name="tail"/> holds them with m decreasing.</summary>
     private double[] Forward(double[] tail, int i, double a, double b)
     {
         var p = Degree;

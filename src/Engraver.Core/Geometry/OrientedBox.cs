@@ -1,18 +1,18 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A box that lies along a direction: round a line it has no width at all, whichever way the line runs.</summary>
-/// <param name="Centre">Its middle, millimetres.</param>
+/// <summary>A box aligned with a direction: around a line its width is 0, whatever the direction of the line.</summary>
+/// <param name="Centre">Its centre, millimetres.</param>
 /// <param name="Along">Direction of its length, of length 1.</param>
-/// <param name="HalfLength">From the middle along <paramref name="Along"/>, to either side.</param>
-/// <param name="HalfWidth">From the middle across it, to either side.</param>
+/// <param name="HalfLength">From the centre along <paramref name="Along"/>, to either side.</param>
+/// <param name="HalfWidth">From the centre across it, to either side.</param>
 public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double HalfLength, double HalfWidth)
 {
-    /// <summary>Of the coordinates: what the computed ends of a box may be off by.</summary>
+    /// <summary>Maximum error of the computed ends of a box, as a part of the coordinates.</summary>
     private const double Rounding = 2e-15;
 
     private static readonly Vector2D s_east = new(1.0, 0.0);
 
-    /// <summary>The smallest box in the direction of the chord round the hull of some places.</summary>
+    /// <summary>The smallest box in the direction of the chord around the hull of some points.</summary>
     public static OrientedBox Around(Point2D start, Point2D end, params ReadOnlySpan<Point2D> others)
     {
         var extent = new OrientedExtent(start, DirectionOf(end - start));
@@ -22,7 +22,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return extent.Box();
     }
 
-    /// <summary>A box round the control points.</summary>
+    /// <summary>A box around the control points.</summary>
     public static OrientedBox Around(BezierSpan span)
     {
         Span<Point2D> control = stackalloc Point2D[span.Degree + 1];
@@ -30,7 +30,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return Around(control[0], control[^1], control[1..^1]);
     }
 
-    /// <summary>A box round a line, an arc of any sweep, or a curve of one span.</summary>
+    /// <summary>A box around a line, an arc of any sweep, or a curve of one span.</summary>
     public static OrientedBox Around(in Segment path)
     {
         if (path.Kind == SegmentKind.Line) return Around(path.Start, path.End);
@@ -42,14 +42,14 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return Around(start, end, start + (top - chord), end + (top - chord)); // the chord and the line through the top of the arc
     }
 
-    /// <summary>Larger on every side, and by what rounding may hide.</summary>
+    /// <summary>The box enlarged on every side by this length and by the possible rounding.</summary>
     public OrientedBox Grown(double by)
     {
         var margin = by + (Rounding * (Math.Abs(Centre.X) + Math.Abs(Centre.Y) + HalfLength + HalfWidth));
         return this with { HalfLength = HalfLength + margin, HalfWidth = HalfWidth + margin };
     }
 
-    /// <summary>0 inside.</summary>
+    /// <summary>Distance of a point from the box; 0 inside.</summary>
     public double DistanceTo(Point2D place)
     {
         var spoke = place - Centre;
@@ -68,7 +68,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return Math.Sqrt((along * along) + (across * across));
     }
 
-    /// <summary>True when they have a place in common: no side of either parts them.</summary>
+    /// <summary>True when the boxes have a point in common: no side of either separates them.</summary>
     public bool Overlaps(in OrientedBox other)
     {
         var way = other.Centre - Centre;
@@ -86,7 +86,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
     }
 }
 
-/// <summary>How far things reach along a direction and across it, seen from a place near them.</summary>
+/// <summary>Extent of objects along a direction and across it, relative to a point near them.</summary>
 internal struct OrientedExtent(Point2D origin, Vector2D along)
 {
     private double _minAlong = double.PositiveInfinity;

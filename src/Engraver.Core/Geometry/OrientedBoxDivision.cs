@@ -3,13 +3,13 @@ namespace Engraver.Core.Geometry;
 /// <summary>Divides oriented boxes in two so that the boxes around both halves are small: by position along their common direction, by position across it, or by direction (a hatch is two families of lines).</summary>
 internal sealed class OrientedBoxDivision
 {
-    /// <summary>Below this depth halves get equal numbers of items, so that no drawing makes the tree as deep as it has items.</summary>
+    /// <summary>Below this depth halves get equal numbers of items, so that the depth of the tree is limited for every drawing.</summary>
     private const int DeepestUneven = 40;
 
     /// <summary>Margin added before areas are compared, as a part of the whole extent: otherwise all boxes without width would have the same area.</summary>
     private const double WeighedMargin = 1e-5;
 
-    /// <summary>The directions count as a common one when the length of their sum is at least this part of the sum of their lengths.</summary>
+    /// <summary>The boxes have a common direction when the length of the sum of their directions is at least this part of the sum of their lengths.</summary>
     private const double LeastCommon = 0.5;
 
     private readonly OrientedBox[] _boxes;

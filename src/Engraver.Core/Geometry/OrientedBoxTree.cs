@@ -1,10 +1,11 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Oriented boxes in halves, quarters and so on, each half in an oriented box of its own. Of crowded diagonals and rings nearly every axis-parallel box holds every place; of these few do.</summary>
-/// <remarks>Built in n log n steps. Counts what it looks at, so not safe for use from several threads.</remarks>
+/// <summary>Oriented boxes in halves, quarters and so on, each half in its own oriented box. In dense diagonals and rings nearly every axis-parallel box
+/// contains every point; only few oriented boxes do.</summary>
+/// <remarks>Built in n log n steps. Counts the boxes that it examines, so not safe for use from several threads.</remarks>
 public sealed class OrientedBoxTree
 {
-    /// <summary>Items under a node that is not divided.</summary>
+    /// <summary>Maximum number of items under a node that is not divided.</summary>
     internal const int LeafSize = 4;
 
     private readonly OrientedBox[] _items;
@@ -13,7 +14,7 @@ public sealed class OrientedBoxTree
 
     private OrientedBoxTree(OrientedBox[] items, int[] order, List<OrientedBoxNode> nodes) => (_items, _order, _nodes) = (items, order, nodes);
 
-    /// <summary>Boxes that were looked at since the tree was built, of nodes and of items.</summary>
+    /// <summary>Number of boxes examined since the tree was built, of nodes and of items.</summary>
     public long Steps { get; private set; }
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>, which are taken over.</summary>
@@ -24,11 +25,12 @@ public sealed class OrientedBoxTree
     }
 
     /// <summary>The nearest item by <paramref name="measure"/>, ties to the lower number, or the first found that is near enough; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
-    /// <param name="place">Seen from here.</param>
-    /// <param name="measure">Exact distance of an item, which is nowhere nearer than its box. Several items may be pieces of one thing and measure the whole.</param>
+    /// <param name="place">Point to measure from.</param>
+    /// <param name="measure">Exact distance of an item, which is nowhere nearer than its box. Several items may be pieces of one object and measure the
+    /// whole.</param>
     /// <param name="within">Largest distance of interest; positive infinity for any.</param>
-    /// <param name="enough">No nearer need the answer be; 0 for the nearest of all, negative where ties matter.</param>
-    /// <param name="distance">Distance of the answer, or <paramref name="within"/> when there is none.</param>
+    /// <param name="enough">The search ends at an item this near; 0 for the nearest of all, negative where ties matter.</param>
+    /// <param name="distance">Distance of the result, or <paramref name="within"/> when there is none.</param>
     public int Nearest(Point2D place, BoxTree.Measure measure, double within, double enough, out double distance)
     {
         var best = new BoxTree.Best(-1, within);
@@ -38,7 +40,7 @@ public sealed class OrientedBoxTree
     }
 
     /// <summary>True when the box of an item comes within <paramref name="reach"/> of a line, an arc or a curve of one span, or nearly.</summary>
-    /// <param name="counts">Which items count; all when left out.</param>
+    /// <param name="counts">Selects the items that count; all when omitted.</param>
     public bool ComesNear(in Segment path, double reach, Predicate<int>? counts = null)
     {
         var box = OrientedBox.Around(path).Grown(reach);
@@ -98,17 +100,17 @@ public sealed class OrientedBoxTree
         public bool Meets(in OrientedBox box) => strip.Overlaps(box);
     }
 
-    /// <summary>What is within reach of an arc lies in the arc's box, and between two radii.</summary>
+    /// <summary>Points within reach of an arc are in the arc's box and between two radii.</summary>
     private readonly struct Ring(OrientedBox around, Point2D centre, double least, double most) : IBoxQuery
     {
         public bool Meets(in OrientedBox box) => around.Overlaps(box) && box.DistanceTo(centre) <= most && box.FarthestFrom(centre) >= least;
     }
 }
 
-/// <summary>A half of a half of the items. Its first half, where it has any, is the next node.</summary>
-/// <param name="Box">Round all items under it.</param>
-/// <param name="First">Where its items begin in the order.</param>
-/// <param name="Count">How many they are.</param>
+/// <summary>A node: a part of the items. The node of its first half, where it has one, follows directly.</summary>
+/// <param name="Box">Box around all items under it.</param>
+/// <param name="First">Index of its first item in the order.</param>
+/// <param name="Count">Number of its items.</param>
 /// <param name="Second">The node of its second half; 0 for a leaf.</param>
 internal readonly record struct OrientedBoxNode(OrientedBox Box, int First, int Count, int Second)
 {

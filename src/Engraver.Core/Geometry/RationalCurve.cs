@@ -1,7 +1,7 @@
 namespace Engraver.Core.Geometry;
 
 /// <summary>An ellipse, an elliptical arc or a spline, exact: rational Bezier spans joined end to start, with a direction. Rows of kinds 4 and 5 of the entity table have one in a side column.</summary>
-/// <remarks>Compared by reference. Immutable; lengths and box are computed when first asked for.</remarks>
+/// <remarks>Compared by reference. Immutable; lengths and box are computed on first use.</remarks>
 public sealed class RationalCurve
 {
     private readonly BezierSpan[] _spans;
@@ -40,7 +40,7 @@ public sealed class RationalCurve
     /// <summary>Length of the projection to the XY plane, relative error at most 1e-9.</summary>
     public double PlanLength => double.IsNaN(_planLength) ? _planLength = Length(inPlan: true) : _planLength;
 
-    /// <summary>Along the curve in space.</summary>
+    /// <summary>Length of the curve in space.</summary>
     public double SpaceLength => double.IsNaN(_spaceLength) ? _spaceLength = IsLevel ? PlanLength : Length(inPlan: false) : _spaceLength;
 
     /// <summary>Smallest box in plan.</summary>
@@ -54,7 +54,7 @@ public sealed class RationalCurve
         return new RationalCurve(Kind, spans) { _planLength = _planLength, _spaceLength = _spaceLength, _bounds = _bounds };
     }
 
-    /// <summary>Scaled about the origin: drawing units to millimetres.</summary>
+    /// <summary>The curve scaled about the origin: drawing units to millimetres.</summary>
     public RationalCurve Scaled(double factor) => factor == 1.0 ? this : With([.. _spans.Select(span => span.Scaled(factor))]);
 
     /// <summary>The same curve under a similarity of the plane; heights are scaled with it.</summary>
@@ -90,7 +90,7 @@ public sealed class RationalCurve
     /// <summary>The curve in pieces that are nearly straight and of nearly constant speed.</summary>
     public IReadOnlyList<RationalCurve> Pieces() => _pieces ??= CurvePieces.Split(this);
 
-    /// <summary>Shortest distance from a place to the curve in plan, its ends included.</summary>
+    /// <summary>Shortest distance from a point to the curve in plan, its ends included.</summary>
     public double DistanceTo(Point2D place)
     {
         var nearest = double.PositiveInfinity;
@@ -104,7 +104,7 @@ public sealed class RationalCurve
         if (spans[0].Start == spans[^1].End) return;
         var points = spans[^1].Homogeneous.ToArray();
         var factor = 1.0 / points[^1];
-        for (var i = 0; i < points.Length; i++) points[i] *= factor; // a common factor of all homogeneous coordinates leaves the curve as it is
+        for (var i = 0; i < points.Length; i++) points[i] *= factor; // a common factor of all homogeneous coordinates does not change the curve
         var start = spans.Length == 1 ? new BezierSpan(points).Start : spans[0].Start;
         (points[^4], points[^3], points[^1]) = (start.X, start.Y, 1.0);
         spans[^1] = new BezierSpan(points);
@@ -117,7 +117,7 @@ public sealed class RationalCurve
         return sum;
     }
 
-    /// <summary>All of it lies at one height: that of its start.</summary>
+    /// <summary>The whole curve is at one height: that of its start.</summary>
     public bool IsLevel
     {
         get

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A line, an arc, a whole circle, an ellipse or a spline with a direction: what contours are made of (toolpaths: lines, arcs and circles only).</summary>
+/// <summary>A line, an arc, a whole circle, an ellipse or a spline with a direction: the elements of contours (in toolpaths: lines, arcs and circles
+/// only).</summary>
 /// <remarks><see cref="Start"/> and <see cref="End"/> are stored, not computed, so that chained ends can be compared exactly; a circle starts and ends at its start angle.</remarks>
 public readonly record struct Segment
 {
@@ -25,7 +26,7 @@ public readonly record struct Segment
     /// <summary>True for an ellipse or spline, which has a <see cref="Curve"/>; the toolpath has arcs and lines instead.</summary>
     public bool IsFreeCurve => _curve is not null;
 
-    /// <summary>True for a circle, or an ellipse or spline that ends where it starts: a closed contour by itself.</summary>
+    /// <summary>True for a circle, or an ellipse or spline that ends where it starts: a closed contour of one segment.</summary>
     public bool IsClosed => Kind == SegmentKind.Circle || (_curve is not null && Start == End);
 
     /// <summary>The arc or circle itself. Only for <see cref="SegmentKind.Arc"/> and <see cref="SegmentKind.Circle"/>.</summary>
@@ -53,10 +54,10 @@ public readonly record struct Segment
     /// <summary>An arc or, with a sweep of exactly +-360 degrees, a circle.</summary>
     public static Segment FromArc(ArcSegment arc) => new(arc.IsFullTurn ? SegmentKind.Circle : SegmentKind.Arc, arc.StartPoint, arc.EndPoint, arc);
 
-    /// <summary>An arc whose ends are known more exactly than its angles give them (both must lie on the circle to rounding).</summary>
+    /// <summary>An arc whose ends are known more exactly than its angles give them (both must be on the circle within rounding).</summary>
     public static Segment FromArc(ArcSegment arc, Point2D start, Point2D end) => new(arc.IsFullTurn ? SegmentKind.Circle : SegmentKind.Arc, start, end, arc);
 
-    /// <summary>An ellipse or spline as a segment of its own.</summary>
+    /// <summary>An ellipse or spline as one segment.</summary>
     public static Segment FromCurve(RationalCurve curve) => new(curve.Kind, curve.Start, curve.End, default, curve);
 
     public Segment Reversed()
@@ -92,7 +93,7 @@ public enum SegmentKind : byte
     Circle = 2,
     Arc = 3,
 
-    /// <summary>An ellipse or elliptical arc, whether drawn as such or made from a circle by tilting or unequal scaling.</summary>
+    /// <summary>An ellipse or elliptical arc, whether drawn as one or made from a circle by tilting or unequal scaling.</summary>
     Ellipse = 4,
     Spline = 5,
 }

@@ -1,23 +1,23 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Shortest distance from a point to a span of any shape: control points may coincide, run back, or make a cusp.</summary>
+/// <summary>Shortest distance from a point to a span of any shape: control points may coincide, reverse, or form a cusp.</summary>
 /// <remarks>
 /// With N the vector from the point to the span times the weight w, the squared distance is N.N / w^2, and its slope has the sign of (N.N)' w - 2 N.N w'. Both are polynomials whose Bernstein
 /// coefficients bound them: where no coefficient of N.N - d^2 w^2 is below zero, nothing is nearer than d; where the slope changes its sign once, there is one nearest point, and Newton's
-/// steps between two parameters on either side find it. Parts that neither test decides are halved. No test asks whether a derivative is zero.
+/// steps between two parameters on either side find it. Parts that neither test decides are halved. No test checks whether a derivative is zero.
 /// </remarks>
 internal static class SpanDistance
 {
     private const int MostHalvings = 48;
 
-    /// <summary>Most parts in one query, for the case that rounding leaves halves undecided.</summary>
+    /// <summary>Maximum number of parts in one query, for the case that rounding leaves halves undecided.</summary>
     private const int MostParts = 2000;
 
     private const int MostSteps = 60;
 
     private const double ParameterKnown = 1e-14;
 
-    /// <summary>Relative precision of the distance: nothing nearer by less is searched for.</summary>
+    /// <summary>Relative precision of the distance: points nearer by less than this are not searched for.</summary>
     private const double DistanceKnown = 1e-12;
 
     /// <summary>Rounding error as a part of the point's coordinates.</summary>
@@ -115,7 +115,8 @@ internal static class SpanDistance
             Bernstein.AddProduct(squared, change, -2.0, slope);
         }
 
-        /// <summary>Newton's steps (Gauss's form) to the one nearest point, between a parameter before it and one after it; halves the interval where they make no progress.</summary>
+        /// <summary>Newton's steps (Gauss's form) to the one nearest point, between a parameter before it and one after it; halves the interval where the steps
+        /// do not converge.</summary>
         private void TakeFoot(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w)
         {
             var (low, high, parameter, before) = (0.0, 1.0, 0.5, double.PositiveInfinity);
@@ -132,7 +133,8 @@ internal static class SpanDistance
             }
         }
 
-        /// <summary>Measures the point at a parameter (de Casteljau). Returns the scalar product of the vector to the place with the derivative there, and the derivative's square.</summary>
+        /// <summary>Measures the point at a parameter (de Casteljau). Returns the scalar product of the vector to the point with the derivative there, and the
+        /// derivative's square.</summary>
         private (double Ahead, double Speed) At(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, double parameter)
         {
             var (px, dx) = Evaluate(x, parameter);

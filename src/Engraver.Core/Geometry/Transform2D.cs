@@ -1,10 +1,11 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A similarity of the plane: mirror at the x axis (or not), scale, turn, shift, in this order. Lines stay lines and arcs stay arcs, exactly.</summary>
+/// <summary>A similarity of the plane: mirror in the x axis (or not), scale, rotate, translate, in this order. Lines remain lines and arcs remain arcs,
+/// exactly.</summary>
 /// <param name="Scale">Above 0; one factor for both axes.</param>
-/// <param name="Turn">Counter-clockwise; quarter turns are exact.</param>
+/// <param name="Turn">Rotation, counter-clockwise; quarter turns are exact.</param>
 /// <param name="Mirrored">True when left and right are exchanged (arcs change their sign).</param>
-/// <param name="Shift">Where the origin is moved to.</param>
+/// <param name="Shift">Translation: the image of the origin.</param>
 public readonly record struct Transform2D(double Scale, Angle Turn, bool Mirrored, Vector2D Shift)
 {
     public static Transform2D Identity { get; } = new(1.0, Angle.Zero, false, default);
@@ -15,12 +16,12 @@ public readonly record struct Transform2D(double Scale, Angle Turn, bool Mirrore
 
     public static Transform2D ScaleFrom(Point2D basePoint, double factor) => new Transform2D(factor, Angle.Zero, false, default).Keeping(basePoint);
 
-    /// <summary>Mirror at the line through two points; they must differ.</summary>
+    /// <summary>Mirror in the line through two points; they must differ.</summary>
     public static Transform2D MirrorAt(Point2D a, Point2D b) => new Transform2D(1.0, (b - a).Direction * 2.0, true, default).Keeping(a);
 
     public Point2D Apply(Point2D point) => Point2D.Origin + Linear(new Vector2D(point.X, point.Y)) + Shift;
 
-    /// <summary>Maps an arc; a whole turn stays a sweep of exactly +-360 degrees.</summary>
+    /// <summary>Maps an arc; a whole turn remains a sweep of exactly +-360 degrees.</summary>
     public ArcSegment Apply(ArcSegment arc) => new(
         Apply(arc.Centre),
         arc.Radius * Scale,
@@ -34,7 +35,7 @@ public readonly record struct Transform2D(double Scale, Angle Turn, bool Mirrore
         return new Vector2D(Scale * ((vector.X * cos) - (y * sin)), Scale * ((vector.X * sin) + (y * cos)));
     }
 
-    /// <summary>The same map with another shift, so that this point stays where it is.</summary>
+    /// <summary>The same map with another translation, so that this point is not moved.</summary>
     private Transform2D Keeping(Point2D point)
     {
         var position = new Vector2D(point.X, point.Y);

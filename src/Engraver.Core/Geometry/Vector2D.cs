@@ -14,7 +14,7 @@ public readonly record struct Vector2D(double X, double Y)
 
     public double Dot(Vector2D other) => (X * other.X) + (Y * other.Y);
 
-    /// <summary>z of the cross product: positive when <paramref name="other"/> lies to the left.</summary>
+    /// <summary>z of the cross product: positive when <paramref name="other"/> is to the left.</summary>
     public double Cross(Vector2D other) => (X * other.Y) - (Y * other.X);
 
     /// <summary>Signed turn from this direction to the other, in (-180, 180] degrees, left turn positive; 0 when either vector is zero.</summary>

@@ -3,10 +3,10 @@ namespace Engraver.Core.Geometry.Biarcs;
 /// <summary>Collects the arcs of a fit; neighbours on one circle become one arc, neighbours on one line one line.</summary>
 internal sealed class ArcChain
 {
-    /// <summary>Radii and centres that differ by less than this part of the radius make one circle.</summary>
+    /// <summary>Arcs whose radii and centres differ by less than this part of the radius are on the same circle.</summary>
     private const double SameCircle = 1e-9;
 
-    /// <summary>Sine of the largest angle between two lines that are joined to one.</summary>
+    /// <summary>Sine of the largest angle between two lines that are joined into one.</summary>
     private const double SameDirection = 1e-12;
 
     private readonly List<Segment> _segments = [];
@@ -35,7 +35,8 @@ internal sealed class ArcChain
         return last.Kind == SegmentKind.Arc ? OnOneCircle(last, next) : null;
     }
 
-    /// <summary>The arc that covers both, when they are on one circle. A whole turn only if it ends exactly at its start; null when it would end nearly there.</summary>
+    /// <summary>The arc that covers both, when they are on one circle. A whole turn only if it ends exactly at its start; null when it would end near its start
+    /// but not exactly there.</summary>
     private static Segment? OnOneCircle(Segment last, Segment next)
     {
         var (a, b) = (last.Arc, next.Arc);

@@ -1,14 +1,17 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Decides whether a piece of a curve runs within a distance of an arc (or line), rigorously: not at samples but by bounds that hold everywhere.</summary>
+/// <summary>Decides whether a piece of a curve is within a distance of an arc (or line), rigorously: not at samples but by bounds that hold
+/// everywhere.</summary>
 /// <remarks>
 /// With Q the vector from the arc's start, n its left normal there and k its curvature, d = k|Q|^2 - 2 Q.n is 2 + k e times the distance e from the circle (k = 0: from the line).
-/// Times the squared weight it is a polynomial, which its Bernstein coefficients enclose; so are the distances by which the piece may reach beyond the arc's two ends.
-/// Pieces that the bounds do not decide are halved. Since piece and arc begin and end beside each other, every point of the arc has a point of the piece as near (continuity).
+/// Times the squared weight it is a polynomial, which its Bernstein coefficients enclose, as are the distances by which the piece may extend beyond the arc's
+/// two ends.
+/// Pieces that the bounds do not decide are halved. Since piece and arc begin and end beside each other, every point of the arc has a point of the piece as
+/// near (continuity).
 /// </remarks>
 internal static class ArcDeviation
 {
-    /// <summary>Part of the tolerance by which a piece may reach beyond the ends of its arc; the rest is for the distance from it.</summary>
+    /// <summary>Part of the tolerance by which a piece may extend beyond the ends of its arc; the rest is for the distance from it.</summary>
     public const double EndShare = 0.02;
 
     private const int MostHalvings = 7;
@@ -60,7 +63,7 @@ internal static class ArcDeviation
     /// <summary>The distance |e| that belongs to d, from |d| = |e| (2 + k e) with k e at least -1.</summary>
     private static double ToDistance(double d, double curvature) => d / (2.0 - Math.Min(1.0, Math.Abs(curvature) * d));
 
-    /// <summary>Distance of a place from the arc's whole circle (or line).</summary>
+    /// <summary>Distance of a point from the arc's whole circle (or line).</summary>
     public static double FromCircle(Point2D place, in TangentArc arc)
     {
         var way = place - arc.Start;

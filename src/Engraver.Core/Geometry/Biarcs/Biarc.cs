@@ -1,13 +1,14 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
 /// <summary>Two arcs (or lines) from one point and direction to another point and direction, joined without a corner.</summary>
-/// <remarks>Such pairs form a family: with tangent lengths a and b the joint lies on the line from start + a T0 to end - b T1, at distance a from the first and b from the second.</remarks>
+/// <remarks>Such pairs form a family: with tangent lengths a and b the joint is on the line from start + a T0 to end - b T1, at distance a from the first and b
+/// from the second.</remarks>
 public readonly record struct Biarc(TangentArc First, TangentArc Second)
 {
     /// <summary>The pair with equal tangent lengths, whose curvatures differ least. Null when the directions lead away from the chord or either arc would sweep a half turn.</summary>
-    /// <param name="start">Where it begins.</param>
+    /// <param name="start">Start point.</param>
     /// <param name="startTangent">Direction there, length 1.</param>
-    /// <param name="end">Where it ends; not the start.</param>
+    /// <param name="end">End point; not equal to the start.</param>
     /// <param name="endTangent">Direction of travel there, length 1.</param>
     public static Biarc? Between(Point2D start, Vector2D startTangent, Point2D end, Vector2D endTangent) => Between(start, startTangent, end, endTangent, 1.0);
 

@@ -1,25 +1,26 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Looks among all biarcs between two places of a run, with given directions there, for one within the tolerance.</summary>
-/// <remarks>A few samples show which members of the family are worth a proof; <see cref="ArcDeviation"/> proves.</remarks>
+/// <summary>Searches all biarcs between two points of a run, with given directions there, for one within the tolerance.</summary>
+/// <remarks>A few samples show which members of the family are worth a proof; <see cref="ArcDeviation"/> does the proof.</remarks>
 internal sealed class BiarcChoice(SmoothRun run, double tolerance)
 {
     private const int JointSteps = 60;
     private const int Samples = 12;
     private const int Proofs = 2;
 
-    /// <summary>Sine of the largest angle between an arc's end direction and the curve's that counts as none; circles as drawn are rounded to less.</summary>
+    /// <summary>Sine of the largest angle between an arc's end direction and the curve's that is ignored; rounding of drawn circles is smaller.</summary>
     public const double SameDirection = 1e-4;
 
-    /// <summary>First tangent lengths to try, as multiples of that of the pair with equal ones. The equal pair comes first and mostly suffices.</summary>
+    /// <summary>First tangent lengths to try, as multiples of that of the pair with equal ones. The equal pair comes first and is sufficient in most
+    /// cases.</summary>
     private static readonly double[] Shares = [1.0, 0.8, 1.25, 0.62, 1.6, 0.9, 1.1, 0.7, 1.4, 0.53, 1.9, 0.45, 2.2, 0.37, 2.7, 0.3, 3.3, 0.18, 5.5];
 
     private readonly Point2D[] _samples = new Point2D[Samples];
 
     /// <summary>A pair within the tolerance, null when none was found.</summary>
-    /// <param name="from">Where it begins on the run.</param>
+    /// <param name="from">Start place on the run.</param>
     /// <param name="leaving">Direction there, length 1.</param>
-    /// <param name="to">Where it ends.</param>
+    /// <param name="to">End place on the run.</param>
     /// <param name="arriving">Direction there, length 1.</param>
     public Biarc? Between(double from, Vector2D leaving, double to, Vector2D arriving)
     {

@@ -1,15 +1,17 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Approximates ellipses and splines by arcs and lines: pairs of arcs that take ends and end directions from the curve, so that the path has corners only where the curve has.</summary>
+/// <summary>Approximates ellipses and splines by arcs and lines: pairs of arcs that take ends and end directions from the curve, so that the path has corners
+/// only where the curve has them.</summary>
 /// <remarks>Each pair is as long as the tolerance allows, found by galloping and bisection from the end of the last. A part of what fits also fits, so taking the longest gives the fewest (for nearly all curves).</remarks>
 public static class BiarcFit
 {
-    /// <summary>Finest tolerance as a part of the curve's size and distance from the origin; below it rounding decides, and a curve of kilometres would become a million arcs.</summary>
+    /// <summary>Finest tolerance as a part of the curve's size and distance from the origin; below it rounding dominates, and a curve of kilometres would
+    /// become a million arcs.</summary>
     private const double FinestOfSize = 1e-9;
 
     private const double FinestOfPlace = 1e-13;
 
-    /// <summary>Up to this number of arcs a second search for one arc fewer is worth its time.</summary>
+    /// <summary>Up to this number of arcs a second search for one arc fewer is made.</summary>
     private const int FewArcs = 64;
 
     /// <summary>Arcs and lines that begin and end where the curve does. No point of them is farther than <paramref name="maxError"/> from the curve, nor any point of the curve from them (proved by bounds, not by samples).</summary>
@@ -31,11 +33,13 @@ public static class BiarcFit
         return segments.Count > 0 ? segments : [Segment.FromLine(curve.Start, curve.End)];
     }
 
-    /// <summary>Sine by which the last arc may miss the curve's end direction: at the end of a spline that closes without a corner, as much as counts as no corner.</summary>
+    /// <summary>Sine by which the last arc may differ from the curve's end direction: at the end of a spline that closes without a corner, up to the limit of a
+    /// corner.</summary>
     private static double EndDirection(RationalCurve curve, SmoothRun run) =>
         curve is { Kind: SegmentKind.Spline, IsClosed: true } && run.End == curve.Spans.Length ? SmoothRun.CornerSine : BiarcChoice.SameDirection;
 
-    /// <summary>The fewest arcs of several searches: from the front, from the back (the longest-first rule may leave a very short last arc in one direction only), and from span to span where spans are like arcs.</summary>
+    /// <summary>The fewest arcs of several searches: from the front, from the back (the longest-first rule may leave a very short last arc in one direction
+    /// only), and from span to span where spans are similar to arcs.</summary>
     private static IReadOnlyList<TangentArc> Cover(SmoothRun run, double tolerance, double endDirection)
     {
         var forwards = new BiarcSearch(run, tolerance).Cover();

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Covers a smooth run with arcs, each pair (or single arc, where one does) as long as the tolerance allows.</summary>
+/// <summary>Covers a smooth run with arcs, each pair (or single arc, where one is sufficient) as long as the tolerance allows.</summary>
 internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 {
     /// <summary>Relative precision at which the bisection for the longest fit ends.</summary>
@@ -8,7 +8,8 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 
     private const int SingleSteps = 20;
 
-    /// <summary>After so many lines in a row it is rounding and no cusp that prevents arcs (a small curve far from the origin), and the search gives up.</summary>
+    /// <summary>After this number of lines in a row, rounding and not a cusp prevents arcs (a small curve far from the origin), and the search is
+    /// abandoned.</summary>
     private const int MostLines = 16;
 
     private const double SmallestStep = 1e-12;
@@ -85,7 +86,8 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 
     private Biarc? FitBetween(double from, Vector2D tangent, double to) => _choice.Between(from, tangent, to, run.TangentAt(to));
 
-    /// <summary>One arc instead of two, as far as it fits; null when it covers less than half of what two do, or when two reach the run's end and it does not.</summary>
+    /// <summary>One arc instead of two, as far as it fits; null when it covers less than half of what two cover, or when two reach the run's end and it does
+    /// not.</summary>
     private (double To, TangentArc Arc)? SingleFrom(double from, Vector2D tangent, double reach)
     {
         if (reach <= from) return null;
@@ -108,7 +110,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
         return Math.Min(run.End, joint > from && Math.Abs(joint - place) <= (reach - from) / SingleSteps ? joint : place);
     }
 
-    /// <summary>True when all control points are within half the tolerance of the start: a line is then near enough, whatever the curve does.</summary>
+    /// <summary>True when all control points are within half the tolerance of the start: a line is then near enough, whatever the shape of the curve.</summary>
     private bool IsSpeck(double from, double to)
     {
         var start = run.PlaceAt(from);

@@ -1,7 +1,9 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Covers a run whose spans are nearly arcs (CAD writes a circle as a spline of four) with the fewest single arcs, each from one end or middle of a span to another.</summary>
-/// <remarks><see cref="BiarcSearch"/> ends its arcs at places from which no single arc goes on; the ends and middles of symmetric spans do not have that problem. Within the run neighbours share their tangent exactly.</remarks>
+/// <summary>Covers a run whose spans are nearly arcs (CAD writes a circle as a spline of four spans) with the fewest single arcs, each from one end or middle
+/// of a span to another.</summary>
+/// <remarks><see cref="BiarcSearch"/> ends its arcs at places from which no single arc can continue; the ends and middles of symmetric spans do not have that
+/// problem. Within the run neighbours share their tangent exactly.</remarks>
 /// <param name="run">The run to cover.</param>
 /// <param name="tolerance">Largest distance between run and arcs, mm.</param>
 /// <param name="endDirection">Sine of the largest angle between the last arc's end and the curve's.</param>
@@ -10,10 +12,11 @@ internal sealed class SpanArcs(SmoothRun run, double tolerance, double endDirect
     /// <summary>End places in each span: its middle and its end.</summary>
     private const int PlacesPerSpan = 2;
 
-    /// <summary>Most places that one arc may span. No arc sweeps a half turn, and a circle has at least four spans.</summary>
+    /// <summary>Maximum number of places that one arc may span. No arc sweeps a half turn, and a circle has at least four spans.</summary>
     private const int FarthestPlace = 16;
 
-    /// <summary>Sine of the largest angle between an arc's end and the curve's, where another arc follows (it continues in the arc's direction): coordinates with four decimals turn a small circle by so much.</summary>
+    /// <summary>Sine of the largest angle between an arc's end and the curve's, where another arc follows (it continues in the arc's direction): coordinates
+    /// with four decimals turn a small circle by this much.</summary>
     private const double SameDirection = SmoothRun.CornerSine;
 
     private readonly BiarcChoice _choice = new(run, tolerance);

@@ -1,14 +1,14 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
 /// <summary>An arc by its ends and its direction at the start; a line when its curvature is 0.</summary>
-/// <param name="Start">Where it begins.</param>
+/// <param name="Start">Start point.</param>
 /// <param name="StartTangent">Direction there, length 1.</param>
-/// <param name="End">Where it ends.</param>
+/// <param name="End">End point.</param>
 /// <param name="EndTangent">Direction there, length 1.</param>
 /// <param name="Curvature">1 / radius, left turns positive; 0 for a line.</param>
 public readonly record struct TangentArc(Point2D Start, Vector2D StartTangent, Point2D End, Vector2D EndTangent, double Curvature)
 {
-    /// <summary>An arc whose height over the chord is below this part of the chord becomes a line: its centre would be lost in rounding.</summary>
+    /// <summary>An arc whose height above the chord is below this part of the chord becomes a line: its centre would be lost in rounding.</summary>
     private const double StraightSagitta = 1e-9;
 
     /// <summary>The arc that leaves <paramref name="start"/> along <paramref name="tangent"/> and reaches <paramref name="end"/>.</summary>
@@ -18,7 +18,7 @@ public readonly record struct TangentArc(Point2D Start, Vector2D StartTangent, P
         var squared = chord.LengthSquared;
         var (along, across) = (tangent.Dot(chord), tangent.Cross(chord));
         if (!(Math.Abs(across) > 8.0 * StraightSagitta * Math.Sqrt(squared))) return new TangentArc(start, tangent, end, tangent, 0.0);
-        var turned = ((chord * (2.0 * along)) - (tangent * squared)) * (1.0 / squared); // the tangent mirrored at the chord
+        var turned = ((chord * (2.0 * along)) - (tangent * squared)) * (1.0 / squared); // the tangent mirrored in the chord
         return new TangentArc(start, tangent, end, turned, 2.0 * across / squared);
     }
 
@@ -33,7 +33,7 @@ public readonly record struct TangentArc(Point2D Start, Vector2D StartTangent, P
     /// <summary>The same points in the opposite direction.</summary>
     public TangentArc Reversed() => new(End, -EndTangent, Start, -StartTangent, -Curvature);
 
-    /// <summary>As a segment with exactly these ends.</summary>
+    /// <summary>The arc as a segment with exactly these ends.</summary>
     public Segment ToSegment()
     {
         if (Curvature == 0.0) return Segment.FromLine(Start, End);

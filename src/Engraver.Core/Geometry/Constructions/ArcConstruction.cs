@@ -1,16 +1,17 @@
 namespace Engraver.Core.Geometry.Constructions;
 
-/// <summary>Arcs from what a person gives of them: points, centre, angle, chord, radius, direction. The ways of the command ARC.</summary>
-/// <remarks>Every one begins at its start point. Null where what was given makes no arc: points in line or on each other, a chord longer than the circle is wide.</remarks>
+/// <summary>Arcs from the values that a user gives: points, centre, angle, chord, radius, direction. The methods of the command ARC.</summary>
+/// <remarks>Every arc begins at its start point. Null where the values do not define an arc: points that are collinear or coincide, a chord longer than the
+/// diameter.</remarks>
 public static class ArcConstruction
 {
-    /// <summary>Sine of the smallest angle between two chords that still bend: a flatter arc has a radius beyond 1e9 times its length, and is a line.</summary>
+    /// <summary>Sine of the smallest angle between two chords of an arc: a flatter arc has a radius beyond 1e9 times its length, and is a line.</summary>
     private const double Flattest = 1e-9;
 
-    /// <summary>How far a chord may exceed the diameter, as a part of it, and still be one: what rounding makes of a half circle.</summary>
+    /// <summary>Maximum excess of a chord over the diameter, as a part of it: the rounding of a half circle.</summary>
     private const double Rounding = 1e-12;
 
-    /// <summary>From the start over the second point to the end, in whichever direction that is.</summary>
+    /// <summary>From the start through the second point to the end, in either direction.</summary>
     public static ArcSegment? ThroughPoints(Point2D start, Point2D second, Point2D end)
     {
         var (b, c) = (second - start, end - start);
@@ -23,7 +24,7 @@ public static class ArcConstruction
         return Made(centre, spoke.Length, from, cross > 0.0 ? (to - from).Positive() : -(from - to).Positive());
     }
 
-    /// <summary>Counter-clockwise from the start about the centre to the direction of a place, which need not lie on the circle.</summary>
+    /// <summary>Counter-clockwise from the start about the centre to the direction of a point, which need not be on the circle.</summary>
     public static ArcSegment? FromCentreTo(Point2D start, Point2D centre, Point2D toward)
     {
         if (toward == centre) return null;
@@ -51,14 +52,14 @@ public static class ArcConstruction
     public static ArcSegment? FromEndsRadius(Point2D start, Point2D end, double radius) => OfChord(start.DistanceTo(end), Math.Abs(radius), radius < 0.0) is { } sweep ? FromEndsSweep(start, end, sweep) : null;
 
     /// <summary>From the start to the end, beginning in a direction.</summary>
-    /// <param name="direction">Of travel at the start; its length does not matter.</param>
+    /// <param name="direction">Direction of travel at the start; its length does not matter.</param>
     public static ArcSegment? FromEndsDirection(Point2D start, Point2D end, Vector2D direction)
     {
         var turn = direction.TurnTo(end - start);
         return direction.LengthSquared > 0.0 && Math.Abs(turn.Sin()) > Flattest ? FromEndsSweep(start, end, turn * 2.0) : null;
     }
 
-    /// <summary>The angle over a chord; null when the circle is not as wide.</summary>
+    /// <summary>The angle of a chord; null when the chord is longer than the diameter.</summary>
     private static Angle? OfChord(double chord, double radius, bool longer)
     {
         if (!(chord > 0.0) || chord > 2.0 * radius * (1.0 + Rounding)) return null;

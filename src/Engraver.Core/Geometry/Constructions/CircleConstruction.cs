@@ -1,19 +1,20 @@
 namespace Engraver.Core.Geometry.Constructions;
 
-/// <summary>Circles from what a person gives of them. Null where there is none.</summary>
+/// <summary>Circles from the values that a user gives. Null where they do not define one.</summary>
 public static class CircleConstruction
 {
-    /// <summary>Counter-clockwise, begun right of the centre, as DXF has circles.</summary>
+    /// <summary>Counter-clockwise, starting right of the centre, as in DXF.</summary>
     public static ArcSegment? FromRadius(Point2D centre, double radius) => radius > 0.0 && double.IsFinite(radius) && centre.IsFinite ? new ArcSegment(centre, radius, Angle.Zero, Angle.FullTurn) : null;
 
-    /// <summary>Two points opposite each other.</summary>
+    /// <summary>From two opposite points.</summary>
     public static ArcSegment? FromDiameter(Point2D one, Point2D other) => FromRadius(one + ((other - one) * 0.5), one.DistanceTo(other) / 2.0);
 
     public static ArcSegment? ThroughPoints(Point2D first, Point2D second, Point2D third) => ArcConstruction.ThroughPoints(first, second, third) is { } arc ? FromRadius(arc.Centre, arc.Radius) : null;
 
-    /// <summary>The circle of a radius that touches two objects, lines prolonged and arcs completed; of several that whose points of touch are nearest to the places that were pointed at.</summary>
-    /// <param name="first">A line, arc or circle, and where it was pointed at.</param>
-    /// <param name="second">Another one.</param>
+    /// <summary>The circle of a radius that touches two objects, with lines extended and arcs completed; of several, the one whose tangent points are nearest
+    /// to the picked points.</summary>
+    /// <param name="first">A line, arc or circle, and the point at which it was picked.</param>
+    /// <param name="second">The second object and its point.</param>
     public static ArcSegment? TangentTo((Segment Of, Point2D At) first, (Segment Of, Point2D At) second, double radius)
     {
         if (first.Of.IsFreeCurve || second.Of.IsFreeCurve || !(radius > 0.0)) return null;
@@ -22,7 +23,7 @@ public static class CircleConstruction
         return best is { } found ? FromRadius(found, radius) : null;
     }
 
-    /// <summary>Where the centres of all circles of a radius lie that touch an object.</summary>
+    /// <summary>The loci of the centres of all circles of a radius that touch an object.</summary>
     private static IEnumerable<Locus> Loci(Segment of, double radius)
     {
         if (of.Kind != SegmentKind.Line) return new[] { of.Arc.Radius + radius, Math.Abs(of.Arc.Radius - radius) }.Where(away => away > 0.0).Select(away => new Locus(of.Arc.Centre, default, away));
@@ -31,7 +32,7 @@ public static class CircleConstruction
         return direction.LengthSquared == 0.0 ? [] : [new Locus(of.Start + left, direction, 0.0), new Locus(of.Start - left, direction, 0.0)];
     }
 
-    /// <summary>The point of an object, prolonged or completed, that is nearest to the centre of a circle that touches it.</summary>
+    /// <summary>The point of an object, extended or completed, that is nearest to the centre of a circle that touches it.</summary>
     private static Point2D Touch(Segment of, Point2D centre)
     {
         if (of.Kind != SegmentKind.Line) return of.Arc.Centre + Vector2D.FromPolar(of.Arc.Radius, (centre - of.Arc.Centre).Direction);

@@ -1,9 +1,9 @@
 namespace Engraver.Core.Geometry.Constructions;
 
-/// <summary>What becomes of every corner of a closed outline: it is cut off, or rounded.</summary>
-/// <param name="Before">How much is taken from the side that leads to the corner.</param>
-/// <param name="After">How much is taken from the side behind it.</param>
-/// <param name="Radius">Of the arc; 0 for a chamfer.</param>
+/// <summary>The cut at every corner of a closed outline: a chamfer or a rounding.</summary>
+/// <param name="Before">Length that is removed from the side before the corner.</param>
+/// <param name="After">Length that is removed from the side after the corner.</param>
+/// <param name="Radius">Radius of the arc; 0 for a chamfer.</param>
 public readonly record struct CornerCut(double Before, double After, double Radius)
 {
     public static CornerCut None => default;
@@ -15,7 +15,8 @@ public readonly record struct CornerCut(double Before, double After, double Radi
 
     public bool IsNone => Before == 0.0 && After == 0.0;
 
-    /// <summary>The outline through right-angled corners with each of them cut; where a side is too short for that, the outline as it is, as in AutoCAD.</summary>
+    /// <summary>The outline through right-angled corners with each of them cut; where a side is too short for that, the outline unchanged, as in
+    /// AutoCAD.</summary>
     public IReadOnlyList<Segment> Apply(IReadOnlyList<Point2D> corners)
     {
         ArgumentNullException.ThrowIfNull(corners);

@@ -11,8 +11,8 @@ public static class PolygonConstruction
         return [.. Enumerable.Range(0, sides).Select(side => side == 0 ? corner : centre + Vector2D.FromPolar(radius, first + Angle.FromDegrees(360.0 * side / sides)))];
     }
 
-    /// <summary>Counter-clockwise about a centre, from the corner behind a side.</summary>
-    /// <param name="middle">Of that side, where the circle inside touches it.</param>
+    /// <summary>Counter-clockwise about a centre, from the corner after a side.</summary>
+    /// <param name="middle">Midpoint of that side, where the inscribed circle touches it.</param>
     public static IReadOnlyList<Point2D> Circumscribed(Point2D centre, Point2D middle, int sides)
     {
         var spoke = middle - centre;
@@ -20,7 +20,7 @@ public static class PolygonConstruction
         return Inscribed(centre, centre + Vector2D.FromPolar(spoke.Length / half.Cos(), spoke.Direction + half), sides);
     }
 
-    /// <summary>Counter-clockwise from the first end of a side over its second.</summary>
+    /// <summary>Counter-clockwise from the first end of a side through its second.</summary>
     public static IReadOnlyList<Point2D> OnEdge(Point2D first, Point2D second, int sides)
     {
         var half = Angle.FromDegrees(180.0 / sides);
@@ -33,7 +33,7 @@ public static class PolygonConstruction
 
     /// <summary>From a corner along the first side to the opposite corner and back.</summary>
     /// <param name="sides">From the corner to the opposite one, along the first side and across; negative to the other side.</param>
-    /// <param name="turn">Of the first side against +X.</param>
+    /// <param name="turn">Angle of the first side to +X.</param>
     public static IReadOnlyList<Point2D> Rectangle(Point2D corner, Vector2D sides, Angle turn)
     {
         var (along, across) = (Vector2D.FromPolar(sides.X, turn), Vector2D.FromPolar(sides.Y, turn + Angle.FromDegrees(90.0)));

@@ -113,7 +113,7 @@ internal sealed class MachineProfileDocument
         Spindle = SpindleOutput is null ? profile.Spindle : SpindleOver(profile.Spindle ?? new Spindle()),
         ParkX = ParkX ?? profile.ParkX,
         ParkY = ParkY ?? profile.ParkY,
-        JogMmPerMinute = JogMmPerMinute ?? Math.Min(profile.JogMmPerMinute, RapidMmPerMinute ?? profile.RapidMmPerMinute), // a slow machine is not jogged faster than it goes
+        JogMmPerMinute = JogMmPerMinute ?? Math.Min(profile.JogMmPerMinute, RapidMmPerMinute ?? profile.RapidMmPerMinute), // at most the rapid speed
         Inputs = NamesDocument.ToNames(Inputs),
         Outputs = NamesDocument.ToNames(Outputs),
         Rates = CostPerHour is null && CostPerMetre is null && CostPerStart is null ? profile.Rates : new JobRates(CostPerHour ?? 0.0, CostPerMetre ?? 0.0, CostPerStart ?? 0.0),
