@@ -6,14 +6,14 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>A finding about a drawing or a setting: permanent id, severity, one sentence that says what, where and what to do.</summary>
+/// <summary>A finding about a drawing or a setting: permanent id, severity, and one sentence that states what happened, where and what to do.</summary>
 public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnlyList<string> Facts)
 {
     private readonly string? _advice;
 
     public string Id => Rule.Id;
 
-    /// <summary>The place in the drawing that it is about, millimetres; null where it is about no place, or about a whole entity.</summary>
+    /// <summary>The point of the drawing that it concerns, millimetres; null where it does not concern a point, or concerns a whole entity.</summary>
     public Point2D? Place { get; init; }
 
     public Severity Severity => Rule.Severity;
@@ -24,7 +24,7 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
     /// <summary>The sentence with its facts filled in.</summary>
     public string Sentence => Fill(Rule.Sentence);
 
-    /// <summary>The rule's advice, or what somebody who knows how settings are given made of it.</summary>
+    /// <summary>The rule's advice, or the text that a caller with knowledge of the settings made of it.</summary>
     public string Advice
     {
         get => _advice ?? Rule.Advice;
@@ -51,12 +51,13 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
         return text.ToString();
     }
 
-    /// <summary>The fact with each control character as \x and its number: it may come from a damaged file, and a terminal would obey it.</summary>
+    /// <summary>The fact with each control character as \x and its number: it may come from a damaged file, and a terminal would execute it.</summary>
     private static string Visible(string fact) =>
         fact.Any(char.IsControl) ? string.Concat(fact.Select(letter => char.IsControl(letter) ? string.Create(CultureInfo.InvariantCulture, $"\\x{(int)letter:X2}") : letter.ToString())) : fact;
 }
 
-/// <summary>One row of the table that code, documentation and tests share. Its sentence and its advice are texts of the resources by the id, so that a language may name the facts in another order.</summary>
+/// <summary>One row of the table that code, documentation and tests share. Its sentence and its advice are texts of the resources under the id, so that a
+/// language may name the facts in another order.</summary>
 public sealed record DiagnosticRule
 {
     public DiagnosticRule(string id, Severity severity, params ReadOnlySpan<string> factNames) => (Id, Severity, FactNames) = (id, severity, [.. factNames]);
@@ -64,23 +65,24 @@ public sealed record DiagnosticRule
     /// <summary>Permanent: never reused, never renumbered (DXF0007, SEQ0003).</summary>
     public string Id { get; }
 
-    /// <summary>How bad it is.</summary>
+    /// <summary>The severity of its findings.</summary>
     public Severity Severity { get; }
 
-    /// <summary>What the sentence's braces hold, in the order in which the facts of a case are given.</summary>
+    /// <summary>The names in the sentence's braces, in the order in which the facts of a case are given.</summary>
     public ImmutableArray<string> FactNames { get; }
 
-    /// <summary>What and where, with {names} for the facts of the case.</summary>
+    /// <summary>What happened and where, with {names} for the facts of the case.</summary>
     public string Sentence => Wording.Get(Id);
 
-    /// <summary>What the operator can do. Settings are named by their keys in brackets, [max-error]; whoever shows the finding puts the option or command there (docs/settings.md).</summary>
+    /// <summary>What the operator can do. Settings are named by their keys in brackets, [max-error]; the code that shows the finding inserts the option or
+    /// command there (docs/settings.md).</summary>
     public string Advice => Wording.Get(Id + ".Advice");
 
-    /// <summary>The finding for one case. <paramref name="facts"/> stand in the order of <see cref="FactNames"/>.</summary>
+    /// <summary>The finding for one case. <paramref name="facts"/> are in the order of <see cref="FactNames"/>.</summary>
     public Diagnostic At(SourceRef source, params ReadOnlySpan<string> facts) => new(this, source, facts.ToArray());
 }
 
-/// <summary>How bad a finding is. <see cref="Error"/>: the file is unusable or truncated, or a curve is lost (exit code 1).</summary>
+/// <summary>The severity of a finding. <see cref="Error"/>: the file is unusable or truncated, or a curve is lost (exit code 1).</summary>
 public enum Severity
 {
     Info,

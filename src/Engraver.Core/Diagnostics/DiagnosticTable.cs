@@ -34,7 +34,7 @@ public static class DiagnosticTable
         _ => throw new ArgumentOutOfRangeException(nameof(severity)),
     };
 
-    /// <summary>The words in lines that are short enough to read beside code.</summary>
+    /// <summary>The words in lines that are short enough to read as source.</summary>
     private static string Wrapped(string words, string indent = "")
     {
         const int longest = 150;

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>Findings about a file as a file, before anything in it is read.</summary>
+/// <summary>Findings about a file as a whole, before its content is read.</summary>
 public static class DocumentRules
 {
     public static readonly DiagnosticRule Unreadable = new("DOC0001", Severity.Error, "reason");

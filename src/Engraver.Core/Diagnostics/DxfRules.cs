@@ -113,7 +113,7 @@ public static class DxfRules
 
     public static readonly DiagnosticRule Dashed = new("DXF0063", Severity.Warning, "type", "place", "linetype");
 
-    /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: such curves are read now.</summary>
+    /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: such curves are now read.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,

@@ -5,6 +5,6 @@ namespace Engraver.Core.Diagnostics;
 /// <summary>Numbers as facts of a diagnostic.</summary>
 public static class FactText
 {
-    /// <summary>With six decimals at most, invariant: millimetres to the nanometre.</summary>
+    /// <summary>A number with at most six decimals, invariant: millimetres to the nanometre.</summary>
     public static string Of(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 }

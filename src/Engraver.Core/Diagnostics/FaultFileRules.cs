@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>What can be wrong with a faults file, by which a simulated controller goes wrong on purpose.</summary>
+/// <summary>Findings about a faults file, which lists the faults that a simulated controller shows deliberately.</summary>
 public static class FaultFileRules
 {
     public static readonly DiagnosticRule NoJson = new("FLT0001", Severity.Error, "reason");

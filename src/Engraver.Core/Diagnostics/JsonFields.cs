@@ -4,7 +4,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>The fields that a JSON file has, as paths (<c>homing[0].by</c>), each with its line: for files that people write.</summary>
+/// <summary>The fields of a JSON file, as paths (<c>homing[0].by</c>), each with its line: for files that users write.</summary>
 public sealed class JsonFields
 {
     private static readonly JsonReaderOptions s_options = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
@@ -15,7 +15,7 @@ public sealed class JsonFields
     {
     }
 
-    /// <summary>The fields up to the end, or up to where the text is no JSON any more.</summary>
+    /// <summary>The fields up to the end, or up to the point where the text is no longer JSON.</summary>
     public static JsonFields Read(string json)
     {
         var fields = new JsonFields();
@@ -25,14 +25,14 @@ public sealed class JsonFields
         }
         catch (Exception broken) when (broken is JsonException or InvalidOperationException)
         {
-            return fields; // where the text is no JSON, or a name no text, is told by who takes the values out of it
+            return fields; // text that is not JSON, or a name that is not a text, is reported by the code that reads the values
         }
 
         return fields;
     }
 
-    /// <summary>Each field that does not belong where it stands.</summary>
-    /// <param name="known">The names that may stand in the field with a path, empty for the file itself; null where any may.</param>
+    /// <summary>Each field that is not allowed where it is.</summary>
+    /// <param name="known">The names that are allowed in the field with a path, empty for the file itself; null where any name is allowed.</param>
     public IEnumerable<JsonField> Unknown(Func<string, IReadOnlyList<string>?> known)
     {
         ArgumentNullException.ThrowIfNull(known);
@@ -42,14 +42,14 @@ public sealed class JsonFields
     /// <summary>The name that was probably meant, as the end of a sentence.</summary>
     public static string Nearest(string name, IReadOnlyList<string> known) => NearestWord.Find(name, known) is { } nearest ? Wording.Get("JsonFields.Nearest", nearest) : Wording.Get("JsonFields.NoSimilarName");
 
-    /// <summary>The first with a path; null when there is none.</summary>
+    /// <summary>The first field with a path; null when there is none.</summary>
     public JsonField? Find(string path) => _fields.Where(field => field.Path == path).Select(field => (JsonField?)field).FirstOrDefault();
 
-    /// <summary>Whether anything stands in the field with a path.</summary>
+    /// <summary>Whether the field with a path has any content.</summary>
     public bool HasAny(string path) => _fields.Any(field => field.Owner == path);
 
-    /// <summary>The line of a field, or of the one that it belongs to; 0 when neither stands in the file.</summary>
-    /// <param name="setting">As findings name it: <c>homing.X.by</c> is told at <c>homing</c>.</param>
+    /// <summary>The line of a field, or of the field that contains it; 0 when neither is in the file.</summary>
+    /// <param name="setting">The name in findings: <c>homing.X.by</c> is located at <c>homing</c>.</param>
     public long LineOf(string setting)
     {
         ArgumentNullException.ThrowIfNull(setting);
@@ -64,7 +64,7 @@ public sealed class JsonFields
     {
         var reader = new Utf8JsonReader(json, s_options);
         var (line, seen) = (1L, 0);
-        var owners = new Stack<(string Path, int Next)>(); // Next: the next one of a list, -1 for an object
+        var owners = new Stack<(string Path, int Next)>(); // Next: the next index in a list, -1 for an object
         var name = "";
         while (reader.Read())
         {
@@ -91,7 +91,7 @@ public sealed class JsonFields
         }
     }
 
-    /// <summary>The path of what begins here: the entry of the list around it, or the field that was named last.</summary>
+    /// <summary>The path of the value that begins here: the entry of the list around it, or the field that was named last.</summary>
     private static string NextOr(Stack<(string Path, int Next)> owners, string name)
     {
         if (owners.Count == 0) return "";
@@ -103,13 +103,13 @@ public sealed class JsonFields
 }
 
 /// <summary>A field of a JSON file.</summary>
-/// <param name="Owner">Path of what it stands in; empty for the file itself.</param>
+/// <param name="Owner">Path of the field that contains it; empty for the file itself.</param>
 /// <param name="Name">As it is written.</param>
 /// <param name="Line">From 1.</param>
 public readonly record struct JsonField(string Owner, string Name, long Line)
 {
     public string Path => Owner.Length == 0 ? Name : $"{Owner}.{Name}";
 
-    /// <summary>Its value where that is a text; null for any other.</summary>
+    /// <summary>Its value where that is a text; null for any other value.</summary>
     public string? Text { get; init; }
 }

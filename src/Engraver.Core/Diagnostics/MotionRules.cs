@@ -1,6 +1,7 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>What can be wrong between a toolpath and the commands of a motion controller: the drawing's size, the machine profile, the controller's memory.</summary>
+/// <summary>Findings on the way from a toolpath to the commands of a motion controller: the drawing's size, the machine profile, the controller's
+/// memory.</summary>
 public static class MotionRules
 {
     public static readonly DiagnosticRule OutsideCounts = new("MOT0001", Severity.Error, "x", "y", "scaleX", "scaleY");

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>The findings of posts and of what reads them back. Lengths in the sentences are millimetres, lines those of the program's file.</summary>
+/// <summary>The findings of posts and of the readers of posted programs. Lengths in the sentences are millimetres, lines those of the program's file.</summary>
 public static class PostRules
 {
     public static readonly DiagnosticRule BlockUnreadable = new("PST0001", Severity.Error, "line", "reason");

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>Findings before a job is run, when not everything visible is cut or it would be cut in another place. Lengths in the sentences are millimetres.</summary>
+/// <summary>Findings before a job is run, when not everything visible is cut or it would be cut at another position. Lengths in the sentences are
+/// millimetres.</summary>
 public static class PreparationRules
 {
     public static readonly DiagnosticRule NotCut = new("JOB0001", Severity.Warning, "counts");

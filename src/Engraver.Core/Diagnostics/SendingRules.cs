@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>What can be wrong with a program that is to go over a serial line to a control.</summary>
+/// <summary>Findings about a program that is to be sent over a serial line to a control.</summary>
 public static class SendingRules
 {
     public static readonly DiagnosticRule NothingToSend = new("SND0001", Severity.Error);

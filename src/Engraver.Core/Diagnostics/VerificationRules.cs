@@ -1,6 +1,7 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>Faults of a program that is read back and replayed (lines are lines of the program's file), and of a toolpath that is compared with its drawing.</summary>
+/// <summary>Errors of a program that is read back and replayed (lines are lines of the program's file), and of a toolpath that is compared with its
+/// drawing.</summary>
 public static class VerificationRules
 {
     public static readonly DiagnosticRule ProgramEmpty = new("VER0001", Severity.Error);

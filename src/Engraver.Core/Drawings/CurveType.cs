@@ -1,6 +1,6 @@
 namespace Engraver.Core.Drawings;
 
-/// <summary>The DXF type a curve was written as; an arc in a block stays an Arc here, even if the block's scale makes an ellipse of it.</summary>
+/// <summary>The DXF type as which a curve was written; an arc in a block remains an Arc here, even if the block's scale makes an ellipse of it.</summary>
 public enum CurveType : byte
 {
     Line,

@@ -17,7 +17,7 @@ public sealed record Drawing(
     DrawingBalance Balance,
     IReadOnlyList<Diagnostic> Diagnostics)
 {
-    /// <summary>The largest coordinate, drawing units. A larger one could overflow when squared, and no work piece is nearly that large.</summary>
+    /// <summary>The largest coordinate, drawing units. A larger one could overflow when squared, and work pieces are far smaller.</summary>
     public const double LargestCoordinate = 1e100;
 
     /// <summary>Side column of the parts that are ellipses or splines: the exact curves, drawing units.</summary>
@@ -29,13 +29,13 @@ public sealed record Drawing(
     /// <summary>Every POINT, blocks expanded (the first million).</summary>
     public IReadOnlyList<PlacedPoint> Points { get; init; } = [];
 
-    /// <summary>How many of the file's points were kept, whatever has become of them since.</summary>
+    /// <summary>Number of the file's points that were kept, whatever edits have done to them since.</summary>
     public int PointsRead { get; init; }
 
-    /// <summary>What is drawn besides curves and texts and is visible when its layer is, blocks expanded.</summary>
+    /// <summary>Entities other than curves and texts that are visible when their layer is, blocks expanded.</summary>
     public IReadOnlyList<ConstructionCount> Construction { get; init; } = [];
 
-    /// <summary>Begun here and in no file yet: <see cref="FileName"/> is only what it is called.</summary>
+    /// <summary>Created here and not yet in a file: <see cref="FileName"/> is only its name.</summary>
     public bool IsNew { get; init; }
 
     /// <summary>True when a diagnostic has severity error (exit code 1; a job does not start without consent).</summary>
@@ -45,10 +45,11 @@ public sealed record Drawing(
     public static Drawing Unusable(string fileName, long bytes, Diagnostic why) => Bare(fileName, LengthUnit.AssumedMillimetres) with { Bytes = bytes, Diagnostics = [why] };
 
     /// <summary>A new drawing with nothing in it.</summary>
-    /// <param name="name">What it is called until it is saved.</param>
+    /// <param name="name">Its name until it is saved.</param>
     public static Drawing Empty(string name, LengthUnit unit, Layer layer) => Bare(name, unit) with { Layers = [layer], IsNew = true };
 
-    /// <summary>The same drawing; its columns are those of an earlier reading of the file where they say the same, so that a drawing that is opened again takes no more memory.</summary>
+    /// <summary>The same drawing; its columns are those of an earlier reading of the file where both are equal, so that a drawing that is opened again does not
+    /// use more memory.</summary>
     public Drawing SharingColumnsOf(Drawing earlier)
     {
         ArgumentNullException.ThrowIfNull(earlier);
@@ -94,8 +95,9 @@ public sealed record Drawing(
     }
 }
 
-/// <summary>Number of one type of construction other than text on one layer, blocks expanded. What is invisible itself or by its insert is not counted.</summary>
-/// <param name="Type">As DXF spells it (HATCH, DIMENSION, POINT).</param>
+/// <summary>Number of entities of one type of construction other than text on one layer, blocks expanded. An entity that is invisible itself or through its
+/// insert is not counted.</summary>
+/// <param name="Type">The DXF name (HATCH, DIMENSION, POINT).</param>
 /// <param name="Layer">Index into <see cref="Drawing.Layers"/>: the effective layer.</param>
 /// <param name="First">Where the first one is in the file (in a block: the block's entity).</param>
 public readonly record struct ConstructionCount(string Type, int Layer, int Count, SourceRef First);

@@ -3,8 +3,8 @@ namespace Engraver.Core.Drawings;
 /// <summary>The balance of an import: read = cut + construction + refused.</summary>
 /// <param name="EntityCounts">Model-space records as written, by DXF type, any layer.</param>
 /// <param name="Cut">Records that gave at least one curve.</param>
-/// <param name="Construction">Text, points, hatches, dimensions and the like.</param>
-/// <param name="Refused">Model-space records that gave no curve though they should have.</param>
+/// <param name="Construction">Records of text, points, hatches, dimensions and other construction.</param>
+/// <param name="Refused">Model-space records that should have given a curve but did not.</param>
 /// <param name="RefusedInBlocks">Refused records inside blocks, listed once per block entity.</param>
 /// <param name="TextCounts">TEXT, MTEXT, ATTRIB ... after expansion.</param>
 /// <param name="Points">POINT entities after expansion.</param>
@@ -23,5 +23,5 @@ public sealed record DrawingBalance(
     public int Read => EntityCounts.Values.Sum();
 }
 
-/// <summary>An entity whose geometry could not be read: a curve that the operator might miss. Every one is listed.</summary>
+/// <summary>An entity whose geometry could not be read: a curve that may be missing from the job. Every one is listed.</summary>
 public sealed record RefusedEntity(string Type, string? Handle, long Line, string DiagnosticId, string Reason);

@@ -1,7 +1,7 @@
 namespace Engraver.Core.Drawings;
 
 /// <summary>A colour as a drawing states it: by layer, by block, an index of the AutoCAD palette or a true colour. <c>default</c> is by layer.</summary>
-/// <remarks>One number, because every entity of a drawing has one: 0 by layer, 1 to 255 an index, 256 by block, from 2^24 on a true colour.</remarks>
+/// <remarks>One number, because every entity of a drawing has one: 0 by layer, 1 to 255 an index, 256 by block, from 2^24 upwards a true colour.</remarks>
 public readonly record struct DrawingColour
 {
     private const int LastIndex = 255;
@@ -25,13 +25,13 @@ public readonly record struct DrawingColour
 
     public bool IsByBlock => _value == BlockValue;
 
-    /// <summary>Index 1 to 255; null for a true colour or one that is not resolved.</summary>
+    /// <summary>Index 1 to 255; null for a true colour or an unresolved one.</summary>
     public int? Index => _value is > 0 and <= LastIndex ? _value : null;
 
-    /// <summary>0x00RRGGBB; null for an index or one that is not resolved.</summary>
+    /// <summary>0x00RRGGBB; null for an index or an unresolved colour.</summary>
     public uint? Rgb => _value >= TrueValue ? (uint)(_value - TrueValue) : null;
 
-    /// <summary>DXF code 62: 0 by block, 256 by layer, 1 to 255 an index; a layer that is off has it negative.</summary>
+    /// <summary>DXF code 62: 0 by block, 256 by layer, 1 to 255 an index; negative for a layer that is off.</summary>
     public static DrawingColour FromCode62(int value) => value switch
     {
         0 => ByBlock,

@@ -2,11 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>Changes to a drawing. Each returns a new drawing and leaves the old one unchanged; the balance and the findings of the import stay, because they describe the file.</summary>
+/// <summary>Changes to a drawing. Each returns a new drawing and leaves the old one unchanged; the balance and the findings of the import are kept, because
+/// they describe the file.</summary>
 /// <remarks>Entities are named by their index in <see cref="Drawing.Entities"/>; an index given twice counts once.</remarks>
 public static class DrawingEdit
 {
-    /// <summary>The drawing without some entities. The others keep their order and get new indices.</summary>
+    /// <summary>The drawing without the given entities. The others keep their order and get new indices.</summary>
     public static Drawing Erase(Drawing drawing, IEnumerable<int> entities)
     {
         var erased = entities.ToHashSet();
@@ -24,8 +25,8 @@ public static class DrawingEdit
         return drawing with { Entities = kept, Parts = parts };
     }
 
-    /// <summary>Moves, turns, scales or mirrors some entities.</summary>
-    /// <returns>False when a coordinate would leave the range of a drawing or a radius would vanish; then nothing is changed.</returns>
+    /// <summary>Moves, rotates, scales or mirrors the given entities.</summary>
+    /// <returns>False when a coordinate would leave the range of a drawing or a radius would become 0; then the drawing is unchanged.</returns>
     public static bool TryTransform(Drawing drawing, IEnumerable<int> entities, Transform2D map, out Drawing edited)
     {
         var curves = new EditedCurves(drawing);
@@ -36,7 +37,8 @@ public static class DrawingEdit
         return true;
     }
 
-    /// <summary>Adds a transformed copy of some entities after the last one, in their order, with new handles (after the highest of the drawing).</summary>
+    /// <summary>Adds a transformed copy of the given entities after the last one, in their order, with new handles (after the highest of the
+    /// drawing).</summary>
     /// <returns>False as for <see cref="TryTransform"/>.</returns>
     public static bool TryCopy(Drawing drawing, IEnumerable<int> entities, Transform2D map, out Drawing edited)
     {
@@ -59,7 +61,7 @@ public static class DrawingEdit
         return true;
     }
 
-    /// <summary>Turns the direction of some entities round; a polyline then begins at its last vertex.</summary>
+    /// <summary>Reverses the direction of the given entities; a polyline then begins at its last vertex.</summary>
     public static Drawing Reverse(Drawing drawing, IEnumerable<int> entities)
     {
         var changes = new List<(int, DrawingPart)>();

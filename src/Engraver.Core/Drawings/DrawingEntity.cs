@@ -1,7 +1,7 @@
 namespace Engraver.Core.Drawings;
 
 /// <summary>A curve of the drawing after every INSERT is expanded: where it is in the file, and which parts it has.</summary>
-/// <remarks>Its index in <see cref="Drawing.Entities"/> is the EntityIndex that travels with every segment and move to the controller.</remarks>
+/// <remarks>Its index in <see cref="Drawing.Entities"/> is the EntityIndex that is passed with every segment and move to the controller.</remarks>
 public struct DrawingEntity
 {
     /// <summary>Line of an ASCII DXF (byte offset of a binary one) where the entity (inside a block: the block's entity) begins.</summary>
@@ -18,18 +18,18 @@ public struct DrawingEntity
     /// <summary>Index into <see cref="Drawing.Layers"/>: the effective layer (block content on layer 0 takes the insert's layer).</summary>
     public int Layer;
 
-    /// <summary>As written. Inside blocks "by block" is resolved, so that only an entity outside blocks can still have it.</summary>
+    /// <summary>The colour as written. Inside blocks "by block" is resolved, so only an entity outside blocks can still have it.</summary>
     public DrawingColour Colour;
 
     public CurveType Type;
 
-    /// <summary>True when the entity is invisible itself (code 60) or by its insert (invisible, or on a frozen or switched-off layer).</summary>
+    /// <summary>True when the entity is invisible itself (code 60) or through its insert (invisible, or on a frozen or switched-off layer).</summary>
     public bool Hidden;
 
     /// <summary>A closed polyline, a circle.</summary>
     public bool Closed;
 
-    /// <summary>True when both say the same.</summary>
+    /// <summary>True when both are equal in every field.</summary>
     public static bool AreSame(in DrawingEntity one, in DrawingEntity other) =>
         one.SourceLine == other.SourceLine && one.Handle == other.Handle && one.FirstPart == other.FirstPart && one.PartCount == other.PartCount && one.Layer == other.Layer
         && one.Colour.Equals(other.Colour) && one.Type == other.Type && one.Hidden == other.Hidden && one.Closed == other.Closed;

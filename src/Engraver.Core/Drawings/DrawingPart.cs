@@ -63,7 +63,7 @@ public struct DrawingPart
         return Line(Entity, start.X, start.Y, C * map.Scale, end.X, end.Y, F * map.Scale);
     }
 
-    /// <summary>True when both are the same in every number.</summary>
+    /// <summary>True when both are equal in every number.</summary>
     public static bool AreSame(in DrawingPart one, in DrawingPart other) =>
         one.Entity == other.Entity && one.Kind == other.Kind && IsSame(one.A, other.A) && IsSame(one.B, other.B) && IsSame(one.C, other.C) && IsSame(one.D, other.D) && IsSame(one.E, other.E) && IsSame(one.F, other.F);
 
@@ -71,6 +71,6 @@ public struct DrawingPart
     public readonly DrawingPart Reversed() => Kind == SegmentKind.Line ? Line(Entity, D, E, F, A, B, C)
         : Arc(Entity, InPlan().Arc.Reversed(), C);
 
-    /// <summary>To the last bit: 0 and -0 are two numbers.</summary>
+    /// <summary>Compares to the last bit: 0 and -0 are different numbers.</summary>
     private static bool IsSame(double one, double other) => BitConverter.DoubleToInt64Bits(one) == BitConverter.DoubleToInt64Bits(other);
 }

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Drawings;
 
 /// <summary>Counts, lengths and extents of a drawing, in drawing units, over all layers, hidden curves included.</summary>
-/// <param name="Leaf">Curves after expansion by the type they were written as; types that do not occur are missing. A curve without length counts.</param>
+/// <param name="Leaf">Curves after expansion by the type as which they were written; types that do not occur are missing. A curve without length
+/// counts.</param>
 /// <param name="Primitives">Lines, arcs and so on, parts of polylines included.</param>
 /// <param name="Length">Lengths by kind; a whole-turn ARC counts as arc, whatever a block's scale makes of a curve.</param>
 /// <param name="Bounds">Smallest box in plan (true extremes of every curve); null when no curve has an extent.</param>
@@ -71,7 +72,8 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
                 Length(CurveType.Line), Length(CurveType.Arc), Length(CurveType.Circle), Length(CurveType.Ellipse), Length(CurveType.Spline), _planLength),
             _bounds.IsEmpty ? null : _bounds);
 
-        /// <summary>The type that a part of a polyline or an outline counts as. An arc of a polyline stays an arc, even if a block's scale has made an ellipse of it.</summary>
+        /// <summary>The type as which a part of a polyline or an outline is counted. An arc of a polyline remains an arc, even if a block's scale has made an
+        /// ellipse of it.</summary>
         private static CurveType TypeOf(SegmentKind kind, CurveType whole) => kind switch
         {
             SegmentKind.Line => CurveType.Line,
@@ -87,7 +89,7 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
 }
 
 /// <summary>Lengths by kind, along the curves in space, drawing units. The straight parts of polylines count as lines, their bulge parts as arcs.</summary>
-/// <param name="PlanTotal">All curves, in plan.</param>
+/// <param name="PlanTotal">Length of all curves, in plan.</param>
 public sealed record CurveLengths(double Line, double Arc, double Circle, double Ellipse, double Spline, double PlanTotal)
 {
     public double Total => Line + Arc + Circle + Ellipse + Spline;

@@ -2,12 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>The side column of ellipses and splines while a drawing is edited: existing curves stay (an undone step may refer to them), edited ones are added after them.</summary>
+/// <summary>The side column of ellipses and splines while a drawing is edited: existing curves are kept (an undone step may refer to them), edited ones are
+/// added after them.</summary>
 internal sealed class EditedCurves(Drawing drawing)
 {
     private readonly List<RationalCurve> _added = [];
 
-    /// <summary>False when an edit moved a curve out of the range of a drawing or shrank it to a point.</summary>
+    /// <summary>False when an edit moved a curve out of the range of a drawing or reduced it to a point.</summary>
     public bool AreInRange => _added.TrueForAll(curve => curve.Bounds is var box && Fits(box.MinX) && Fits(box.MaxX) && Fits(box.MinY) && Fits(box.MaxY) && (box.Width > 0.0 || box.Height > 0.0));
 
     public DrawingPart Transformed(in DrawingPart part, Transform2D map) => part.IsFreeCurve ? Added(part, drawing.Curves[part.CurveIndex].Mapped(map)) : part.Transformed(map);

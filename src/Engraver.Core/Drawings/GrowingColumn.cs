@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>A column of values that grows in chunks: appending never copies existing values, so a million rows take only their own size.</summary>
+/// <summary>A column of values that grows in chunks: appending does not copy existing values, so a million rows need no more than their own size.</summary>
 public sealed class GrowingColumn<T>
     where T : struct
 {
@@ -34,7 +34,8 @@ public sealed class GrowingColumn<T>
         return Count++;
     }
 
-    /// <summary>A column with some rows changed and others added; this one stays as it is. Unchanged chunks are shared, so a small edit of a large drawing is cheap.</summary>
+    /// <summary>A column with some rows changed and others added; this one is not changed. Unchanged chunks are shared, so a small edit of a large drawing
+    /// costs little memory and time.</summary>
     public GrowingColumn<T> With(IEnumerable<(int Index, T Value)> changes, IEnumerable<T> added)
     {
         ArgumentNullException.ThrowIfNull(changes);

@@ -6,7 +6,7 @@ public sealed record Layer(string Name, bool On, bool Frozen, bool Plot)
     /// <summary>Colour of content "by layer": an index or a true colour.</summary>
     public DrawingColour Colour { get; init; } = DrawingColour.Foreground;
 
-    /// <summary>What lies on it cannot be changed until it is unlocked; it is cut, shown and snapped to like any other.</summary>
+    /// <summary>Its objects cannot be changed until it is unlocked; they are cut, shown and snapped to like any other.</summary>
     public bool Locked { get; init; }
 
     public bool CutByDefault => On && !Frozen && Plot;

@@ -27,12 +27,12 @@ public static class LengthUnits
 /// <summary>The length unit of a drawing.</summary>
 /// <param name="Code">$INSUNITS, 1 to 24; 0 when the file has none.</param>
 /// <param name="Name">Short name ("mm", "in").</param>
-/// <param name="Source">Where the unit comes from: "INSUNITS", "LUNITS", "assumed" or "option".</param>
+/// <param name="Source">The source of the unit: "INSUNITS", "LUNITS", "assumed" or "option".</param>
 /// <param name="ToMillimetres">Factor from drawing units to millimetres.</param>
 public sealed record LengthUnit(int Code, string Name, string Source, double ToMillimetres)
 {
     public static LengthUnit AssumedMillimetres { get; } = new(0, "mm", "assumed", 1.0);
 
-    /// <summary>Of a drawing that says no unit and shows its lengths in feet and inches ($LUNITS 3 or 4).</summary>
+    /// <summary>The unit of a drawing that does not state one and shows its lengths in feet and inches ($LUNITS 3 or 4).</summary>
     public static LengthUnit AssumedInches { get; } = new(0, "in", "LUNITS", 25.4);
 }

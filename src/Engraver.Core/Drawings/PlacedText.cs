@@ -2,13 +2,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>A text of the drawing, decoded and placed, in drawing units: everything that is needed to engrave it with a single-line font. It is not a curve yet.</summary>
+/// <summary>A text of the drawing, decoded and placed, in drawing units: all values that are needed to engrave it with a single-line font. It is not yet a
+/// curve.</summary>
 public sealed record PlacedText
 {
     /// <summary>TEXT, MTEXT or ATTRIB.</summary>
     public required string Type { get; init; }
 
-    /// <summary>The text as people read it: codes resolved, formatting left out, lines separated by LF.</summary>
+    /// <summary>The readable text: codes resolved, formatting removed, lines separated by LF.</summary>
     public required string Content { get; init; }
 
     /// <summary>The reference point of the alignment.</summary>
@@ -31,10 +32,10 @@ public sealed record PlacedText
     /// <summary>True when the letters are mirrored (a mirrored block, a negative extrusion).</summary>
     public bool Mirrored { get; init; }
 
-    /// <summary>Width of the frame in which an MTEXT wraps; 0 when it does not.</summary>
+    /// <summary>Width of the frame in which an MTEXT wraps; 0 when it does not wrap.</summary>
     public double FrameWidth { get; init; }
 
-    /// <summary>Line distance of an MTEXT as a multiple of the usual.</summary>
+    /// <summary>Line distance of an MTEXT as a multiple of the standard distance.</summary>
     public double LineSpacing { get; init; } = 1.0;
 
     public TextColumnAlignment Column { get; init; }
@@ -43,7 +44,7 @@ public sealed record PlacedText
 
     public required string Style { get; init; }
 
-    /// <summary>Font file of the style; "" when the drawing does not say.</summary>
+    /// <summary>Font file of the style; "" when the drawing does not state one.</summary>
     public required string Font { get; init; }
 
     /// <summary>Index into <see cref="Drawing.Layers"/>.</summary>
@@ -53,7 +54,7 @@ public sealed record PlacedText
 
     public long SourceLine { get; init; }
 
-    /// <summary>Invisible itself, or because its insert is.</summary>
+    /// <summary>Invisible itself, or through its insert.</summary>
     public bool Hidden { get; init; }
 }
 

@@ -3,13 +3,14 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Core.Kerf;
 
-/// <summary>Holds a compensated path against what was drawn, both ways, by distances of its own: the path is nowhere nearer than the radius and nowhere farther from its source, and what is drawn and not reached is found.</summary>
+/// <summary>Compares a compensated path with the drawing in both directions, with its own computation of distances: no point of the path may be nearer than the
+/// radius or farther from its source, and drawn parts that are not reached are found.</summary>
 internal sealed class KerfCheck
 {
-    /// <summary>Fractions of a segment that are measured.</summary>
+    /// <summary>Fractions of a segment at which it is measured.</summary>
     private static readonly double[] s_fractions = [0.0, 0.13, 0.5, 0.81];
 
-    /// <summary>Places on a drawn segment in a quarter of the radius, and the fewest and most of a segment.</summary>
+    /// <summary>Sample points on a drawn segment per quarter of the radius, and the minimum and maximum for a segment.</summary>
     private const double StepsPerRadius = 8.0;
 
     private const int FewestSteps = 4;
@@ -31,7 +32,8 @@ internal sealed class KerfCheck
         (_pathBoxes, _sourceBoxes) = (BoxTree.Build([.. _path.Select(segment => segment.Bounds)]), BoxTree.Build([.. _source.Select(segment => segment.Bounds)]));
     }
 
-    /// <summary>The place of the path that is farthest off the radius, and by how much; null when none is off by more than the tolerance.</summary>
+    /// <summary>The point of the path whose distance differs most from the radius, and by how much; null when none differs by more than the
+    /// tolerance.</summary>
     public (Point2D Place, double Distance, int Contour)? FarthestOff()
     {
         var worst = default((Point2D, double Off, int)?);
@@ -51,8 +53,8 @@ internal sealed class KerfCheck
         return worst;
     }
 
-    /// <summary>The places of a drawn contour that the tool does not touch, one for each stretch.</summary>
-    /// <param name="contour">Number among those that were compensated together.</param>
+    /// <summary>The places of a drawn contour that the tool does not touch, one for each continuous part.</summary>
+    /// <param name="contour">Index among the contours that were compensated together.</param>
     /// <param name="entityOf">Entity of a segment.</param>
     public IEnumerable<UncutPlace> UncutOf(int contour, Func<int, int> entityOf)
     {

@@ -8,19 +8,19 @@ using Engraver.Core.Sequencing.Chaining;
 namespace Engraver.Core.Kerf;
 
 /// <summary>A job compensated for the radius of its tool.</summary>
-/// <param name="Table">The analysed table of what the centre of the tool follows; every row has the entity that it was drawn as.</param>
-/// <param name="Uncut">What the tool leaves standing, largest first.</param>
+/// <param name="Table">The analysed table of the path of the tool's centre; every row has the entity as which it was drawn.</param>
+/// <param name="Uncut">Material that the tool does not reach, largest first.</param>
 /// <param name="KeepsOpen">Open contours are cut on their line.</param>
 /// <param name="Diagnostics">Findings, of rules KRF0001 to KRF0007.</param>
 public sealed record KerfResult(EntityTable Table, IReadOnlyList<UncutPlace> Uncut, bool KeepsOpen, IReadOnlyList<Diagnostic> Diagnostics);
 
-/// <summary>The stage between what is drawn and what the centre of the tool follows: contours at the distance of its radius, as lines and arcs.</summary>
+/// <summary>The stage between the drawing and the path of the tool's centre: contours at the distance of its radius, as lines and arcs.</summary>
 public static class KerfCompensation
 {
-    /// <summary>Findings of one place each; more are summed up.</summary>
+    /// <summary>Maximum number of findings with one place each; more are summarized.</summary>
     private const int MostPlaces = 20;
 
-    /// <param name="chained">What is drawn, chained to contours.</param>
+    /// <param name="chained">The drawing, chained to contours.</param>
     /// <param name="options">Side and tool.</param>
     public static KerfResult Compensate(ChainedTable chained, KerfOptions options)
     {
@@ -33,7 +33,7 @@ public static class KerfCompensation
         return new KerfResult(work.Table, uncut, open > 0, [.. work.Faults, .. Findings(uncut, open, options, chained.Drawing)]);
     }
 
-    /// <summary>Contours that are offset together, by their numbers.</summary>
+    /// <summary>Contours that are offset together, by their indices.</summary>
     private static IEnumerable<int[]> Groups(IReadOnlyList<OffsetContour> contours, KerfSide side)
     {
         var numbers = Enumerable.Range(0, contours.Count).Where(number => contours[number].Closed || side is KerfSide.Left or KerfSide.Right).ToArray();
@@ -50,7 +50,7 @@ public static class KerfCompensation
     internal static SourceRef SourceOf(Drawing? drawing, int entity) => drawing?.SourceOf(entity) ?? default;
 }
 
-/// <summary>The compensated table as it grows.</summary>
+/// <summary>The compensated table while it is built.</summary>
 internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
 {
     public IReadOnlyList<OffsetContour> Contours { get; } = DrawnContours.From(chained);
@@ -80,8 +80,8 @@ internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
         for (var i = 0; i < group.Length; i++) Uncut.AddRange(check.UncutOf(i, segment => EntityOf(group[i], segment)));
     }
 
-    /// <summary>Takes over what has no inside.</summary>
-    /// <returns>How many contours.</returns>
+    /// <summary>Copies the contours that have no inside.</summary>
+    /// <returns>Number of contours.</returns>
     public int KeepOpen()
     {
         var open = Enumerable.Range(0, Contours.Count).Where(number => !Contours[number].Closed).ToList();

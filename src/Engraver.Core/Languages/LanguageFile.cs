@@ -6,8 +6,10 @@ using System.Text.Json;
 namespace Engraver.Core.Languages;
 
 /// <summary>
-/// The texts of one language beside English, from one file: <c>Languages/Texts/de.json</c> is German. It is a JSON object, <c>"PROJECT/NAME": "text"</c>, with the names of each project's <c>Texts.resx</c>;
-/// <c>Keyword/NAME</c> is an option of a prompt, whose capitals are its short form; <c>Language/Name</c> says the language's English name. What a file lacks is English.
+/// The texts of a language other than English, from one file: <c>Languages/Texts/de.json</c> is German. It is a JSON object, <c>"PROJECT/NAME": "text"</c>,
+/// with the names of each project's <c>Texts.resx</c>;
+/// <c>Keyword/NAME</c> is an option of a prompt, whose capitals are its short form; <c>Language/Name</c> is the language's English name. Texts that a file
+/// lacks are English.
 /// </summary>
 public sealed class LanguageFile
 {
@@ -22,7 +24,7 @@ public sealed class LanguageFile
 
     private LanguageFile(string code, FrozenDictionary<string, string> texts) => (Code, _texts) = (code, texts);
 
-    /// <summary>The letters of ISO 639 that the file is named by.</summary>
+    /// <summary>The ISO 639 letters that name the file.</summary>
     public string Code { get; }
 
     /// <summary>The language's name in English, one word.</summary>
@@ -31,7 +33,7 @@ public sealed class LanguageFile
     /// <summary>Every text by its key.</summary>
     public IReadOnlyDictionary<string, string> Texts => _texts;
 
-    /// <summary>Every language that is built in, English not among them, by its code.</summary>
+    /// <summary>Every built-in language except English, by its code.</summary>
     public static IEnumerable<LanguageFile> All => s_files.OrderBy(file => file.Key, StringComparer.Ordinal).Select(file => file.Value.Value);
 
     /// <summary>The file of a culture's language (that of <c>de-AT</c> is that of <c>de</c>); null where there is none, as for English.</summary>
@@ -50,7 +52,7 @@ public sealed class LanguageFile
         return s_files.TryGetValue(end < 0 ? name : name[..end], out var file) ? file.Value : null;
     }
 
-    /// <summary>Null when the file has no such text.</summary>
+    /// <summary>A text by its name; null when the file does not have it.</summary>
     public string? Find(string project, string name) => _texts.GetValueOrDefault($"{project}/{name}");
 
     private static LanguageFile Load(string resource)

@@ -1,9 +1,10 @@
 namespace Engraver.Core.Languages;
 
-/// <summary>Finds the word that was probably meant by one that is not known: a verb, a field.</summary>
+/// <summary>Finds the word that was probably meant by an unknown one: a verb, a field.</summary>
 public static class NearestWord
 {
-    /// <summary>The known word with the fewest letters to change, at most half of those typed, whatever the case; else the shortest one that begins with what was typed, or that it begins with. Null: none is like it.</summary>
+    /// <summary>The known word with the fewest letters to change, at most half of those typed, ignoring case; otherwise the shortest one that begins with the
+    /// typed text, or with which the typed text begins. Null: none is similar.</summary>
     public static string? Find(string typed, IEnumerable<string> known)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -13,7 +14,7 @@ public static class NearestWord
         return typed.Length < 2 ? null : words.Where(word => word.StartsWith(typed, StringComparison.OrdinalIgnoreCase) || (word.Length > 2 && typed.StartsWith(word, StringComparison.OrdinalIgnoreCase))).MinBy(word => word.Length);
     }
 
-    /// <summary>Letters to change, add or leave out (Levenshtein), whatever their case.</summary>
+    /// <summary>Number of letters to change, add or leave out (Levenshtein), ignoring case.</summary>
     private static int Distance(string typed, string word)
     {
         var row = Enumerable.Range(0, word.Length + 1).ToArray();

@@ -3,7 +3,8 @@ using System.Text;
 
 namespace Engraver.Core.Languages;
 
-/// <summary>A language for tests, <c>qps-ploc</c>: every text of the resources stands in ⟦brackets⟧ with an accent on each letter, every fact in ‹marks›. A plain letter outside of marks was never a text of the resources.</summary>
+/// <summary>A language for tests, <c>qps-ploc</c>: every text of the resources is in ⟦brackets⟧ with an accent on each letter, every fact in ‹marks›. A plain
+/// letter outside of marks does not come from the resources.</summary>
 public static class PseudoLanguage
 {
     public const string CultureName = "qps-ploc";
@@ -11,13 +12,13 @@ public static class PseudoLanguage
     private const string Small = "åƀçðéƒĝĥîĵķļɱñöþǫŕšţûṽŵẋýž";
     private const string Large = "ÅƁÇÐÉƑĜĤÎĴĶĻḾÑÖÞǪŔŠŢÛṼŴẊÝŽ";
 
-    /// <summary>True when the texts of now are to be in this language.</summary>
+    /// <summary>True when this language is the current one.</summary>
     public static bool IsSpoken => string.Equals(CultureInfo.CurrentUICulture.Name, CultureName, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>Formats facts as the invariant culture does and marks those that have letters.</summary>
     internal static IFormatProvider Facts { get; } = new FactFormat();
 
-    /// <summary>The text with accents. What stands in {braces} is a fact's place and in [brackets] a setting's key: both stay.</summary>
+    /// <summary>The text with accents. A fact's place in {braces} and a setting's key in [brackets] are not changed.</summary>
     public static string Write(string english)
     {
         ArgumentNullException.ThrowIfNull(english);
@@ -33,14 +34,14 @@ public static class PseudoLanguage
         return text.Append('⟧').ToString();
     }
 
-    /// <summary>The fact in marks; as it is when it has no letter or is a text itself.</summary>
+    /// <summary>The fact in marks; unchanged when it has no letter or is a text itself.</summary>
     public static string Mark(string fact)
     {
         ArgumentNullException.ThrowIfNull(fact);
         return fact.Any(char.IsAsciiLetter) && !fact.Contains('⟦', StringComparison.Ordinal) ? $"‹{fact}›" : fact;
     }
 
-    /// <summary>Every word of plain letters outside of marks and [brackets], which a test wants to be none.</summary>
+    /// <summary>Every word of plain letters outside of marks and [brackets]; a test expects none.</summary>
     public static IReadOnlyList<string> Unspoken(string text)
     {
         ArgumentNullException.ThrowIfNull(text);

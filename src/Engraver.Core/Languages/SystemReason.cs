@@ -3,14 +3,16 @@ using System.Text.Json;
 
 namespace Engraver.Core.Languages;
 
-/// <summary>Why the operating system or a library refused, in the words of this program: part of a sentence that names the file or the address, without a full stop.</summary>
-/// <remarks>The texts of the runtime name its own types and repeat the path, and are English in every language. What this program threw itself keeps its message.</remarks>
+/// <summary>Why the operating system or a library refused, in this program's own words: part of a sentence that names the file or the address, without a full
+/// stop.</summary>
+/// <remarks>The texts of the runtime name its own types and repeat the path, and are English in every language. An exception thrown by this program keeps its
+/// message.</remarks>
 public static class SystemReason
 {
-    /// <summary>HResult of an <see cref="IOException"/> that nobody gave a cause: thrown by this program with a message of its own.</summary>
+    /// <summary>HResult of an <see cref="IOException"/> without a cause: thrown by this program with its own message.</summary>
     private const int Unspecified = unchecked((int)0x80131620);
 
-    /// <param name="failure">Of a file, a socket or a serial port, or of reading JSON.</param>
+    /// <param name="failure">Failure of a file, a socket or a serial port, or of reading JSON.</param>
     public static string Of(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
@@ -18,14 +20,14 @@ public static class SystemReason
         return Key(failure) is { } key ? Wording.Get(key) : TextCatalogue.Fact(failure.Message.TrimEnd('.'));
     }
 
-    /// <summary>The same behind the path that the runtime's message names, for a sentence that knows no name of its own.</summary>
+    /// <summary>The same reason after the path that the runtime's message names, for a sentence without its own name of the file.</summary>
     public static string WithPath(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
         return Key(failure) is not null && failure.Message.Split('\'') is [_, { Length: > 0 } path, _] ? Wording.Get("SystemReason.OfPath", path, Of(failure)) : Of(failure);
     }
 
-    /// <summary>Name of the text; null for what has none.</summary>
+    /// <summary>Name of the text; null for a failure that has none.</summary>
     private static string? Key(Exception failure) => failure switch
     {
         FileNotFoundException => "SystemReason.NoFile",

@@ -5,10 +5,12 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>The heights of a toolpath on a machine whose tool is moved by an axis, for every form in which it is written: in which passes it is cut, and what of it cannot be.</summary>
+/// <summary>The heights of a toolpath on a machine whose tool is moved by an axis, for every form in which it is written: the passes in which it is cut, and
+/// the parts that cannot be cut.</summary>
 public static class CutHeights
 {
-    /// <summary>How far above its depth each pass of a stroke runs, millimetres, the highest first; the last is 0. Whole multiples of the depth of a pass.</summary>
+    /// <summary>Height of each pass of a stroke above its depth, millimetres, the highest first; the last is 0. Whole multiples of the depth of a
+    /// pass.</summary>
     public static IEnumerable<double> Lifts(ToolpathStroke stroke, HeightDrive drive)
     {
         ArgumentNullException.ThrowIfNull(stroke);
@@ -18,7 +20,7 @@ public static class CutHeights
         return Enumerable.Range(1, passes).Select(pass => (passes - pass) * step);
     }
 
-    /// <summary>A curve that rises, or a cut that does not lie below the retract height; null when the move can be cut.</summary>
+    /// <summary>The finding for a curve that rises, or a cut that is not below the retract height; null when the move can be cut.</summary>
     public static Diagnostic? Finding(in StrokeMove move, HeightDrive drive, SourceRef source)
     {
         ArgumentNullException.ThrowIfNull(drive);

@@ -3,14 +3,17 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>The moves of a motion program one after the other, each with how long it takes and how long the machine waits before it for what was switched last; commands take no time here. For a tool that an output switches.</summary>
-/// <remarks>A program that is loaded in parts may lift the tool where a part ends in the middle of a stroke, and starts the spindle anew in each part.</remarks>
+/// <summary>The moves of a motion program one after the other, each with its duration and with the time that the machine waits before it after the last
+/// switching; commands take no time here. For a tool that an output switches.</summary>
+/// <remarks>A program that is loaded in parts may lift the tool where a part ends in the middle of a stroke, and starts the spindle again in each
+/// part.</remarks>
 public sealed class MotionPace
 {
-    /// <summary>A part ends at a segment's end where the machine came to rest this near to it, counts: behind arcs it stands beside whole counts.</summary>
+    /// <summary>A part ends at a segment's end where the machine came to rest this near to it, counts: after arcs its position may differ from whole
+    /// counts.</summary>
     private const double AtEnd = 2.0;
 
-    /// <summary>Times this near to each other do not tell which of two segments' ends it was: samples of the controller.</summary>
+    /// <summary>Times that differ by less than this do not decide which of two segments' ends it was: samples of the controller.</summary>
     private const double SimilarSeconds = 0.003;
 
     private readonly MotionProgram _program;
@@ -21,9 +24,9 @@ public sealed class MotionPace
 
     private MotionPace(MotionProgram program, CommandTimes commands, ProgramParts parts) => (_program, _commands, _parts) = (program, commands, parts);
 
-    /// <param name="start">Where the machine stands before the first move, counts of the job frame.</param>
-    /// <param name="commands">How fast the machine travels.</param>
-    /// <param name="parts">Where the program was divided.</param>
+    /// <param name="start">Position of the machine before the first move, counts of the job frame.</param>
+    /// <param name="commands">The speeds of the machine.</param>
+    /// <param name="parts">The parts into which the program was divided.</param>
     public static IReadOnlyList<PaceMove> Of(MotionProgram program, CountsPoint start, CommandTimes commands, ProgramParts parts)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -39,7 +42,7 @@ public sealed class MotionPace
         {
             if (_parts.BeginAfter(_moves.Count)) _wait += profile.Spindle?.SpinUpSeconds ?? 0.0;
             Add(MotionTime.RapidTo(stroke.Start, at, _program, _commands).Rapid, stroke.Start);
-            _wait = profile.ToolSettleSeconds; // from the last switch on, also where no rapid lies between two strokes
+            _wait = profile.ToolSettleSeconds; // from the last switch on, also where there is no rapid between two strokes
             foreach (var sequence in stroke.Sequences) Cut(sequence);
             at = stroke.Sequences[^1].End;
             _wait += profile.OffSettleSeconds;
@@ -48,7 +51,7 @@ public sealed class MotionPace
         return _moves;
     }
 
-    /// <summary>One sequence, or as many as the parts of the program make of it.</summary>
+    /// <summary>One sequence, divided as the parts of the program divide it.</summary>
     private void Cut(VectorSequence sequence)
     {
         for (VectorSequence? rest = sequence; rest is not null;)
@@ -86,25 +89,25 @@ public sealed class MotionPace
 }
 
 /// <summary>A move from rest to rest.</summary>
-/// <param name="Seconds">How long the machine moves.</param>
-/// <param name="Wait">How long it stood before, seconds.</param>
+/// <param name="Seconds">Duration of the motion.</param>
+/// <param name="Wait">Duration of the rest before it, seconds.</param>
 /// <param name="End">Where it comes to rest, drawing millimetres.</param>
 public readonly record struct PaceMove(double Seconds, double Wait, Point2D End)
 {
-    /// <summary>How many segments are loaded for it; 0 for a rapid.</summary>
+    /// <summary>Number of segments that are loaded for it; 0 for a rapid.</summary>
     public int Segments { get; init; }
 }
 
 /// <summary>The parts in which a program was loaded and run one after the other.</summary>
-/// <param name="lasts">For each part but the first: how many moves were made before it began, and the last of them.</param>
+/// <param name="lasts">For each part except the first: the number of moves that were made before it, and the last of them.</param>
 public sealed class ProgramParts(IReadOnlyDictionary<int, PaceMove> lasts)
 {
-    /// <summary>A program that was loaded whole.</summary>
+    /// <summary>A program that was loaded as a whole.</summary>
     public static ProgramParts Whole { get; } = new(new Dictionary<int, PaceMove>());
 
-    /// <summary>Whether a further part begins after so many moves.</summary>
+    /// <summary>Whether another part begins after this number of moves.</summary>
     public bool BeginAfter(int moves) => lasts.ContainsKey(moves);
 
-    /// <summary>The last move before a further part that begins after so many moves; null where none does.</summary>
+    /// <summary>The last move before another part that begins after this number of moves; null where none begins.</summary>
     public PaceMove? LastBefore(int moves) => lasts.TryGetValue(moves, out var last) ? last : null;
 }

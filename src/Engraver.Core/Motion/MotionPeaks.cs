@@ -3,18 +3,20 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>The most that a motion program asks of the machine while it cuts.</summary>
+/// <summary>The highest demands of a motion program on the machine while it cuts.</summary>
 /// <param name="Speed">Fastest along the path, mm/s.</param>
-/// <param name="AxisAcceleration">Largest of one axis, mm/s2: along the path, across it in arcs, and the turn between two segments that are run through without a stop, taken over one sample.</param>
+/// <param name="AxisAcceleration">Largest of one axis, mm/s2: along the path, across it in arcs, and the turn between two segments that are run without a stop,
+/// averaged over one sample.</param>
 public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
 {
-    /// <summary>Places at which an arc is looked at; between them the acceleration of an axis changes by less than its thousandth on arcs of up to a quarter turn.</summary>
+    /// <summary>Number of points at which an arc is evaluated; between them the acceleration of an axis changes by less than a thousandth on arcs of up to a
+    /// quarter turn.</summary>
     private const int PlacesOfArc = 32;
 
-    /// <summary>Between two looks of a controller at its motors, in which a turn of the path happens, seconds.</summary>
+    /// <summary>Time between two samples of the motors by the controller, in which a turn of the path takes place, seconds.</summary>
     private const double Sample = 0.001;
 
-    /// <summary>Both are 0 when nothing is cut.</summary>
+    /// <summary>Both values are 0 when nothing is cut.</summary>
     public static MotionPeaks From(MotionProgram program)
     {
         var (speed, acceleration) = (0.0, 0.0);
@@ -27,7 +29,7 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
         return new MotionPeaks(speed, acceleration);
     }
 
-    /// <summary>One sequence from its start to its end, in counts; what it finds is in millimetres.</summary>
+    /// <summary>One sequence from its start to its end, in counts; its results are in millimetres.</summary>
     private sealed class Ride(VectorSequence sequence, double acceleration, CountsScale scale)
     {
         private readonly double _length = sequence.Length;
@@ -60,7 +62,7 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
 
         private double SpeedAt(double path) => Math.Min(sequence.Speed, Math.Sqrt(2.0 * acceleration * Math.Max(0.0, Math.Min(path, _length - path))));
 
-        /// <summary>Along the path: up to speed, at speed, or down to rest.</summary>
+        /// <summary>Acceleration along the path: up to speed, at speed, or down to rest.</summary>
         private double Gain(double path) => SpeedAt(path) >= sequence.Speed ? 0.0 : path <= _length / 2.0 ? acceleration : -acceleration;
 
         /// <summary>Direction of travel, length 1.</summary>

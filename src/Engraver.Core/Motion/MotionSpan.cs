@@ -2,12 +2,12 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>A stretch of planned time in which the machine does one thing.</summary>
-/// <param name="Kind">What it does.</param>
+/// <summary>A period of planned time in which the machine does one thing.</summary>
+/// <param name="Kind">What the machine does.</param>
 /// <param name="Start">Seconds since the job began.</param>
-/// <param name="Seconds">How long.</param>
+/// <param name="Seconds">Duration.</param>
 /// <param name="Stroke">Index of the stroke in the motion program.</param>
-/// <param name="Sequence">Index in its stroke of the sequence that is cut or comes next.</param>
+/// <param name="Sequence">Index in its stroke of the sequence that is cut or is next.</param>
 /// <param name="From">Position at the beginning, counts of the job frame.</param>
 /// <param name="To">Position at the end.</param>
 /// <param name="ToolOn">The tool output is on.</param>
@@ -19,12 +19,12 @@ public readonly record struct MotionSpan(MotionSpanKind Kind, double Start, doub
 /// <summary>What the machine does in a span of planned time.</summary>
 public enum MotionSpanKind : byte
 {
-    /// <summary>It is at rest: commands are exchanged, or the tool settles.</summary>
+    /// <summary>At rest: commands are exchanged, or the tool settles.</summary>
     Dwell,
 
-    /// <summary>It moves between strokes with the tool off, each axis on its own.</summary>
+    /// <summary>Moves between strokes with the tool off, each axis independently.</summary>
     Rapid,
 
-    /// <summary>It runs a vector sequence.</summary>
+    /// <summary>Runs a vector sequence.</summary>
     Cut,
 }

@@ -2,11 +2,12 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>How long a motion program takes by the trapezoids that a controller runs, each a whole number of its samples, and by the commands that are exchanged while the machine stands.</summary>
-/// <remarks>The time counts from the first rapid to the last settle, or to the end of the way to where the program finishes.</remarks>
+/// <summary>Duration of a motion program from the trapezoids that a controller runs, each a whole number of its samples, and from the commands that are
+/// exchanged while the machine is at rest.</summary>
+/// <remarks>The time counts from the first rapid to the last settle, or to the end of the move to the finish of the program.</remarks>
 public static class MotionTime
 {
-    /// <summary>The seconds by kind; nothing to cut takes no time.</summary>
+    /// <summary>The seconds by kind; 0 where nothing is cut.</summary>
     public static MotionTimes Calculate(MotionProgram program, CommandTimes commands)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -14,7 +15,7 @@ public static class MotionTime
         if (program.Strokes.Count == 0) return default;
         var times = new MotionTimes(0.0, 0.0, commands.Loading(program) + (program.Profile.Spindle?.SpinUpSeconds ?? 0.0));
         var at = program.Start;
-        if (program.Profile.Height is not null) times += ToolAt(at, on: false, program, commands); // it is raised from where it was found
+        if (program.Profile.Height is not null) times += ToolAt(at, on: false, program, commands); // it is raised from its present height
         foreach (var stroke in program.Strokes)
         {
             times += RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, program, commands);
@@ -26,7 +27,7 @@ public static class MotionTime
         return program.Finish is { } finish ? times + RapidTo(finish, at, program, commands) : times;
     }
 
-    /// <summary>A rapid goes in plan: X and Y.</summary>
+    /// <summary>A rapid in plan: X and Y.</summary>
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
     {
         var profile = program.Profile;
@@ -41,7 +42,7 @@ public static class MotionTime
         return new MotionTimes(moving, 0.0, commands.Sequence(sequence, moving, program));
     }
 
-    /// <summary>The tool comes to the work or goes; the moves of an axis that holds it count as rapids.</summary>
+    /// <summary>The tool goes on or off; the moves of a tool axis count as rapids.</summary>
     internal static MotionTimes ToolAt(CountsPoint at, bool on, MotionProgram program, CommandTimes commands)
     {
         var moving = program.Profile.Axes.Z is { } z && program.Profile.Height is not null ? HeightSeconds(at.Z, on, program.Profile, z, commands) : 0.0;

@@ -32,13 +32,13 @@ public sealed class MotionTimeline
         return [.. profile.Axes.All.Take(2).Select((axis, i) => new SpeedTrapezoid(Math.Abs((double)to[i] - from[i]), _commands.RapidSpeed(profile, axis), profile.AccelerationCounts))];
     }
 
-    /// <summary>Without gaps, in the order of time; spans of no time are left out.</summary>
+    /// <summary>Without gaps, in the order of time; spans without duration are left out.</summary>
     public IReadOnlyList<MotionSpan> Spans => _spans;
 
     /// <summary>Seconds of the whole job; 0 when there is nothing to cut.</summary>
     public double Seconds => _spans.End;
 
-    /// <param name="commands">How long the machine stands, and how fast it travels.</param>
+    /// <param name="commands">The times at rest, and the speeds of the machine.</param>
     public static MotionTimeline From(MotionProgram program, CommandTimes commands, CancellationToken cancellation)
     {
         var timeline = new MotionTimeline(program, commands);
@@ -55,12 +55,12 @@ public sealed class MotionTimeline
         return timeline;
     }
 
-    /// <summary>The span at a moment; moments before and after the job belong to the first and the last.</summary>
+    /// <summary>The span at a time; times before and after the job belong to the first and the last.</summary>
     /// <returns>Its index; -1 when there is none.</returns>
     public int SpanAt(double seconds) => _spans.At(seconds);
 
     /// <summary>The span in which a sequence is cut.</summary>
-    /// <param name="sequence">Among the sequences of all strokes.</param>
+    /// <param name="sequence">Index among the sequences of all strokes.</param>
     public MotionSpan CutOf(int sequence) => _spans[_cuts[sequence]];
 
     private void AddStroke(int index, CountsPoint from)
@@ -84,12 +84,12 @@ public sealed class MotionTimeline
         Add(SpanColumn.SpanPart.ToolOff, off.Dwell + off.Rapid, index, last);
     }
 
-    /// <summary>The way to where the program finishes belongs to its last sequence.</summary>
+    /// <summary>The move to the finish of the program belongs to its last sequence.</summary>
     private void AddFinish(CountsPoint from, CountsPoint finish)
     {
         var (stroke, sequence) = (Program.Strokes.Count - 1, Program.Strokes[^1].Sequences.Count - 1);
         var rapid = MotionTime.RapidTo(finish, from, Program, _commands);
-        Add(SpanColumn.SpanPart.ToolOff, rapid.Dwell, stroke, sequence); // it waits where the last sequence ended
+        Add(SpanColumn.SpanPart.ToolOff, rapid.Dwell, stroke, sequence); // it waits at the end of the last sequence
         Add(SpanColumn.SpanPart.Finish, rapid.Rapid, stroke, sequence);
     }
 

@@ -8,8 +8,8 @@ public readonly record struct MotionTimes(double Cutting, double Rapid, double D
 {
     public double Total => Cutting + Rapid + Dwell;
 
-    /// <summary>The total under overrides, which change speeds and no dwells; ramps are short against the rest.</summary>
-    /// <param name="feed">Factor of the feed that is in force.</param>
+    /// <summary>The total under overrides, which change speeds but no dwells; ramps are short compared with the rest.</summary>
+    /// <param name="feed">Factor of the feed in effect.</param>
     /// <param name="rapid">Factor of the rapid speed.</param>
     public double Under(double feed, double rapid) => (Cutting / feed) + (Rapid / rapid) + Dwell;
 

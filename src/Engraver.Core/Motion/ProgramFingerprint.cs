@@ -5,7 +5,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>By what a motion program is known again: its path, segment by segment. Speeds are no part of it, because another link may lower them.</summary>
+/// <summary>Identifies a motion program by its path, segment by segment. Speeds are not included, because another link may lower them.</summary>
 public static class ProgramFingerprint
 {
     private const int BytesPerSegment = 40;
@@ -30,7 +30,7 @@ public static class ProgramFingerprint
         return Convert.ToHexString(hash.GetHashAndReset())[..16].ToLower(CultureInfo.InvariantCulture);
     }
 
-    /// <summary>Of a place its lowest 32 bits, so that journals keep their fingerprints.</summary>
+    /// <summary>Writes the lowest 32 bits of a position, so that journals keep their fingerprints.</summary>
     private static void Write(Span<byte> bytes, CountsPoint point, int number, in VectorSegment segment)
     {
         BinaryPrimitives.WriteInt32LittleEndian(bytes, unchecked((int)point.X));

@@ -3,27 +3,27 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>What is left of a motion program from a place on: a program of its own, and where it lies in the whole one.</summary>
+/// <summary>The rest of a motion program from a place on: a separate program, and its position in the whole one.</summary>
 /// <param name="Program">The rest. Its first stroke may begin in the middle of the whole program's, a lead-in before the place.</param>
 /// <param name="StrokesBefore">Strokes of the whole program before the first of the rest.</param>
 /// <param name="SequencesBefore">Sequences of that stroke before the first of the rest.</param>
 /// <param name="SegmentsBefore">Segments of the whole program before the first of the rest, in the order of cutting.</param>
-/// <param name="CutOfFirst">Counts of the whole program's segment that lie before the first segment of the rest.</param>
+/// <param name="CutOfFirst">Counts of the whole program's segment that are before the first segment of the rest.</param>
 public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, int SequencesBefore, int SegmentsBefore, double CutOfFirst)
 {
-    /// <summary>The rest may begin this much earlier, counts, where a whole count lies nearer to the path.</summary>
+    /// <summary>The rest may begin this much earlier, counts, where a point of whole counts is nearer to the path.</summary>
     public const double WholeCountSearch = 8.0;
 
-    /// <summary>No arc shorter than this is cut by itself, counts.</summary>
+    /// <summary>An arc shorter than this is not cut alone, counts.</summary>
     private const double ShortestRest = 2.0;
 
     /// <summary>Nothing was cut yet.</summary>
     public static RemainingProgram Whole(MotionProgram program) => new(program, 0, 0, 0, 0.0);
 
     /// <summary>The rest of a program.</summary>
-    /// <param name="place">What lies before it is cut.</param>
+    /// <param name="place">Everything before it is cut.</param>
     /// <param name="leadIn">Counts of the path before the place, in the same stroke, that are cut again; 0 for none.</param>
-    /// <param name="keepAngle">The angle that the controller has after it is sent one, degrees.</param>
+    /// <param name="keepAngle">The angle that the controller keeps for an angle sent to it, degrees.</param>
     public static RemainingProgram From(MotionProgram program, JobPlace place, double leadIn, Func<double, double> keepAngle)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -52,12 +52,13 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
         return (program.Strokes.Count, first);
     }
 
-    /// <summary>Cuts one stroke in two on its path.</summary>
+    /// <summary>Divides one stroke in two on its path.</summary>
     private sealed class StrokeRest(MotionStroke stroke, Func<double, double> keepAngle)
     {
         private readonly List<(int Sequence, CountsPoint Start, VectorSegment Segment)> _segments = [.. Flat(stroke)];
 
-        /// <returns>The rest of the stroke, with the sequences and segments of it that lie before and the counts of the first segment; null when nothing is left.</returns>
+        /// <returns>The rest of the stroke, with the sequences and segments of it before the rest and the counts of the first segment; null when nothing is
+        /// left.</returns>
         public (MotionStroke? Stroke, int Sequences, int Segments, double Along) From(JobPlace place, double leadIn)
         {
             var (at, along) = Back(place, leadIn);
@@ -82,7 +83,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
             }
         }
 
-        /// <summary>The place a lead-in earlier on the path, not before the stroke's start.</summary>
+        /// <summary>The place one lead-in earlier on the path, not before the stroke's start.</summary>
         private (int At, double Along) Back(JobPlace place, double leadIn)
         {
             var (at, along) = (place.Segments, Math.Min(place.Along, _segments[place.Segments].Segment.Length));
@@ -100,7 +101,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
             return (at, along < ShortestRest ? 0.0 : along);
         }
 
-        /// <summary>The whole counts nearest to the path, a little earlier on it.</summary>
+        /// <summary>The point of whole counts nearest to the path, a little earlier on it.</summary>
         private (double Along, CountsPoint Start) WholeCount(int at, double along)
         {
             var course = new SegmentCourse(_segments[at].Start, _segments[at].Segment);
@@ -116,7 +117,7 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
             return (best, start);
         }
 
-        /// <summary>A line may rise or fall; an arc stays at its height.</summary>
+        /// <summary>A line may rise or fall; an arc does not change its height.</summary>
         private int HeightAt(int at, double along)
         {
             var (_, start, segment) = _segments[at];
