@@ -280,8 +280,8 @@ internal sealed class ControllerCore : IDisposable
         _clock.Look(isHeldUp, isHeldUp && (Machine.Handles.Open.Any(static handle => handle.Output.IsRead) || Machine.Serial.Client?.Output.IsRead == true));
     }
 
-    /// <summary>Stops the controller after an internal error of the simulator, because its state can no longer be trusted. Disconnects every client, so that no
-    /// client waits for an answer, and faults <see cref="Broken"/>.</summary>
+    /// <summary>Stops the controller after an internal error of the simulator, because its state can no longer be trusted. Disconnects every client, so that
+    /// clients do not wait for an answer, and faults <see cref="Broken"/>.</summary>
     private void Break(Exception bug)
     {
         if (!_broken.TrySetException(new InvalidOperationException($"the simulated controller failed ({bug.GetType().Name}: {bug.Message}); every client was cut off", bug))) return;

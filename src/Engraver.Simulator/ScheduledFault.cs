@@ -2,21 +2,21 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>One thing that goes wrong once, at the first moment given: a time, a segment or a byte.</summary>
+/// <summary>One fault that occurs once, at its trigger: a time, a segment or a byte.</summary>
 public sealed record ScheduledFault
 {
     public required FaultKind Kind { get; init; }
 
-    /// <summary>Controller time since power up, seconds.</summary>
+    /// <summary>Trigger: controller time since power up, seconds.</summary>
     public double? AtSeconds { get; init; }
 
-    /// <summary>When so many vector segments have been executed, over all sequences.</summary>
+    /// <summary>Trigger: number of executed vector segments, over all sequences.</summary>
     public long? AtSegment { get; init; }
 
-    /// <summary>When so many bytes have arrived, over all links.</summary>
+    /// <summary>Trigger: number of received bytes, over all links.</summary>
     public long? AtByte { get; init; }
 
-    /// <summary>Controller seconds after which a switch, an input or a shaft is free again; null: never. Only for <see cref="FaultKind.LimitSwitch"/>,
+    /// <summary>Controller time after which a switch, an input or a shaft is released, seconds; null: never. Only for <see cref="FaultKind.LimitSwitch"/>,
     /// <see cref="FaultKind.AbortInput"/> and <see cref="FaultKind.Jam"/>.</summary>
     public double? ForSeconds { get; init; }
 
@@ -26,10 +26,10 @@ public sealed record ScheduledFault
     /// <summary>The forward limit switch instead of the reverse one.</summary>
     public bool Forward { get; init; }
 
-    /// <summary>How late an answer comes, seconds (<see cref="FaultKind.Delay"/>): controller time at speed max, wall time otherwise.</summary>
+    /// <summary>Delay of an answer, seconds (<see cref="FaultKind.Delay"/>): controller time at speed max, wall time otherwise.</summary>
     public double Seconds { get; init; } = 0.5;
 
-    /// <summary>How many answers are late, commands or answers are lost, or bytes of garbage come before the next answer.</summary>
+    /// <summary>Number of delayed answers, lost commands or answers, or garbage bytes before the next answer.</summary>
     public int Count { get; init; } = 1;
 
     internal int AxisIndex => AxisSelection.IndexOf(Axis![0]);
@@ -38,7 +38,7 @@ public sealed record ScheduledFault
 
     private bool MayEnd => Kind is FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam;
 
-    /// <summary>Why it cannot happen, by the field that is wrong; null when it can.</summary>
+    /// <summary>The reason why the fault cannot occur, with the invalid field; null for a valid fault.</summary>
     public FaultFlaw? Flaw()
     {
         var moments = (AtSeconds is null ? 0 : 1) + (AtSegment is null ? 0 : 1) + (AtByte is null ? 0 : 1);
@@ -55,14 +55,14 @@ public sealed record ScheduledFault
     }
 }
 
-/// <summary>What is wrong with a fault.</summary>
-/// <param name="Field">As it stands in a faults file.</param>
+/// <summary>The error in a fault.</summary>
+/// <param name="Field">Name of the field in a faults file.</param>
 public readonly record struct FaultFlaw(string Field, FlawReason Reason);
 
-/// <summary>Why a fault cannot happen.</summary>
+/// <summary>The reason why a fault cannot occur.</summary>
 public enum FlawReason
 {
-    /// <summary>It has no moment, or more than one.</summary>
+    /// <summary>The fault has no trigger, or more than one.</summary>
     Moments,
 
     /// <summary>A number is below 0, or too large.</summary>
@@ -74,35 +74,35 @@ public enum FlawReason
     /// <summary>A number is below 1.</summary>
     BelowOne,
 
-    /// <summary>Its kind needs an axis.</summary>
+    /// <summary>This kind of fault needs an axis.</summary>
     NoAxis,
 
-    /// <summary>Its kind has no axis.</summary>
+    /// <summary>This kind of fault takes no axis.</summary>
     HasNoAxis,
 
-    /// <summary>The axis is none of A to D.</summary>
+    /// <summary>The axis is not A, B, C or D.</summary>
     OtherAxis,
 
-    /// <summary>What its kind does lasts no time.</summary>
+    /// <summary>This kind of fault has no duration.</summary>
     NeverEnds,
 }
 
-/// <summary>What can go wrong at a moment.</summary>
+/// <summary>The kinds of scheduled faults.</summary>
 public enum FaultKind
 {
-    /// <summary>Answers come late.</summary>
+    /// <summary>Answers are delayed.</summary>
     Delay,
 
-    /// <summary>A command arrives nowhere: it is neither executed nor answered.</summary>
+    /// <summary>A command is lost: it is neither executed nor answered.</summary>
     DropCommand,
 
-    /// <summary>A command is executed, and its answer is lost.</summary>
+    /// <summary>A command is executed, but its answer is lost.</summary>
     DropReply,
 
-    /// <summary>Bytes that nobody sent come before the next answer.</summary>
+    /// <summary>Garbage bytes precede the next answer.</summary>
     Garbage,
 
-    /// <summary>Every link is cut, as by a pulled cable; motion and programs go on.</summary>
+    /// <summary>Every link is cut, as by a disconnected cable; motion and programs continue.</summary>
     Reset,
 
     /// <summary>A limit switch is hit.</summary>
@@ -111,13 +111,13 @@ public enum FaultKind
     /// <summary>The abort input is closed.</summary>
     AbortInput,
 
-    /// <summary>A motor is switched off, as by off-on-error: what moves its axis stops without a ramp.</summary>
+    /// <summary>A motor is switched off, as by off-on-error: the motion that drives its axis stops without a ramp.</summary>
     MotorOff,
 
     /// <summary>A shaft is blocked: its motor does not move, and the position error grows.</summary>
     Jam,
 
-    /// <summary>The controller is switched off and on again: links, variables, programs and positions are lost, what was burned comes back (galil-dmc.md
+    /// <summary>The controller is switched off and on again: links, variables, programs and positions are lost, the burned state is restored (galil-dmc.md
     /// A.6).</summary>
     PowerCycle,
 }

@@ -5,7 +5,7 @@ using Engraver.Simulator.Values;
 namespace Engraver.Simulator;
 
 /// <summary>CI (galil-dmc.md C.3): input on the serial port runs #COMINT in thread 0 and can be read as P1CH, P1ST, P1NM and P1CD.</summary>
-/// <remarks>There is no queue: new input replaces what the program has not read, and interrupts only while the interrupt is armed [U].</remarks>
+/// <remarks>There is no queue: new input replaces input that the program has not read, and interrupts only while the interrupt is armed [U].</remarks>
 internal sealed class SerialInterrupt
 {
     private const int LongestText = 6;
@@ -16,16 +16,16 @@ internal sealed class SerialInterrupt
     /// <summary>CI, first field: 0 off, 1 at a carriage return, 2 at any character.</summary>
     public int When { get; private set; }
 
-    /// <summary>CI, second field 1: input belongs to the program and is no command.</summary>
+    /// <summary>CI, second field 1: input is data for the program and not a command.</summary>
     public bool TakesData { get; private set; }
 
     /// <summary>False while #COMINT runs; the second argument of its EN arms the interrupt again.</summary>
     public bool IsArmed { get; private set; }
 
-    /// <summary>P1CD: -1 CI is off, 0 nothing received, 1 a character, 2 a text that is not a number, 3 a number.</summary>
+    /// <summary>P1CD: -1 when CI is off, 0 when nothing was received, 1 for a character, 2 for a text that is not a number, 3 for a number.</summary>
     public int Code { get; private set; } = -1;
 
-    /// <summary>P1CH: the last character, as a string of one.</summary>
+    /// <summary>P1CH: the last character, as a string of one character.</summary>
     public FixedPoint Character { get; private set; }
 
     public void Configure(int when, bool takesData)
@@ -36,7 +36,7 @@ internal sealed class SerialInterrupt
         Clear();
     }
 
-    /// <summary>CI -1: forgets what was received.</summary>
+    /// <summary>CI -1: discards the received input.</summary>
     public void Clear()
     {
         _line.Clear();
@@ -60,7 +60,7 @@ internal sealed class SerialInterrupt
         return _number;
     }
 
-    /// <summary>Takes one received character; true when #COMINT is to be started.</summary>
+    /// <summary>Takes one received character; returns true when #COMINT must be started.</summary>
     public bool Accept(char c)
     {
         if (When == 0 || c == '\n') return false;

@@ -4,8 +4,9 @@ using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator;
 
-/// <summary>A simulated Galil DMC-2143 (galil-dmc.md I): handles over TCP and in memory and a serial port, one controller behind them.</summary>
-/// <remarks>docs/simulator-fidelity.md says where it differs from the real controller.</remarks>
+/// <summary>A simulated Galil DMC-2143 (galil-dmc.md I): handles over TCP, over UDP and in memory, and a serial port, all connected to one
+/// controller.</summary>
+/// <remarks>docs/simulator-fidelity.md lists the differences from the real controller.</remarks>
 public sealed class SimulatedController : IAsyncDisposable
 {
     private readonly ControllerCore _core;
@@ -26,8 +27,8 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Every sample of motion and every output change so far.</summary>
     public MotionRecord Record => _core.Machine.Record;
 
-    /// <summary>Faults with the exception (a bug of the simulator) that ended its work, on whatever thread it happened; all links are cut then. Never completes
-    /// otherwise.</summary>
+    /// <summary>Faults with the exception (an internal error of the simulator) that stopped the controller, on any thread; all links are then cut. Never
+    /// completes otherwise.</summary>
     public Task Broken => _core.Broken;
 
     public ControllerStatus Status => _core.Status;
@@ -35,17 +36,17 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Controller time since it was switched on, ticks of 100 ns.</summary>
     public long ClockTicks => _core.Hosts.Now;
 
-    /// <summary>The error (a full disk) that ended the writing of the record's file; null while it is written.</summary>
+    /// <summary>The error (for example a full disk) that stopped writing the record's file; null while writing succeeds.</summary>
     public IOException? RecordFailure => _core.RecordFailure;
 
-    /// <summary>The client end of a new handle, without a socket but with the same bytes. Disposing it frees the handle.</summary>
-    /// <exception cref="IOException">All handles are busy.</exception>
+    /// <summary>Opens the client end of a new handle, without a socket but with the same bytes. Disposing it frees the handle.</summary>
+    /// <exception cref="IOException">All handles are in use.</exception>
     public Stream OpenConnection() => OpenConnection(taken: null);
 
-    /// <summary>The same with somebody who is told when bytes are taken.</summary>
-    /// <param name="taken">Called for each write before it is executed, with <see cref="ClockTicks"/> at that moment; under the controller's lock. Null for
-    /// nobody.</param>
-    /// <exception cref="IOException">All handles are busy.</exception>
+    /// <summary>Opens the client end of a new handle, with a callback for each write.</summary>
+    /// <param name="taken">Called for each write before it is executed, with the current <see cref="ClockTicks"/>; under the controller's lock. Null for no
+    /// callback.</param>
+    /// <exception cref="IOException">All handles are in use.</exception>
     public Stream OpenConnection(Action<long>? taken)
     {
         const int ConventionalPort = 23;
@@ -53,9 +54,9 @@ public sealed class SimulatedController : IAsyncDisposable
         return new MemoryConnection(_core, handle, taken);
     }
 
-    /// <summary>Listens on loopback until the controller is disposed; may be called for several ports.</summary>
-    /// <param name="port">0 lets the system pick.</param>
-    /// <exception cref="System.Net.Sockets.SocketException">The port is taken or not allowed.</exception>
+    /// <summary>Listens on loopback until the controller is disposed; can be called for several ports.</summary>
+    /// <param name="port">0 selects a free port.</param>
+    /// <exception cref="System.Net.Sockets.SocketException">The port is in use or not allowed.</exception>
     public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
@@ -68,12 +69,12 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
-    /// <summary>Gives the controller's clock to a host of this process: from now on time passes only by the commands of hosts and while every host that has the
-    /// clock waits, however late one is. Disposing the clock gives it back.</summary>
+    /// <summary>Gives the controller's clock to a host in this process: from now on time passes only with the commands of hosts and while every host that has
+    /// the clock waits, however late a host is. Disposing the clock returns it.</summary>
     public HostClock JoinClock() => _core.Hosts.Join(isElsewhere: false);
 
     /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); each
-    /// connection counts as one host that has the clock, and one that hangs is given up.</summary>
+    /// connection counts as one host that has the clock, and a host that hangs is considered lost.</summary>
     /// <exception cref="System.Net.Sockets.SocketException">No port is free.</exception>
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation)
     {
@@ -89,8 +90,8 @@ public sealed class SimulatedController : IAsyncDisposable
 
     /// <summary>Answers datagrams on loopback until the controller is disposed: commands, and data records after DR (galil-dmc.md A.1, A.9; hosts expect port
     /// 60007).</summary>
-    /// <param name="port">0 lets the system pick.</param>
-    /// <exception cref="System.Net.Sockets.SocketException">The port is taken or not allowed.</exception>
+    /// <param name="port">0 selects a free port.</param>
+    /// <exception cref="System.Net.Sockets.SocketException">The port is in use or not allowed.</exception>
     public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
@@ -103,8 +104,8 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
-    /// <summary>The client end of the serial port, without a terminal but with the same bytes and, at speed max, the same byte times. Disposing it unplugs the
-    /// cable.</summary>
+    /// <summary>Opens the client end of the serial port, without a terminal but with the same bytes and, at speed max, the same byte times. Disposing it
+    /// disconnects the cable.</summary>
     /// <param name="baud">Bits per second; a byte takes ten bits.</param>
     /// <exception cref="IOException">The port already has a client.</exception>
     public Stream OpenSerialConnection(int baud)
@@ -113,17 +114,19 @@ public sealed class SimulatedController : IAsyncDisposable
         return new MemoryConnection(_core, _core.OpenSerial(baud, null) ?? throw new IOException("The serial port has a client."));
     }
 
-    /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed. When its links are dropped, the host sees a hang-up and a
-    /// new terminal is served at the path.</summary>
-    /// <param name="path">A symbolic link to the terminal is made here and removed at the end. A link that an earlier run left behind is replaced.</param>
+    /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed. When its links are cut, the host sees a hang-up and a new
+    /// terminal is served at the path.</summary>
+    /// <param name="path">Path at which a symbolic link to the terminal is created; it is removed at the end. A link that remains from an earlier run is
+    /// replaced.</param>
     /// <param name="baud">Bits per second in each direction; a byte takes ten bits.</param>
-    /// <exception cref="IOException">The path is taken or cannot be written, the port already has a client, or the system has no free terminal.</exception>
-    /// <exception cref="UnauthorizedAccessException">The path may not be written.</exception>
-    /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
+    /// <exception cref="IOException">The path is in use or cannot be written, the port already has a client, or the system has no free terminal.</exception>
+    /// <exception cref="UnauthorizedAccessException">The path cannot be written.</exception>
+    /// <exception cref="PlatformNotSupportedException">The operating system is not Linux.</exception>
     public Task ServeSerialAsync(string path, int baud, CancellationToken cancellation) => ServeSerialAsync(path, baud, null, cancellation);
 
-    /// <summary>The same with somebody who listens on the line.</summary>
-    /// <param name="heard">Told all bytes as they pass, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
+    /// <summary>Serves the serial port on a pseudo-terminal (Linux), with a callback for all bytes on the line.</summary>
+    /// <param name="heard">Called with all bytes as they pass and a flag that is true for bytes from the host, on the threads that transfer them. Null for no
+    /// callback.</param>
     public Task ServeSerialAsync(string path, int baud, Action<ReadOnlyMemory<byte>, bool>? heard, CancellationToken cancellation)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(baud);
@@ -137,49 +140,49 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.CompletedTask;
     }
 
-    /// <summary>Whether bytes on a served serial line take no time, as long as what they say is of no interest. Whoever listens on the line may set it, and the
-    /// bytes that were just heard go as it says.</summary>
+    /// <summary>True when bytes on a served serial line take no time, for traffic whose timing is irrelevant. The listener on the line may set it; the new
+    /// value already applies to the bytes of the current call.</summary>
     public bool SerialCarriesAtOnce
     {
         get => _core.Machine.Serial.CarriesAtOnce;
         set => _core.Machine.Serial.CarriesAtOnce = value;
     }
 
-    /// <summary>Cuts every link at once, as a pulled cable would; motion and programs go on.</summary>
+    /// <summary>Cuts every link at once, as by a disconnected cable; motion and programs continue.</summary>
     public void DropConnections() => _core.CutAll();
 
-    /// <summary>Lets virtual time pass, in addition to what commands and silence let pass. Only at speed max.</summary>
+    /// <summary>Advances virtual time, in addition to the time that passes with commands and silence. Only at speed max.</summary>
     public void Advance(TimeSpan controllerTime)
     {
         RequireVirtualTime();
         _core.Advance(controllerTime);
     }
 
-    /// <summary>Lets virtual time pass sample by sample until the condition holds; false when it does not within <paramref name="atMost"/> of controller
-    /// time.</summary>
+    /// <summary>Advances virtual time sample by sample until the condition holds; returns false when it does not hold within <paramref name="atMost"/> of
+    /// controller time.</summary>
     public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
     {
         RequireVirtualTime();
         return _core.AdvanceUntil(condition, atMost);
     }
 
-    /// <summary>Lets virtual time pass until nothing moves and no thread runs.</summary>
-    /// <param name="atMost">Controller time.</param>
+    /// <summary>Advances virtual time until nothing moves and no thread runs.</summary>
+    /// <param name="atMost">Maximum controller time.</param>
     /// <param name="longestRest">Returns after this much controller time without motion and without a change of an output.</param>
-    /// <param name="steps">Returns after so many steps of computing; a span of constant speed is one step.</param>
-    /// <returns>The status at the end, and whether the rest lasted <paramref name="longestRest"/> or would last until a command comes.</returns>
+    /// <param name="steps">Returns after this number of computing steps; a span of constant speed is one step.</param>
+    /// <returns>The status at the end, and whether the rest lasted <paramref name="longestRest"/> or would last until a command arrives.</returns>
     public (ControllerStatus Status, bool HasRested) AdvanceToRest(TimeSpan atMost, TimeSpan longestRest, int steps)
     {
         RequireVirtualTime();
         return _core.AdvanceToRest((long)atMost.TotalMilliseconds, (long)longestRest.TotalMilliseconds, steps);
     }
 
-    /// <summary>Completes when the condition holds. It is tested after every command and, while somebody waits, every few milliseconds.</summary>
+    /// <summary>Completes when the condition holds. It is tested after every command and, while a task waits, every few milliseconds.</summary>
     public Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation) =>
         _core.WaitUntilAsync(condition, cancellation);
 
     /// <summary>Waits until nothing moves and no thread runs.</summary>
-    /// <returns>False when a sequence has run out of segments: the controller then stays as it is until its host ends the sequence (galil-dmc.md
+    /// <returns>False when a sequence has run out of segments: the controller then keeps this state until its host ends the sequence (galil-dmc.md
     /// B.7).</returns>
     public async Task<bool> WaitUntilIdleAsync(CancellationToken cancellation)
     {
@@ -187,7 +190,7 @@ public sealed class SimulatedController : IAsyncDisposable
         return status.IsIdle;
     }
 
-    /// <summary>Grounds or opens a limit input of axis 0 to 3 (A to D); under CN -1, the default, a grounded one forbids motion (galil-dmc.md C.1).</summary>
+    /// <summary>Grounds or opens a limit input of axis 0 to 3 (A to D); under CN -1, the default, a grounded input blocks motion (galil-dmc.md C.1).</summary>
     public void SetLimitSwitch(int axis, bool forward, bool active)
     {
         RequireAxis(axis);
@@ -202,23 +205,23 @@ public sealed class SimulatedController : IAsyncDisposable
     }
 
     /// <summary>Blocks or frees the shaft of axis 0 to 3. While it is blocked the motor does not move: the position error of a servo grows, and a stepper loses
-    /// the steps that it is sent.</summary>
+    /// the steps that are sent to it.</summary>
     public void HoldMotor(int axis, bool held)
     {
         RequireAxis(axis);
         _core.With(m => m.Motion.Axes[axis].Motor.IsHeld = held);
     }
 
-    /// <summary>Where the motor of axis 0 to 3 really stands, counts from where it stood at the first power up: DP, homing and power cycles change what that is
-    /// called and not where it is.</summary>
+    /// <summary>Physical motor position of axis 0 to 3, in counts from its position at the first power up. DP, homing and power cycles change the reported
+    /// position but not this one.</summary>
     public int MotorPlace(int axis) => (int)Math.Round(Axis(axis, static found => found.Motor.Position - found.Shift), MidpointRounding.AwayFromZero);
 
-    /// <summary>Where a position that the controller now calls so really is, a stepper's lost steps included, counts from where axis 0 to 3 stood at the first
-    /// power up.</summary>
+    /// <summary>Physical position for a position that the controller reports now, including a stepper's lost steps, in counts from the position of axis 0 to 3
+    /// at the first power up.</summary>
     public int PlaceOf(int axis, int position) => (int)Math.Round(Axis(axis, found => position - found.Motor.Lost - found.Shift), MidpointRounding.AwayFromZero);
 
-    /// <summary>One more fault beside those of the plan; its moment counts from power up, and one that is past happens at once.</summary>
-    /// <exception cref="System.Text.Json.JsonException">The fault makes no sense.</exception>
+    /// <summary>Adds a fault to those of the plan. Its trigger is counted from power up; a fault whose trigger has already passed occurs at once.</summary>
+    /// <exception cref="System.Text.Json.JsonException">The fault is not valid.</exception>
     public void Schedule(ScheduledFault fault)
     {
         ArgumentNullException.ThrowIfNull(fault);
@@ -226,7 +229,7 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Faults.Add(fault));
     }
 
-    /// <summary>Bytes of hosts that have arrived so far, over all links: the moment <see cref="ScheduledFault.AtByte"/> counts.</summary>
+    /// <summary>Bytes received from hosts so far, over all links: the number that <see cref="ScheduledFault.AtByte"/> refers to.</summary>
     public long BytesArrived
     {
         get
@@ -245,11 +248,11 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Inputs.Set(input, level));
     }
 
-    /// <summary>Activates or releases the abort input. Its activation stops all motion without a ramp, and programs too unless CN's fifth field is 1;
+    /// <summary>Activates or releases the abort input. Its activation stops all motion without a ramp, and also all programs unless CN's fifth field is 1;
     /// <c>_AB</c> is 0 while it is active (galil-dmc.md D).</summary>
     public void SetAbortInput(bool active) => _core.With(m => m.SetAbortInput(active));
 
-    /// <summary>Stops listening, cuts every link, completes the record's file.</summary>
+    /// <summary>Stops listening, cuts every link and completes the record's file.</summary>
     public async ValueTask DisposeAsync()
     {
         IAsyncDisposable[] listening;

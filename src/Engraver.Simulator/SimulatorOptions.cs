@@ -2,14 +2,14 @@ using System.Net;
 
 namespace Engraver.Simulator;
 
-/// <summary>How the simulated DMC-2143 behaves. Every open point of the reference ([U], [U-] in galil-dmc.md) that the simulator can vary is a setting
+/// <summary>Settings of the simulated DMC-2143. Every open point of the reference ([U], [U-] in galil-dmc.md) that the simulator can vary is a setting
 /// here.</summary>
 public sealed record SimulatorOptions
 {
     /// <summary>Controller seconds per wall second: 1 is real time, <see cref="double.PositiveInfinity"/> is virtual time ("max").</summary>
     public double Speed { get; init; } = 1;
 
-    /// <summary>Handles of the controller, 1 to 8 (galil-dmc.md A.1: 6 or 8 on a 21x3, not confirmed).</summary>
+    /// <summary>Number of handles of the controller, 1 to 8 (galil-dmc.md A.1: 6 or 8 on a 21x3, not confirmed).</summary>
     public int HandleCount { get; init; } = 8;
 
     /// <summary>Resolution of the CR angles in degrees (galil-dmc.md B.3: 1/65536 or 1/256); 0 keeps them as given.</summary>
@@ -24,70 +24,71 @@ public sealed record SimulatorOptions
     /// <summary>Controller time that one command of a running program takes (galil-dmc.md A.4, I.8).</summary>
     public TimeSpan LineCost { get; init; } = TimeSpan.FromMilliseconds(0.5);
 
-    /// <summary>What separates two numbers of a message when the second is negative (galil-dmc.md A.3: the manual's pages differ).</summary>
+    /// <summary>Separator of two numbers of a message when the second is negative (galil-dmc.md A.3: the pages of the manual differ).</summary>
     public NumberSpacing NumberSpacing { get; init; }
 
     /// <summary>Lines of program memory (galil-dmc.md 0.3).</summary>
     public int ProgramLines { get; init; } = 1000;
 
-    /// <summary>Contour records that can wait while one is executed (galil-dmc.md C.4): 1 as on older controllers, whose programs wait with WC, or 511 as on
-    /// newer ones.</summary>
+    /// <summary>Number of contour records that can wait while one is executed (galil-dmc.md C.4): 1 as on older controllers, whose programs wait with WC, or
+    /// 511 as on newer controllers.</summary>
     public int ContourRecords { get; init; } = 1;
 
-    /// <summary>What ^R^V answers (galil-dmc.md I.6).</summary>
+    /// <summary>Reply to ^R^V (galil-dmc.md I.6).</summary>
     public string Model { get; init; } = "DMC2143 Rev 1.0o";
 
-    /// <summary>Answer to _BN: the serial number of the processor board (galil-dmc.md 0.3). By default each simulated controller has its own.</summary>
+    /// <summary>Reply to _BN: the serial number of the processor board (galil-dmc.md 0.3). By default each simulated controller has a different one.</summary>
     public int SerialNumber { get; init; } = Random.Shared.Next(1, int.MaxValue);
 
-    /// <summary>Whether automatic subroutines need a running thread 0 (galil-dmc.md C.3, [U]).</summary>
+    /// <summary>True when automatic subroutines need a running thread 0 (galil-dmc.md C.3, [U]).</summary>
     public bool HandlersNeedThreadZero { get; init; } = true;
 
-    /// <summary>Time constant of the servo lag, by which the motors trail their commanded positions (galil-dmc.md I.14); zero is a perfect motor.</summary>
+    /// <summary>Time constant of the servo lag between the motors and their commanded positions (galil-dmc.md I.14); zero for a perfect motor.</summary>
     public TimeSpan ServoLag { get; init; }
 
-    /// <summary>Letters of the axes whose encoder is wired against their motor: a servo there runs away until its motor type or its encoder type is reversed
+    /// <summary>Letters of the axes whose encoder polarity is opposite to that of their motor: such a servo runs away until its motor type or its encoder type
+    /// is reversed
     /// (galil-dmc.md C, MT and CE).</summary>
     public string ReversedWiring { get; init; } = "";
 
-    /// <summary>Positions of limit switches, home switches and index pulses. An axis left out has only the switches that are set by hand, and an index pulse
-    /// every 4000 counts.</summary>
+    /// <summary>Positions of limit switches, home switches and index pulses. An omitted axis has only switches that are set manually, and an index pulse every
+    /// 4000 counts.</summary>
     public IReadOnlyList<AxisSwitches> Switches { get; init; } = [];
 
-    /// <summary>Speeds and accelerations that were burned before power up; null for the factory's.</summary>
+    /// <summary>Speeds and accelerations that were burned before power up; null for the factory values.</summary>
     public BurnedMotion? Burned { get; init; }
 
-    /// <summary>Where program messages go after power up: A to H, or S for the serial port (CF, galil-dmc.md A.5).</summary>
+    /// <summary>Destination of program messages after power up: A to H, or S for the serial port (CF, galil-dmc.md A.5).</summary>
     public char MessagePort { get; init; } = 'S';
 
-    /// <summary>Whether messages carry bit 7 after power up: 1 yes, 2 no (CW, galil-dmc.md A.5).</summary>
+    /// <summary>Bit 7 of messages after power up: 1 set, 2 not set (CW, galil-dmc.md A.5).</summary>
     public int MessageMarking { get; init; } = 2;
 
     /// <summary>The address that TH and _IA0 report; the controller listens on loopback in any case.</summary>
     public IPAddress Address { get; init; } = IPAddress.Loopback;
 
-    /// <summary>Whether <see cref="SimulatedController.Record"/> keeps its rows. If not, its listeners and its file still get them, and memory does not grow
-    /// with machine time.</summary>
+    /// <summary>True when <see cref="SimulatedController.Record"/> stores its rows. When false, its listeners and its file still receive them, and memory does
+    /// not grow with machine time.</summary>
     public bool KeepsRecord { get; init; } = true;
 
-    /// <summary>Whether samples of constant speed in which nothing else can happen are computed in one jump instead of one by one; the result is the same to
+    /// <summary>True when samples of constant speed in which no other event can occur are computed in one jump instead of one by one; the result is the same to
     /// the last bit.</summary>
     public bool JumpsSteadyMotion { get; init; } = true;
 
     /// <summary>The wall clock and its timers.</summary>
     public TimeProvider Time { get; init; } = TimeProvider.System;
 
-    /// <summary>Faults to inject; null is a healthy controller.</summary>
+    /// <summary>Faults to inject; null for no faults.</summary>
     public FaultPlan? Faults { get; init; }
 
     /// <summary>True when time is virtual ("max").</summary>
     public bool IsVirtual => double.IsPositiveInfinity(Speed);
 }
 
-/// <summary>What separates two numbers of one message (galil-dmc.md A.3).</summary>
+/// <summary>Separator of two numbers of one message (galil-dmc.md A.3).</summary>
 public enum NumberSpacing
 {
-    /// <summary>A blank, whatever the sign of the second number: <c>20000.0000 -81.0000</c>.</summary>
+    /// <summary>A blank, independent of the sign of the second number: <c>20000.0000 -81.0000</c>.</summary>
     Blank,
 
     /// <summary>Only the column of the sign, so that a minus follows the last digit directly: <c>20000.0000-81.0000</c>.</summary>

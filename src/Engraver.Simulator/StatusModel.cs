@@ -11,7 +11,7 @@ internal sealed class StatusModel(Machine machine)
 
     public void Remove(StatusWaiter waiter) => _waiters.Remove(waiter);
 
-    /// <summary>Called when something may have changed: completes the tasks whose condition holds.</summary>
+    /// <summary>Called when the status can have changed: completes the tasks whose condition holds.</summary>
     public void Notify()
     {
         if (_waiters.Count == 0) return;

@@ -44,13 +44,13 @@ internal sealed class Axis
     /// <summary>Commanded position as the controller reports it (RP).</summary>
     public int Reference => (int)Math.Round(_smoothed, MidpointRounding.AwayFromZero);
 
-    /// <summary>What DP, homing and power cycles have added to the counts of a place since the first power up.</summary>
+    /// <summary>Counts that DP, homing and power cycles have added to the number of a physical position since the first power up.</summary>
     public double Shift { get; private set; }
 
-    /// <summary>TP: the main encoder; of a stepper, which has none in its loop, the commanded position.</summary>
+    /// <summary>TP: the main encoder; for a stepper, which has no encoder in its loop, the commanded position.</summary>
     public int Encoder => IsStepper ? Reference : Motor.Counts;
 
-    /// <summary>For the record: where the motor is, whatever it was commanded.</summary>
+    /// <summary>For the record: the physical motor position, independent of the commanded position.</summary>
     public int Place => Motor.Counts;
 
     /// <summary>TD: the auxiliary encoder, for a stepper the pulses sent.</summary>
@@ -81,7 +81,7 @@ internal sealed class Axis
     /// <summary>PT 1: every PA starts a move at once.</summary>
     public bool IsTracking { get; set; }
 
-    /// <summary>Part of the distance to the profile that one sample covers: IT in independent moves, VT in vector moves; 1 is no smoothing.</summary>
+    /// <summary>Fraction of the distance to the profile that one sample covers: IT in independent moves, VT in vector moves; 1 means no smoothing.</summary>
     public double Smoothing { get; set; } = 1;
 
     public bool IsMoving { get; private set; }
@@ -94,19 +94,19 @@ internal sealed class Axis
     /// <summary>The profile has ended but its smoothed output has not reached it.</summary>
     public bool IsSmoothing => !IsMoving && Math.Abs(Position - _smoothed) >= 0.5;
 
-    /// <summary>A sample will still change something although no profile runs.</summary>
+    /// <summary>The next sample will still change a position although no profile runs.</summary>
     public bool IsSettling => IsSmoothing || (IsLoopReversed && Motor.WillRunOn(_smoothed, MotorOff)) || (!IsStepper && !IsLoopReversed && Motor.IsSettling(_smoothed, MotorOff));
 
     /// <summary>A homing move in progress; null otherwise.</summary>
     public HomingRun? Homing { get; private set; }
 
-    /// <summary>Position at which the running or last independent move began.</summary>
+    /// <summary>Position at which the running or last independent move started.</summary>
     public double MoveStart { get; private set; }
 
-    /// <summary>Position from which the next AR counts: of the beginning of the move, or of the AR before.</summary>
+    /// <summary>Position from which the next AR counts: that of the start of the move, or that of the previous AR.</summary>
     public double TrippointReference { get; set; }
 
-    /// <summary>Position at which the last motion stopped: what PA reports (galil-dmc.md C).</summary>
+    /// <summary>Position at which the last motion stopped, which PA reports (galil-dmc.md C).</summary>
     public int LastStop { get; set; }
 
     public int StopCode { get; set; } = Motion.StopCode.AtTarget;
@@ -124,10 +124,10 @@ internal sealed class Axis
 
     public int ReverseSoftLimit { get; set; } = int.MinValue;
 
-    /// <summary>Settings that are stored and read back: KP, KD, ER and the like.</summary>
+    /// <summary>Settings that are stored and read back: KP, KD, ER etc.</summary>
     public Dictionary<string, FixedPoint> Settings { get; } = [];
 
-    /// <summary>The loop of a servo corrects in the wrong direction: its wiring, its motor type and its encoder type are not reversed in pairs (galil-dmc.md C,
+    /// <summary>The loop of a servo corrects in the wrong direction: an odd number of its wiring, motor type and encoder type are reversed (galil-dmc.md C,
     /// MT and CE).</summary>
     public bool IsLoopReversed => !IsStepper && (_isWiredReversed ^ (MotorType.Value < 0) ^ (Settings.Count > 0 && ((int)Setting("CE", 0) & ReversedEncoder) != 0));
 
@@ -146,17 +146,17 @@ internal sealed class Axis
         if (Smoothing >= 1) _smoothed = position;
     }
 
-    /// <summary>Redefines the position without moving the axis: DP, or the zero at the end of a homing.</summary>
+    /// <summary>Redefines the position without moving the axis: DP, or the zero at the end of a homing move.</summary>
     public void Redefine(double position)
     {
-        Shift += position - Motor.Position; // the motor stays where it stands, also where it could not follow
+        Shift += position - Motor.Position; // the motor keeps its physical position, even where it could not follow
         Position = position;
         _smoothed = position;
         LastStop = Reference;
         Motor.Define(position);
     }
 
-    /// <summary>Shifts the position's number without moving the axis, even in motion: the electronic cam counts positions within a cycle (C.4).</summary>
+    /// <summary>Shifts the position value without moving the axis, even in motion: the electronic cam counts positions within a cycle (C.4).</summary>
     public void Renumber(double difference)
     {
         Shift += difference;
@@ -168,10 +168,10 @@ internal sealed class Axis
         Motor.Renumber(difference);
     }
 
-    /// <summary>SH: the motor's position becomes the commanded position (C); nobody knows that of a stepper.</summary>
+    /// <summary>SH: the motor position becomes the commanded position (C); the motor position of a stepper is unknown.</summary>
     public void TakeMotorPosition() => SetPosition(_smoothed = Encoder);
 
-    /// <summary>Target of the move that BG would begin: for PA and PR; null for a jog or a homing.</summary>
+    /// <summary>Target of the move that BG would start: for PA and PR; null for a jog or a homing move.</summary>
     public long? PendingTarget() => NextMove switch
     {
         AxisMove.Absolute or AxisMove.Tracking => AbsoluteTarget,
@@ -179,7 +179,7 @@ internal sealed class Axis
         _ => null,
     };
 
-    /// <summary>Direction of the move that BG would begin: 1, -1, or 0 when its target is the present position.</summary>
+    /// <summary>Direction of the move that BG would start: 1, -1, or 0 when its target is the present position.</summary>
     public double PendingHeading() =>
         PendingTarget() is { } target ? target - (long)Reference : NextMove == AxisMove.Jog ? JogSpeed : HomingRun.Heading(this, NextMove);
 
@@ -198,7 +198,7 @@ internal sealed class Axis
         StopCode = Motion.StopCode.Running;
     }
 
-    /// <summary>PA under PT: the running move takes another target, or a move begins.</summary>
+    /// <summary>PA under PT: the running move gets a new target, or a move starts.</summary>
     public void Track(int target)
     {
         AbsoluteTarget = target;
@@ -207,8 +207,8 @@ internal sealed class Axis
         _profile.Target = target;
     }
 
-    /// <summary>IP in motion: a jog jumps by these counts, a move gets a farther target (C).</summary>
-    /// <exception cref="CommandRefusedException">TC 16: against the direction of the move, or the axis already stops.</exception>
+    /// <summary>IP in motion: a jog jumps by these counts, a move gets a more distant target (C).</summary>
+    /// <exception cref="CommandRefusedException">TC 16: against the direction of the move, or the axis is already stopping.</exception>
     public void Extend(int counts)
     {
         if (IsStopping || (CurrentMove != AxisMove.Jog && Math.Sign(counts) != _profile.Direction)) throw new CommandRefusedException(Tc.WrongSignOfIncrement);
@@ -232,7 +232,7 @@ internal sealed class Axis
         End();
     }
 
-    /// <summary>One sample; false when the move ended in it.</summary>
+    /// <summary>Computes one sample; returns false when the move ended in it.</summary>
     public bool Step()
     {
         if (_profile.Step() is not { } code) return true;
@@ -241,25 +241,25 @@ internal sealed class Axis
         return false;
     }
 
-    /// <summary>For how many samples its independent move goes on at constant speed.</summary>
+    /// <summary>Number of samples for which its independent move continues at constant speed.</summary>
     public long SteadySamples(long atMost) => _profile.SteadySamples(atMost);
 
-    /// <summary>Sets the position to where it will be after so many samples of constant speed; the profile does not advance.</summary>
+    /// <summary>Sets the position to its value after the given number of samples at constant speed; the profile does not advance.</summary>
     public void PlaceSteady(long samples) => SetPosition(_profile.PlaceAfter(samples));
 
     public void PassSteady(long samples) => _profile.PassSteady(samples);
 
-    /// <summary>The axis' positions from now on at constant speed.</summary>
+    /// <summary>The positions of the axis from now on at constant speed.</summary>
     public AxisCourse Course() => _profile.Course();
 
     /// <summary>Only the profile determines the position: no smoothing, no lag, no blocked or disabled motor, no switch that it could pass, no latch that waits
     /// for an index.</summary>
     public bool IsPlain => Smoothing >= 1 && !MotorOff && !IsLoopReversed && Motor.IsPlain && !Inputs.HasSwitches && Latch is not { IsArmed: true, WaitsForIndex: true };
 
-    /// <summary>Moves the switches with the command: in a homing the commanded position operates them, not the motor that trails it.</summary>
+    /// <summary>Operates the switches by the commanded position: in a homing move they do not depend on the motor, which lags behind.</summary>
     public void PassSwitches() => Inputs.MoveTo(Position - Motor.Lost - Shift);
 
-    /// <summary>After every sample: the smoothed output and the motor follow the profile.</summary>
+    /// <summary>Called after every sample: the smoothed output and the motor follow the profile.</summary>
     public void Follow()
     {
         _smoothed = Smoothing >= 1 ? Position : _smoothed + ((Position - _smoothed) * Smoothing);
@@ -289,7 +289,7 @@ internal sealed class Axis
     }
 }
 
-/// <summary>What the next BG of an axis starts: the last of PA, PR, JG, HM, FE and FI given.</summary>
+/// <summary>The move that the next BG of an axis starts: the last given of PA, PR, JG, HM, FE and FI.</summary>
 internal enum AxisMove
 {
     Relative,

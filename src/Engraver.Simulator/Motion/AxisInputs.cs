@@ -7,7 +7,7 @@ internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
     private const int UsualPeriod = 4000;
     private double _place;
 
-    /// <summary>The axis has switches or an index that its own motion operates.</summary>
+    /// <summary>The axis has switches or an index that its motion operates.</summary>
     public bool HasSwitches => switches is not null;
 
     /// <summary>The forward limit input was grounded by hand.</summary>
@@ -24,20 +24,20 @@ internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
         else ReverseGrounded = active;
     }
 
-    /// <summary>The limit forbids motion: <c>_LF</c> is 0.</summary>
+    /// <summary>The limit blocks motion: <c>_LF</c> is 0.</summary>
     public bool ForwardHit => IsGrounded(ForwardGrounded, switches?.ForwardLimitAt is { } at && _place >= at, switches?.ForwardLimitAt) != polarity.LimitsActiveHigh;
 
     public bool ReverseHit => IsGrounded(ReverseGrounded, switches?.ReverseLimitAt is { } at && _place <= at, switches?.ReverseLimitAt) != polarity.LimitsActiveHigh;
 
-    /// <summary>What <c>_HM</c> reads (C.2, table).</summary>
+    /// <summary>The value of <c>_HM</c> (C.2, table).</summary>
     public bool Home => (HomeGrounded || (switches?.HomeAt is not null && IsOnHome != (switches.AreNormallyClosed || switches.IsHomeNormallyClosed))) == polarity.HomeReversed;
 
     private bool IsOnHome => switches is { HomeAt: { } at } && (switches.IsHomeBelow ? at - _place : _place - at) is >= 0 and var depth && depth <= switches.HomeReach;
 
-    /// <summary>Where the index pulse was passed in the last sample, as a distance from the present position; null when it was not.</summary>
+    /// <summary>Distance from the present position to the index pulse passed in the last sample; null when no pulse was passed.</summary>
     public double? IndexPassed { get; private set; }
 
-    /// <summary>Takes the motor's present position, in counts from where it was at power up.</summary>
+    /// <summary>Takes the present motor position, in counts from its position at power up.</summary>
     public void MoveTo(double place)
     {
         IndexPassed = null;

@@ -13,7 +13,7 @@ internal sealed class AxisSelection(MotionKernel motion)
 
     public bool IsEmpty => Axes.Count == 0 && Planes.Count == 0;
 
-    /// <summary>Axes A to D when nothing was named.</summary>
+    /// <summary>The named axes, or axes A to D when no axis was named.</summary>
     public IEnumerable<Axis> AxesOrAll => IsEmpty ? motion.Axes.Take(Axis.Real) : Axes;
 
     /// <summary>0 to 5 for A to D, N, M and the alternative letters X to W; -1 for anything else (A.3).</summary>

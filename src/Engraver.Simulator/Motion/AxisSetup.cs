@@ -2,7 +2,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion;
 
-/// <summary>The settings of one axis that BN burns and RS brings back (galil-dmc.md A.6).</summary>
+/// <summary>The settings of one axis that BN burns and RS restores (galil-dmc.md A.6).</summary>
 internal sealed class AxisSetup
 {
     private readonly (double Speed, double Acceleration, double Deceleration, double Jog) _motion;
@@ -20,7 +20,7 @@ internal sealed class AxisSetup
         _settings = new(axis.Settings);
     }
 
-    /// <summary>Also resets what is not burned: the kind of the next move, its target, position tracking.</summary>
+    /// <summary>Also resets the settings that are not burned: the type of the next move, its target, position tracking.</summary>
     public void ApplyTo(Axis axis, MotionKernel motion)
     {
         (axis.CruiseSpeed, axis.Acceleration, axis.Deceleration, axis.JogSpeed) = _motion;

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>CR: the current point lies at angle theta on a circle of radius r; positive sweep is counter-clockwise (galil-dmc.md B.3).</summary>
+/// <summary>CR: the current point is at angle theta on a circle of radius r; positive sweep is counter-clockwise (galil-dmc.md B.3).</summary>
 internal sealed class CircularSegment : VectorSegment
 {
     private readonly double _centreX;
@@ -9,8 +9,8 @@ internal sealed class CircularSegment : VectorSegment
     private readonly double _theta;
     private readonly double _sweep;
 
-    /// <param name="theta">Degrees, after the angle quantum.</param>
-    /// <param name="sweep">Signed degrees, after the angle quantum; not zero.</param>
+    /// <param name="theta">Degrees, rounded to the angle resolution.</param>
+    /// <param name="sweep">Signed degrees, rounded to the angle resolution; not zero.</param>
     public CircularSegment(double startX, double startY, double radius, double theta, double sweep)
     {
         _radius = radius;
@@ -36,7 +36,8 @@ internal sealed class CircularSegment : VectorSegment
         return Math.Min(Length, distance + ((quarter - angle) / _sweep * Length));
     }
 
-    /// <summary>The arc between two distances, in counts of the axes of the first two slots before rounding and from the sequence frame's origin.</summary>
+    /// <summary>The arc between two distances, in counts of the axes of the first two slots, before rounding and relative to the sequence frame's
+    /// origin.</summary>
     public ArcCourse Course(double from, double to, double scaleX, double scaleY) =>
         new(_centreX * scaleX, _centreY * scaleY, _radius * scaleX, _radius * scaleY, AngleAt(from), AngleAt(to) - AngleAt(from));
 
@@ -44,7 +45,7 @@ internal sealed class CircularSegment : VectorSegment
 
     private double AngleAt(double distance) => _theta + (distance >= Length ? _sweep : _sweep * (distance / Length));
 
-    // Degrees are reduced before they become radians, so that 90 and 360 give exact zeros and ones and full circles close.
+    // Degrees are reduced before the conversion to radians, so that 90 and 360 give exact zeros and ones and full circles close.
     private static double Sine(double degrees) => Cosine(degrees - 90);
 
     private static double Cosine(double degrees)

@@ -18,12 +18,12 @@ internal sealed class ContourMode(int capacity)
     /// <summary>A record is being executed or waits.</summary>
     public bool CanProgress => _record is not null || _waiting.Count > 0;
 
-    /// <summary>A contour was begun and its end record has not been sent: when its host is late, the axes stop.</summary>
+    /// <summary>A contour has started and its end record has not been sent: when its host is late, the axes stop.</summary>
     public bool AwaitsRecords => _record is not null && !_waiting.Any(r => r.IsEnd);
 
     public ReadOnlySpan<Axis> Axes => _axes;
 
-    /// <summary>Free places for records: <c>_CM</c>. The record being executed takes none.</summary>
+    /// <summary>Free places for records: <c>_CM</c>. The record being executed does not occupy a place.</summary>
     public int FreeRecords => capacity - _waiting.Count;
 
     /// <summary>DT: the exponent of the interval, 1 to 8; 0 ends the mode with the next CD.</summary>
@@ -40,7 +40,7 @@ internal sealed class ContourMode(int capacity)
 
     public bool Drives(Axis axis) => Array.IndexOf(_axes, axis) >= 0;
 
-    /// <summary>CM.</summary>
+    /// <summary>Sets the axes of contour mode: CM.</summary>
     public void Begin(Axis[] axes)
     {
         _axes = axes;
@@ -53,8 +53,8 @@ internal sealed class ContourMode(int capacity)
         }
     }
 
-    /// <summary>CD.</summary>
-    /// <exception cref="CommandRefusedException">TC 32: no room for the record [U].</exception>
+    /// <summary>Adds a record: CD.</summary>
+    /// <exception cref="CommandRefusedException">TC 32: there is no room for the record [U].</exception>
     public void Store(ContourRecord record)
     {
         if (FreeRecords <= 0) throw new CommandRefusedException(Tc.SegmentBufferFull);
@@ -76,7 +76,7 @@ internal sealed class ContourMode(int capacity)
         _waiting.Clear();
     }
 
-    /// <summary>True once each time the records have run out.</summary>
+    /// <summary>True once after each time the records have run out.</summary>
     public bool TakeLateness()
     {
         var late = WasLate;
@@ -84,7 +84,7 @@ internal sealed class ContourMode(int capacity)
         return late;
     }
 
-    /// <summary>One sample, which may extend over several records.</summary>
+    /// <summary>Computes one sample, which can extend over several records.</summary>
     public void Step()
     {
         for (var left = SamplesPerStep; left > 0 && (_record is not null || TryTake());)
@@ -125,7 +125,7 @@ internal sealed class ContourMode(int capacity)
     }
 }
 
-/// <summary>One CD: counts that each axis of CM moves within so many samples. 0 samples mark the end of the contour.</summary>
+/// <summary>One CD: counts that each axis of CM moves within the given number of samples. 0 samples mark the end of the contour.</summary>
 internal sealed record ContourRecord(int[] Increments, int Samples)
 {
     public bool IsEnd => Samples == 0;

@@ -24,13 +24,13 @@ internal sealed class HomingRun
 
     public int Direction { get; private set; }
 
-    /// <summary>Direction in which a homing move begins: decided by the home input, for FI by the sign of the jog speed.</summary>
+    /// <summary>Direction in which a homing move starts: given by the home input, for FI by the sign of the jog speed.</summary>
     public static double Heading(Axis axis, AxisMove kind) =>
         kind == AxisMove.FindIndex ? axis.JogSpeed : axis.Inputs.Home ? -1 : 1;
 
     /// <summary>Reads the inputs after one sample of motion.</summary>
-    /// <param name="speed">Present speed; set to 0 where the stage ends without a ramp.</param>
-    /// <returns>The stop code at the end of the move, null while it goes on.</returns>
+    /// <param name="speed">Present speed; set to 0 when the stage ends without a ramp.</param>
+    /// <returns>The stop code at the end of the move, null while it continues.</returns>
     public int? Look(Axis axis, ref double speed)
     {
         switch (Phase)
@@ -75,17 +75,17 @@ internal sealed class HomingRun
 /// <summary>Stages of a homing move (galil-dmc.md C.2).</summary>
 internal enum HomingPhase
 {
-    /// <summary>At full speed until the home input changes.</summary>
+    /// <summary>Moves at full speed until the home input changes.</summary>
     Search,
     SearchBrake,
 
-    /// <summary>Back at low speed until the input changes again.</summary>
+    /// <summary>Moves back at low speed until the input changes again.</summary>
     Approach,
 
-    /// <summary>Until the index pulse.</summary>
+    /// <summary>Moves until the index pulse.</summary>
     Index,
     IndexBrake,
 
-    /// <summary>Back to the position of the pulse.</summary>
+    /// <summary>Moves back to the position of the pulse.</summary>
     Return,
 }

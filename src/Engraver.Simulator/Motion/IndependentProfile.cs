@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Motion;
 
 /// <summary>Speed and distance of one axis in an independent move, sample by sample (galil-dmc.md C): to a position, at a speed, or as a homing run
-/// asks.</summary>
+/// requires.</summary>
 internal sealed class IndependentProfile(Axis axis)
 {
     private double _speed;
@@ -10,7 +10,7 @@ internal sealed class IndependentProfile(Axis axis)
     private long _steadySamples;
     private bool _isSteady;
 
-    /// <summary>Position at which the move ends; not used in a jog or a homing.</summary>
+    /// <summary>Position at which the move ends; not used in a jog or a homing move.</summary>
     public double Target { get; set; }
 
     /// <summary>1 or -1.</summary>
@@ -26,7 +26,7 @@ internal sealed class IndependentProfile(Axis axis)
 
     private double Commanded => axis.IsStopping ? 0 : axis.Homing?.Speed ?? (axis.CurrentMove == AxisMove.Jog ? Math.Abs(axis.JogSpeed) : axis.CruiseSpeed);
 
-    /// <summary>Begins a move from a standstill.</summary>
+    /// <summary>Starts a move from a standstill.</summary>
     /// <param name="direction">1 or -1; 0 counts as 1.</param>
     public void Begin(double target, int direction)
     {
@@ -43,8 +43,8 @@ internal sealed class IndependentProfile(Axis axis)
         IsEnding = false;
     }
 
-    /// <summary>One sample.</summary>
-    /// <returns>The stop code when the move ended in it; null while it goes on.</returns>
+    /// <summary>Computes one sample.</summary>
+    /// <returns>The stop code when the move ended in it; null while it continues.</returns>
     public int? Step() =>
         axis.IsStopping || axis.CurrentMove == AxisMove.Jog ? StepFree()
         : axis.Homing is { } homing ? StepHoming(homing)
@@ -86,14 +86,14 @@ internal sealed class IndependentProfile(Axis axis)
         long Samples(double length) => Math.Min(atMost, (long)Math.Max(0, (length / step) - 3));
     }
 
-    /// <summary>Position after so many samples of constant speed.</summary>
+    /// <summary>Position after the given number of samples at constant speed.</summary>
     public double PlaceAfter(long samples)
     {
         StartSteady();
         return _steadyPlace = SteadyPlace(samples);
     }
 
-    /// <summary>Advances by so many samples of <see cref="SteadySamples"/>; the position equals that of single steps to the last bit.</summary>
+    /// <summary>Advances by the given number of <see cref="SteadySamples"/>; the position is equal to that of single steps to the last bit.</summary>
     public void PassSteady(long samples)
     {
         StartSteady();
@@ -110,8 +110,8 @@ internal sealed class IndependentProfile(Axis axis)
 
     private double SteadyPlace(long samples) => _steadyFrom + ((_steadySamples + samples) * (Direction * (_speed * Ramp.Sample)));
 
-    /// <summary>Remembers where constant speed began: distances are then a number of samples times the distance of one, so that rounding does not add up.
-    /// Begins anew when a command changed the position.</summary>
+    /// <summary>Stores the start of constant speed: distances are then a number of samples times the distance of one sample, so that rounding does not
+    /// accumulate. Restarts when a command has changed the position.</summary>
     private void StartSteady()
     {
         if (_isSteady && axis.Position == _steadyPlace) return;
@@ -131,13 +131,13 @@ internal sealed class IndependentProfile(Axis axis)
         axis.SetPosition(axis.Position + (Direction * distance));
     }
 
-    /// <summary>A tracked target (PT) lies behind the axis, or too near to stop before it.</summary>
+    /// <summary>A tracked target (PT) has already been passed, or is too close to stop before it.</summary>
     private bool MustTurn() =>
         _speed > 0 && (Target - axis.Position) * Direction < (_speed * _speed / (2 * axis.Deceleration)) - (_speed * Ramp.Sample);
 
     private int? StepFree()
     {
-        // A jog that changes its sign brakes to zero first and then turns round.
+        // A jog that changes its sign first brakes to zero and then reverses.
         var turning = !axis.IsStopping && (axis.CurrentMove == AxisMove.Tracking || (Math.Sign(axis.JogSpeed) == -Direction && axis.JogSpeed != 0));
         Roll(turning ? 0 : Commanded);
         if (_speed == 0 && turning) Direction = -Direction;

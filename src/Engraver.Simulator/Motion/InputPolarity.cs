@@ -11,12 +11,12 @@ internal sealed class InputPolarity
     /// <summary>Second field 1: a grounded home input reads 1.</summary>
     public bool HomeReversed => Fields[1] == 1;
 
-    /// <summary>Third field 1: latches catch the rising edge.</summary>
+    /// <summary>Third field 1: latches trigger on the rising edge.</summary>
     public bool LatchOnRise => Fields[2] == 1;
 
     /// <summary>Fourth field 1: inputs 5 to 8 abort axes A to D.</summary>
     public bool SelectiveAbort => Fields[3] == 1;
 
-    /// <summary>Fifth field 1: programs go on when the abort input stops the motion.</summary>
+    /// <summary>Fifth field 1: programs continue when the abort input stops the motion.</summary>
     public bool AbortKeepsPrograms => Fields[4] == 1;
 }

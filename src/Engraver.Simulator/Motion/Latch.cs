@@ -1,11 +1,11 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>AL and RL (galil-dmc.md C): the position at an edge of the axis' own input, 1 to 4 for A to D, or at the index.</summary>
+/// <summary>AL and RL (galil-dmc.md C): the position at an edge of the axis' input, 1 to 4 for A to D, or at the index pulse.</summary>
 internal sealed class Latch
 {
     public bool IsArmed { get; private set; }
 
-    /// <summary>ALT: the index latches, not the input.</summary>
+    /// <summary>ALT: the index pulse triggers the latch, not the input.</summary>
     public bool WaitsForIndex { get; private set; }
 
     public int Position { get; private set; }

@@ -38,13 +38,13 @@ internal sealed class MotionKernel
     /// <summary>The plane that CA selected.</summary>
     public VectorPlane Selected { get; set; }
 
-    /// <summary>Vector segments that were executed since power up, in both planes.</summary>
+    /// <summary>Vector segments executed since power up, in both planes.</summary>
     public long SegmentsExecuted => Planes[0].Profile.SegmentsExecuted + Planes[1].Profile.SegmentsExecuted;
 
     /// <summary>Number of moves and sequences that have ended.</summary>
     public long Ends { get; private set; }
 
-    /// <summary>An axis follows something other than its own profile, or a change by a command has not reached the motors yet.</summary>
+    /// <summary>An axis follows a source other than its own profile, or a change by a command has not reached the motors yet.</summary>
     public bool HasFollowers => _isUnsettled || Contour.CanProgress || Cam.IsEnabled || Array.Exists(Axes, static axis => axis.Gear.IsEngaged || axis.IsSettling);
 
     /// <summary>True when the next sample will change a position or end a motion.</summary>
@@ -62,7 +62,7 @@ internal sealed class MotionKernel
         }
     }
 
-    /// <summary>One sample of everything; true when something moved.</summary>
+    /// <summary>Computes one sample of all axes and planes; returns true when an axis moved.</summary>
     public bool Step()
     {
         var moved = false;
@@ -85,13 +85,13 @@ internal sealed class MotionKernel
     /// <summary>Computes samples of constant speed in one jump.</summary>
     public SteadyMotion Steady => _steady ??= new SteadyMotion(this);
 
-    /// <summary>After a jump: the motors and the switches follow.</summary>
+    /// <summary>Called after a jump: updates the motors and the switches.</summary>
     public void FollowAll()
     {
         foreach (var axis in Axes) axis.Follow();
     }
 
-    /// <summary>Called when a command changed a position: the next sample carries it to the motors.</summary>
+    /// <summary>Called when a command has changed a position: the next sample transfers it to the motors.</summary>
     public void Unsettle() => _isUnsettled = true;
 
     public bool IsCoordinated(Axis axis) => PlaneOf(axis) is not null;
@@ -104,7 +104,7 @@ internal sealed class MotionKernel
     /// <summary>The axis is a slave of the running cam.</summary>
     public bool IsOnCam(Axis axis) => axis.Index < Axis.Real && Cam.Followers[axis.Index].IsEngaged;
 
-    /// <summary>Shifts the number of an axis' position, while everything that moves it and everything that follows it goes on.</summary>
+    /// <summary>Shifts the position value of an axis; all motion that drives it or follows it continues.</summary>
     public void Renumber(Axis axis, double difference)
     {
         axis.Renumber(difference);
@@ -143,7 +143,7 @@ internal sealed class MotionKernel
         return hits;
     }
 
-    /// <summary>Stops an axis at once, with the plane or contour that moves it; its motor is switched off where OE asks for it (C, OE).</summary>
+    /// <summary>Stops an axis at once, with the plane or contour that moves it; its motor is switched off if OE requires it (C, OE).</summary>
     public void Halt(Axis axis, int code, bool motorsOff)
     {
         var plane = PlaneOf(axis);
@@ -263,7 +263,7 @@ internal sealed class MotionKernel
         axis.SetPosition(Math.Clamp(axis.Position + counts, int.MinValue, int.MaxValue)); // limited, because gears that drive each other would run to infinity
     }
 
-    /// <summary>Counts a position error beyond ER once until it has been smaller again; with OE 1 or 3 everything that moves the axis stops and its motors are
+    /// <summary>Counts a position error beyond ER once until it has been smaller again; with OE 1 or 3 all motion that drives the axis stops and its motors are
     /// switched off (C, ER, OE).</summary>
     private void CheckError(Axis axis)
     {

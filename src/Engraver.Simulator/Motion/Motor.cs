@@ -1,38 +1,38 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>The motor with its encoder: perfect, or a first-order lag behind the command (galil-dmc.md I.14). A stepper has no encoder in its loop: it does the
-/// steps that it is sent, and those that come while its shaft is blocked are lost.</summary>
+/// <summary>The motor with its encoder: perfect, or with a first-order lag to the commanded position (galil-dmc.md I.14). A stepper has no encoder in its loop:
+/// it makes the steps that are sent to it, and loses those that are sent while its shaft is blocked.</summary>
 internal sealed class Motor(TimeSpan lag)
 {
     private const double AlmostThere = 0.01;
 
-    /// <summary>Share of its error by which a motor in a loop of the wrong sign goes further in a sample, and the counts that set it going.</summary>
+    /// <summary>Fraction of its error by which a motor in a loop of the wrong sign moves further in a sample, and the counts that start this motion.</summary>
     private const double RunawayShare = 0.05;
     private const double RunawayPush = 0.5;
 
-    /// <summary>Counts that such a motor moves in a sample at its full speed.</summary>
+    /// <summary>Counts that such a motor moves in a sample at full speed.</summary>
     private const double RunawayStep = 200.0;
 
-    /// <summary>Error at which the axis has run against its end, counts.</summary>
+    /// <summary>Error at which the axis has reached its mechanical end, counts.</summary>
     private const double RunawayEnd = 100_000.0;
 
     private readonly double _share = lag <= TimeSpan.Zero ? 1 : 1 - Math.Exp(-Ramp.Sample / lag.TotalSeconds);
 
-    /// <summary>Encoder position, counts; of a stepper where its shaft stands.</summary>
+    /// <summary>Encoder position, counts; for a stepper the physical position of its shaft.</summary>
     public double Position { get; private set; }
 
     /// <summary>The shaft is blocked: the motor does not move and the position error grows.</summary>
     public bool IsHeld { get; set; }
 
-    /// <summary>Steps that were sent to a stepper and that its shaft did not make, counts; 0 for a servo.</summary>
+    /// <summary>Steps that were sent to a stepper but not made by its shaft, counts; 0 for a servo.</summary>
     public double Lost { get; private set; }
 
-    /// <summary>Always at its commanded position: no lag, not blocked, no step lost.</summary>
+    /// <summary>The motor is always at its commanded position: no lag, not blocked, no lost steps.</summary>
     public bool IsPlain => _share >= 1 && !IsHeld && Lost == 0;
 
     public int Counts => (int)Math.Round(Position, MidpointRounding.AwayFromZero);
 
-    /// <summary>A stepper is sent the steps to the commanded position.</summary>
+    /// <summary>Sends a stepper the steps to the commanded position.</summary>
     public void Step(double commanded)
     {
         if (IsHeld) Lost = commanded - Position;
@@ -57,15 +57,15 @@ internal sealed class Motor(TimeSpan lag)
         Position += Math.CopySign(Math.Min(RunawayStep, (Math.Abs(error) * RunawayShare) + RunawayPush), error);
     }
 
-    /// <summary>A motor in a loop of the wrong sign is still on its way.</summary>
+    /// <summary>A motor in a loop of the wrong sign is still moving.</summary>
     public bool WillRunOn(double commanded, bool isOff) => !IsHeld && !isOff && Math.Abs(Position - commanded) < RunawayEnd;
 
     /// <summary>A servo will still move although the commanded position does not change: it lags behind, or was blocked and is free again.</summary>
     public bool IsSettling(double commanded, bool isOff) => !IsHeld && !isOff && Position != commanded;
 
-    /// <summary>The place where the shaft stands, and the commanded position with it, get this number.</summary>
+    /// <summary>Sets the position value of the present shaft position, and with it the commanded position.</summary>
     public void Define(double position) => (Position, Lost) = (position, 0);
 
-    /// <summary>The numbers of all places change by this much.</summary>
+    /// <summary>Shifts all position values by this amount.</summary>
     public void Renumber(double difference) => Position += difference;
 }

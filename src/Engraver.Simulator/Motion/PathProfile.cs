@@ -29,18 +29,18 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     /// <summary>Path length from the start of the sequence: <c>_AVS</c>.</summary>
     public double Travelled { get; private set; }
 
-    /// <summary>Path length of all sequences since power up, which only grows: what a gear follows (B.6).</summary>
+    /// <summary>Path length of all sequences since power up, which only grows; a gear follows it (B.6).</summary>
     public double Odometer => _earlier + Travelled;
 
-    /// <summary>Index of the segment being executed, from 0; after the end of the sequence the number executed: <c>_CSS</c>.</summary>
+    /// <summary>Index of the segment being executed, from 0; after the end of the sequence the number of executed segments: <c>_CSS</c>.</summary>
     public int SegmentIndex { get; private set; }
 
-    /// <summary>Segments that were executed since power up, over all sequences.</summary>
+    /// <summary>Segments executed since power up, over all sequences.</summary>
     public long SegmentsExecuted => _earlierSegments + SegmentIndex;
 
     public bool IsAtSpeed => Speed == Target;
 
-    /// <summary>The next sample of a path with segments moves something.</summary>
+    /// <summary>The next sample of a path with segments moves an axis.</summary>
     public bool WantsToMove => Speed > 0 || IsStopping || Target > 0;
 
     private double Target => _commanded * SpeedRatio;
@@ -81,7 +81,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     }
 
     /// <summary>Advances by <paramref name="dt"/> or to the end of the segment, whichever comes first.</summary>
-    /// <param name="crossed">True when the end of the segment was reached, which has then left the buffer.</param>
+    /// <param name="crossed">True when the end of the segment was reached; the segment has then been removed from the buffer.</param>
     /// <returns>The time used.</returns>
     public double Advance(VectorSegment segment, double dt, out bool crossed)
     {
@@ -103,9 +103,9 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return used;
     }
 
-    /// <summary>Number of samples for which the speed stays constant and the segment does not end; 0 when the next sample may change either.</summary>
-    /// <remarks>The speed limit never rises along a segment, so that testing the last of the samples is enough. The search need not find the largest number:
-    /// samples left over are stepped.</remarks>
+    /// <summary>Number of samples for which the speed stays constant and the segment does not end; 0 when the next sample can change either.</summary>
+    /// <remarks>The speed limit never rises along a segment, so that testing the last of the samples is sufficient. The search need not find the largest
+    /// number: the remaining samples are stepped.</remarks>
     public long SteadySamples(VectorSegment segment, long atMost)
     {
         if (Speed <= 0 || Speed != Target || IsStopping || IsEnding) return 0;
@@ -118,7 +118,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return samples;
     }
 
-    /// <summary>Advances at the present speed by so many samples of <see cref="SteadySamples"/>; the position equals that of single steps to the last
+    /// <summary>Advances at the present speed by the given number of <see cref="SteadySamples"/>; the position is equal to that of single steps to the last
     /// bit.</summary>
     public void PassSteady(long samples)
     {
@@ -127,14 +127,14 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         Travelled = _steadyFrom + (_steadySamples * step);
     }
 
-    /// <summary>Sets the path length to what it will be after so many samples, so that conditions can be tested; <see cref="PassSteady"/> must
+    /// <summary>Sets the path length to its value after the given number of samples, so that conditions can be tested; <see cref="PassSteady"/> must
     /// follow.</summary>
     public void ShowSteady(long samples) => Travelled = TravelledAfter(samples);
 
-    /// <summary>Path length so many samples of constant speed from now.</summary>
+    /// <summary>Path length after the given number of further samples at constant speed.</summary>
     public double TravelledAfter(long samples) => _steadyFrom + ((_steadySamples + samples) * (Speed * Ramp.Sample));
 
-    /// <summary>The terms of <see cref="TravelledAfter"/>: path length at which constant speed began, samples since, distance of one sample.</summary>
+    /// <summary>The terms of <see cref="TravelledAfter"/>: path length at which constant speed started, samples since then, distance of one sample.</summary>
     public (double From, long Samples, double Step) SteadyState => (_steadyFrom, _steadySamples, Speed * Ramp.Sample);
 
     private static long SamplesOver(double length, double step)
@@ -143,7 +143,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return (long)Math.Clamp((length / step) - 3, 0, Most);
     }
 
-    /// <summary>Path length to where braking or the exit speed may change the speed; approximate, the speed itself is then tested.</summary>
+    /// <summary>Path length to the point at which braking or the exit speed can change the speed; approximate, because the speed itself is tested
+    /// afterwards.</summary>
     private double DistanceToChange(VectorSegment segment)
     {
         var end = buffer.IsClosed ? buffer.Length - Travelled - (Speed * Speed / (2 * Deceleration)) : double.PositiveInfinity;
@@ -153,8 +154,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return Math.Min(end, segment.EndLength - Travelled - change);
     }
 
-    /// <summary>Advances the path length. At constant speed it is a number of samples times the distance of one, so that rounding does not add up and a jump
-    /// ends exactly where single samples do.</summary>
+    /// <summary>Advances the path length. At constant speed it is a number of samples times the distance of one sample, so that rounding does not accumulate
+    /// and a jump ends exactly where single samples end.</summary>
     private void Go(double distance, bool isSteady)
     {
         if (isSteady)

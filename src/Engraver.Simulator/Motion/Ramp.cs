@@ -13,8 +13,8 @@ internal static class Ramp
             : Math.Max(commanded, speed - (deceleration * dt));
 
     /// <summary>
-    /// Largest speed after <paramref name="dt"/> from which <paramref name="endSpeed"/> can still be reached in what then remains:
-    /// v1^2 = p^2 + 2 d (R - (v + v1) dt / 2), solved for v1. On the braking parabola this is exactly v - d dt, beyond its end it goes on below p.
+    /// Largest speed after <paramref name="dt"/> from which <paramref name="endSpeed"/> can still be reached over the remaining length:
+    /// v1^2 = p^2 + 2 d (R - (v + v1) dt / 2), solved for v1. On the braking parabola this is exactly v - d dt; beyond its end it continues below p.
     /// </summary>
     public static double Braking(double speed, double remaining, double endSpeed, double deceleration, double dt)
     {

@@ -44,7 +44,7 @@ internal sealed class SegmentBuffer
 
     public void Drop() => _segments.Dequeue();
 
-    /// <summary>Drops the segments that were not executed; length and end stay readable.</summary>
+    /// <summary>Removes the segments that have not been executed; length and end stay readable.</summary>
     public void Abandon() => _segments.Clear();
 
     public void Clear()

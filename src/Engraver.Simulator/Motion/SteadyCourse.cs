@@ -1,16 +1,16 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Positions of axes during constant speed, by number of samples from the moment at which this object was made.</summary>
+/// <summary>Positions of axes at constant speed, by number of samples since the creation of this object.</summary>
 internal abstract class SteadyCourse
 {
-    /// <summary>Writes the commanded positions, counts, of the axes it moves; the others stay as they are.</summary>
-    /// <param name="positions">One for each axis letter.</param>
+    /// <summary>Writes the commanded positions, counts, of the axes that it moves; the others stay unchanged.</summary>
+    /// <param name="positions">One number for each axis letter.</param>
     public abstract void At(long sample, Span<int> positions);
 
     /// <summary>As <see cref="At"/>, before rounding to counts.</summary>
     public abstract void Exactly(long sample, Span<double> positions);
 
-    /// <summary>The arc that two axes follow between two samples; null when they go straight or stand.</summary>
+    /// <summary>The arc that two axes follow between two samples; null when they move on a straight line or are at rest.</summary>
     public virtual ArcCourse? ArcBetween(long from, long to, int x, int y) => null;
 }
 
@@ -60,7 +60,7 @@ internal sealed class PathCourse : SteadyCourse
         for (var i = 0; i < _axes.Length; i++) positions[_axes[i]] = _origin[i] + (point[i] * Scale(i));
     }
 
-    /// <summary>With the axes the other way round the angle counts from the other axis, in the other sense.</summary>
+    /// <summary>With the axes exchanged, the angle is counted from the other axis, in the opposite direction.</summary>
     public override ArcCourse? ArcBetween(long from, long to, int x, int y)
     {
         if (_segment is not CircularSegment circular) return null;
@@ -76,6 +76,6 @@ internal sealed class PathCourse : SteadyCourse
     private double Scale(int slot) => slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1;
 }
 
-/// <summary>First axis: CentreX + RadiusX cos(angle), second: CentreY + RadiusY sin(angle), counts; the angle goes from Start by the signed sweep,
+/// <summary>First axis: CentreX + RadiusX cos(angle), second: CentreY + RadiusY sin(angle), counts; the angle changes from Start by the signed sweep,
 /// degrees.</summary>
 public readonly record struct ArcCourse(double CentreX, double CentreY, double RadiusX, double RadiusY, double StartDegrees, double SweepDegrees);

@@ -1,18 +1,18 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Motion at constant speed in which nothing else can happen: vector paths within a segment and independent moves. The positions of its samples follow
-/// in closed form.</summary>
+/// <summary>Motion at constant speed in which no other event can occur: vector paths within a segment and independent moves. The positions of its samples are
+/// given in closed form.</summary>
 /// <remarks>Everything else is stepped sample by sample: gears, cams, contours, tangents, smoothing, lag, switches, homing, ramps, the ends of segments, and
 /// the last samples before a change.</remarks>
 internal sealed class SteadyMotion(MotionKernel kernel)
 {
-    /// <summary>Spans of fewer samples are stepped: a jump costs as much as some of them, and short spans are judged sample by sample.</summary>
+    /// <summary>Spans of fewer samples are stepped: a jump takes as much time as several samples, and short spans are evaluated sample by sample.</summary>
     public const long Shortest = 128;
 
     private readonly List<VectorPlane> _planes = [];
     private readonly List<Axis> _moves = [];
 
-    /// <summary>Number of samples from now on at constant speed; 0 when fewer than <see cref="Shortest"/>.</summary>
+    /// <summary>Number of samples from now on at constant speed; 0 when there are fewer than <see cref="Shortest"/>.</summary>
     public long Samples(long atMost)
     {
         if (atMost < Shortest) return 0;
@@ -34,15 +34,15 @@ internal sealed class SteadyMotion(MotionKernel kernel)
         return samples < Shortest || _planes.Count + _moves.Count == 0 || kernel.HasFollowers ? 0 : samples;
     }
 
-    /// <summary>Sets every position to what it will be after so many of the <see cref="Samples"/>, so that conditions can be tested; <see cref="Pass"/> must
-    /// follow before time goes on.</summary>
+    /// <summary>Sets every position to its value after the given number of <see cref="Samples"/>, so that conditions can be tested; <see cref="Pass"/> must
+    /// follow before time advances.</summary>
     public void Place(long samples)
     {
         foreach (var plane in _planes) plane.PlaceSteady(samples);
         foreach (var axis in _moves) axis.PlaceSteady(samples);
     }
 
-    /// <summary>Something that moves has reached a limit.</summary>
+    /// <summary>A moving axis has reached a limit.</summary>
     public bool IsAtLimit()
     {
         foreach (var plane in _planes)
@@ -53,7 +53,7 @@ internal sealed class SteadyMotion(MotionKernel kernel)
         return !_moves.TrueForAll(axis => AreFree([axis]));
     }
 
-    /// <summary>Advances by so many samples.</summary>
+    /// <summary>Advances by the given number of samples.</summary>
     public void Pass(long samples)
     {
         foreach (var plane in _planes)
@@ -66,7 +66,7 @@ internal sealed class SteadyMotion(MotionKernel kernel)
         kernel.FollowAll();
     }
 
-    /// <summary>The positions, from now on, of everything that moves.</summary>
+    /// <summary>The positions, from now on, of all moving axes.</summary>
     public SteadyCourse[] Courses() => [.. _planes.Select(plane => (SteadyCourse)plane.Course()), .. _moves.Select(axis => axis.Course())];
 
     private static bool ArePlain(ReadOnlySpan<Axis> axes)

@@ -32,25 +32,25 @@ internal sealed class VectorPlane
 
     public TangentFollower Tangent { get; } = new();
 
-    /// <summary>VT: the part of the distance to the profile that the axes cover in one sample; 1 is no smoothing (B.1).</summary>
+    /// <summary>VT: the fraction of the distance to the profile that the axes cover in one sample; 1 means no smoothing (B.1).</summary>
     public double Smoothing { get; set; } = 1;
 
-    /// <summary>BGS was given and the sequence has not ended, smoothing included: <c>_BGS</c>.</summary>
+    /// <summary>BGS was given and the sequence, including its smoothing, has not ended: <c>_BGS</c>.</summary>
     public bool IsActive => IsRunning || Array.Exists(_axes, static a => a.IsSmoothing);
 
     /// <summary>The path profile has not ended.</summary>
     public bool IsRunning { get; private set; }
 
-    /// <summary>The buffer became empty without VE (B.7): the axes wait until segments come or the sequence is closed or aborted.</summary>
+    /// <summary>The buffer became empty without VE (B.7): the axes wait until segments arrive or the sequence is closed or aborted.</summary>
     public bool IsDry { get; private set; }
 
-    /// <summary>How often the buffer ran dry since power up.</summary>
+    /// <summary>Number of times that the buffer ran dry since power up.</summary>
     public int Underruns { get; private set; }
 
     /// <summary>Path length from which the next AV counts (B.1).</summary>
     public double TrippointReference { get; set; }
 
-    /// <summary>True when the next sample will move something.</summary>
+    /// <summary>True when the next sample will move an axis.</summary>
     public bool CanProgress => IsRunning && (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry || Profile.IsStopping : Profile.WantsToMove);
 
     public bool IsAtSpeed => IsRunning && Profile.IsAtSpeed;
@@ -68,7 +68,7 @@ internal sealed class VectorPlane
         return i < 0 ? axis.Reference : _origin[i] + _joint[i];
     }
 
-    /// <summary>Called when the number of an axis' position was shifted while the path goes on.</summary>
+    /// <summary>Called when the position value of an axis has been shifted while the path continues.</summary>
     public void Renumber(Axis axis, double difference)
     {
         var i = Array.IndexOf(_axes, axis);
@@ -86,7 +86,7 @@ internal sealed class VectorPlane
         Clear();
     }
 
-    /// <summary>ES m,n: the axis with the smaller number moves further, by the quotient (B.1).</summary>
+    /// <summary>ES m,n: the distance of the axis with the smaller number is multiplied by the quotient (B.1).</summary>
     public void Scale(double m, double n) => (_firstScale, _secondScale) = (Math.Max(1, m / n), Math.Max(1, n / m));
 
     /// <summary>CS: removes the stored segments (B.1).</summary>
@@ -104,10 +104,10 @@ internal sealed class VectorPlane
         if (next && IsRunning) Profile.EnterSegment();
     }
 
-    /// <summary>VE or LE.</summary>
+    /// <summary>Closes the sequence: VE or LE.</summary>
     public void Close() => Buffer.IsClosed = true;
 
-    /// <summary>Before a segment is stored: a sequence that has been executed is removed, so that CS is not needed (B.1).</summary>
+    /// <summary>Called before a segment is stored: removes a sequence that has been executed, so that CS is not needed (B.1).</summary>
     public void PrepareForSegment()
     {
         if (IsRunning && Buffer.IsClosed) throw new CommandRefusedException(Tc.NotWhileRunning);
@@ -134,7 +134,7 @@ internal sealed class VectorPlane
         MarkAxes(StopCode.VectorRunning);
     }
 
-    /// <summary>STS or a limit: brakes at VD and drops the rest of the sequence (B.8). A plane that ran out of segments is not ended by it; that needs VE or
+    /// <summary>STS or a limit: brakes at VD and discards the rest of the sequence (B.8). It does not end a plane that ran out of segments; this requires VE or
     /// AB1 (B.7).</summary>
     public void Stop(int code)
     {
@@ -150,8 +150,8 @@ internal sealed class VectorPlane
         if (IsRunning) End(code);
     }
 
-    /// <summary>One sample, which may extend over several segments: its time is divided at their ends, so that every point lies on the path.</summary>
-    /// <returns>True when something moved or the sequence ended.</returns>
+    /// <summary>Computes one sample, which can extend over several segments: its time is divided at their ends, so that every point is on the path.</summary>
+    /// <returns>True when an axis moved or the sequence ended.</returns>
     public bool Step()
     {
         var before = Profile.Travelled;
@@ -181,7 +181,7 @@ internal sealed class VectorPlane
         return Math.Min(samples, (long)(oneWay / (Profile.Speed * Ramp.Sample)));
     }
 
-    /// <summary>Sets the axes to where they will be after so many samples of constant speed.</summary>
+    /// <summary>Sets the axes to their positions after the given number of samples at constant speed.</summary>
     public void PlaceSteady(long samples)
     {
         Profile.ShowSteady(samples);
@@ -191,7 +191,7 @@ internal sealed class VectorPlane
     /// <summary>The positions of the axes from now on at constant speed.</summary>
     public PathCourse Course() => new(Buffer.Current!, Profile, _axes, _origin, _firstScale, _secondScale);
 
-    /// <summary>An arc has a closed form only when its two axes are A and B, or neither of them is.</summary>
+    /// <summary>An arc has a closed form only when its two axes are A and B, or when neither of them is A or B.</summary>
     private bool CanBeCourse(VectorSegment segment) => segment is not CircularSegment || _axes[0].Index < 2 == _axes[1].Index < 2;
 
     private bool HasPath()
@@ -262,7 +262,7 @@ internal sealed class VectorPlane
     private int Scaled(int slot) => Rounded(_point[slot] * (slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1));
 }
 
-/// <summary>What a plane was last set up for.</summary>
+/// <summary>The mode for which a plane was last set up.</summary>
 internal enum PlaneMode
 {
     None,

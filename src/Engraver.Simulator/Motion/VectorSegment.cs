@@ -10,16 +10,16 @@ internal abstract class VectorSegment
 
     public double EndLength => StartLength + Length;
 
-    /// <summary>The speed after "less than": commanded from the start of this segment (B.4).</summary>
+    /// <summary>The speed after "&lt;": commanded from the start of this segment (B.4).</summary>
     public double? EntrySpeed { get; set; }
 
-    /// <summary>The speed after "greater than": to be reached at the end of this segment (B.4).</summary>
+    /// <summary>The speed after "&gt;": must be reached at the end of this segment (B.4).</summary>
     public double? ExitSpeed { get; set; }
 
     /// <summary>Frame coordinates at a distance from the start of this segment, 0 to <see cref="Length"/>.</summary>
     public abstract void PointAt(double distance, Span<double> point);
 
-    /// <summary>Distance up to which, from <paramref name="distance"/> on, no axis changes direction.</summary>
+    /// <summary>Distance up to which no axis changes direction, starting at <paramref name="distance"/>.</summary>
     public virtual double OneWayUntil(double distance) => Length;
 
     /// <summary>Direction of travel in degrees, counter-clockwise from the first axis; -180 to 180 for straight segments.</summary>

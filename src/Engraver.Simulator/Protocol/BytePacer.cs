@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>One direction of a serial line in real time: a byte has arrived when its time on the wire has passed.</summary>
-/// <param name="byteTime">Wall time of a byte as the line is now; zero for one that carries at once, as in virtual time, where the clock is advanced
+/// <summary>One direction of a serial line in real time: a byte has arrived when its transmission time has passed.</summary>
+/// <param name="byteTime">Present wall time of a byte on the line; zero for a line that transmits at once, as in virtual time, where the clock is advanced
 /// instead.</param>
 internal sealed class BytePacer(TimeProvider time, Func<TimeSpan> byteTime)
 {
@@ -9,7 +9,7 @@ internal sealed class BytePacer(TimeProvider time, Func<TimeSpan> byteTime)
     private readonly long _start = time.GetTimestamp();
     private TimeSpan _free;
 
-    /// <summary>Completes when so many more bytes have gone over the wire.</summary>
+    /// <summary>Completes when the given number of further bytes has been transmitted.</summary>
     public async Task PassAsync(int bytes, CancellationToken cancellation)
     {
         var each = byteTime();

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Bytes on their way to one reader. Writing never waits; reading completes at once while bytes are there.</summary>
+/// <summary>Bytes queued for one reader. Writing never waits; reading completes at once while bytes are available.</summary>
 internal sealed class ByteQueue
 {
     private readonly Lock _gate = new();
@@ -11,7 +11,7 @@ internal sealed class ByteQueue
     private TaskCompletionSource? _waiting;
     private int _readers;
 
-    /// <summary>Somebody waits for bytes, and none are there.</summary>
+    /// <summary>A reader waits for bytes and the queue is empty.</summary>
     public bool IsRead
     {
         get
@@ -51,7 +51,7 @@ internal sealed class ByteQueue
         reader?.TrySetResult();
     }
 
-    /// <summary>Says that no more bytes will come; those present can still be read.</summary>
+    /// <summary>Marks the end of the bytes; those already in the queue can still be read.</summary>
     public void Complete()
     {
         TaskCompletionSource? reader;
@@ -64,7 +64,7 @@ internal sealed class ByteQueue
         reader?.TrySetResult();
     }
 
-    /// <summary>Reads at least one byte; returns 0 after <see cref="Complete"/> when none is left.</summary>
+    /// <summary>Reads at least one byte; returns 0 after <see cref="Complete"/> when the queue is empty.</summary>
     public async ValueTask<int> ReadAsync(Memory<byte> destination, CancellationToken cancellation)
     {
         while (true)

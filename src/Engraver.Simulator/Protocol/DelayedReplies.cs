@@ -1,14 +1,14 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Replies that a fault plan delays, in the order in which they were given.</summary>
-/// <param name="usual">By how much every reply is late.</param>
+/// <summary>Replies that a fault plan delays, in the order in which they were created.</summary>
+/// <param name="usual">Delay of every reply.</param>
 internal sealed class DelayedReplies(TimeProvider time, TimeSpan usual)
 {
     private readonly Queue<(long Due, Handle Handle, byte[] Bytes)> _waiting = new();
 
     public bool AreWaiting => _waiting.Count > 0;
 
-    /// <param name="more">By how much this reply is late besides; later ones do not overtake it.</param>
+    /// <param name="more">Additional delay of this reply; later replies do not overtake it.</param>
     public void Send(Handle handle, ReadOnlySpan<byte> bytes, TimeSpan more)
     {
         var delay = usual + more;

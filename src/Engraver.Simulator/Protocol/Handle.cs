@@ -24,7 +24,7 @@ internal sealed class Handle
 
     public int Index { get; }
 
-    /// <summary>The main serial port, which is no handle of the table (A.1: <c>_WH</c> is -1).</summary>
+    /// <summary>The main serial port, which is not in the handle table (A.1: <c>_WH</c> is -1).</summary>
     public bool IsSerial => Index == SerialPort.HandleIndex;
 
     public string Name => IsSerial ? "RS232" : "IH" + (char)('A' + Index);
@@ -33,7 +33,7 @@ internal sealed class Handle
 
     public int RemotePort { get; }
 
-    /// <summary>What the controller sends to this client.</summary>
+    /// <summary>The bytes that the controller sends to this client.</summary>
     public ByteQueue Output { get; } = new();
 
     /// <summary>Commands received on this handle.</summary>
@@ -46,20 +46,20 @@ internal sealed class Handle
 
     public bool IsUdp => Datagrams is not null;
 
-    /// <summary>Hands bytes to the client now.</summary>
+    /// <summary>Delivers bytes to the client immediately.</summary>
     public void Emit(ReadOnlySpan<byte> bytes)
     {
         if (Datagrams is null) Output.Write(bytes);
         else Datagrams(bytes);
     }
 
-    /// <summary>Cuts the connection from the controller's side.</summary>
+    /// <summary>Called to cut the connection from the controller's side.</summary>
     public Action? Disconnect { get; set; }
 
-    /// <summary>A command has begun and not ended: its host has to send the rest, or waits for an answer that cannot come.</summary>
+    /// <summary>A command has started and not ended: its host must still send the rest, or waits for an answer that cannot be sent.</summary>
     public bool IsMidCommand => _length > 0 || IsReceivingText;
 
-    /// <summary>Inside a download: the command gets no prompt before its text has ended.</summary>
+    /// <summary>Inside a download: the command gets no prompt before the end of its text.</summary>
     public bool IsReceivingText => _text.IsOpen;
 
     public void Receive(ReadOnlySpan<byte> bytes)
@@ -77,7 +77,7 @@ internal sealed class Handle
         if (!IsClosed) _sink.Deliver(this, bytes);
     }
 
-    /// <summary>Sends text that belongs to no prompt.</summary>
+    /// <summary>Sends text without a prompt.</summary>
     public void SendText(ReadOnlySpan<char> text)
     {
         Span<byte> bytes = text.Length <= 512 ? stackalloc byte[text.Length] : new byte[text.Length];
@@ -85,7 +85,7 @@ internal sealed class Handle
         Send(bytes);
     }
 
-    /// <summary>Closes now, or after the prompt of the running command when that came on this handle.</summary>
+    /// <summary>Closes now, or after the prompt of the running command if it was received on this handle.</summary>
     public void CloseWhenAnswered(bool own)
     {
         if (own)
@@ -112,7 +112,7 @@ internal sealed class Handle
     /// <summary>Frees the handle and drops the connection at once.</summary>
     public void Cut()
     {
-        Disconnect?.Invoke(); // first, because a handle closed before would end its socket in the regular way
+        Disconnect?.Invoke(); // first, because a handle that is closed earlier would end its socket in the regular way
         Close();
     }
 
@@ -145,8 +145,8 @@ internal sealed class Handle
         }
     }
 
-    /// <summary>Appends to the command, up to the longest line. After that length even an open quote no longer protects a semicolon: some clients never send a
-    /// CR (L.1.2), and must still be answered.</summary>
+    /// <summary>Appends to the command, up to the longest line. Beyond that length, a semicolon ends the command even inside an open quote: some clients never
+    /// send a CR (L.1.2) and must still receive an answer.</summary>
     private void Append(char c)
     {
         if (++_length > LongestCommand) return;
@@ -154,7 +154,7 @@ internal sealed class Handle
         _command.Append(c);
     }
 
-    /// <summary>CR and ";" both end a command, which is executed at once and makes room for the next (A.3).</summary>
+    /// <summary>CR and ";" both end a command, which is executed at once; the buffer is then free for the next command (A.3).</summary>
     private void EndCommand()
     {
         var tooLong = _length > LongestCommand;
@@ -178,7 +178,7 @@ internal sealed class Handle
         Answer(reply);
     }
 
-    /// <summary>An empty reply means that nothing is sent: a download begins, or the fault plan has frozen the controller.</summary>
+    /// <summary>An empty reply means that nothing is sent: a download starts, or the fault plan has frozen the controller.</summary>
     private void Answer(ReadOnlySpan<char> reply)
     {
         Commands++;

@@ -13,12 +13,12 @@ internal sealed class HandleTable(int capacity)
 
     public int Free => _handles.AsSpan().Count((Handle?)null);
 
-    /// <summary>The handle lost last, -1 for none: <c>_IA4</c>.</summary>
+    /// <summary>The handle lost last, -1 when there is none: <c>_IA4</c>.</summary>
     public int LostLast { get; private set; } = -1;
 
     public IEnumerable<Handle> Open => _handles.OfType<Handle>();
 
-    /// <summary>True once for a handle whose client has gone without the controller having noticed.</summary>
+    /// <summary>True once for a handle whose client has disconnected without the controller detecting it.</summary>
     public bool NoticeLoss(int index)
     {
         var lost = (_lost & (1 << index)) != 0;
@@ -26,7 +26,7 @@ internal sealed class HandleTable(int capacity)
         return lost;
     }
 
-    /// <summary>Puts a new handle into the first free place; null when all are busy.</summary>
+    /// <summary>Puts a new handle into the first free place; returns null when all places are in use.</summary>
     public Handle? TryOpen(Func<int, Handle> create)
     {
         var index = Array.IndexOf(_handles, null);

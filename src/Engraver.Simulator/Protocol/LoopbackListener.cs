@@ -3,8 +3,8 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Accepts connections on loopback until it is disposed, and then waits for the end of those that are being served. An exception while serving ends
-/// the controller's work.</summary>
+/// <summary>Accepts connections on loopback until it is disposed, and then waits for the end of the connections being served. An exception while serving stops
+/// the controller.</summary>
 internal sealed class LoopbackListener : IAsyncDisposable
 {
     private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
@@ -15,8 +15,8 @@ internal sealed class LoopbackListener : IAsyncDisposable
     private readonly HashSet<Task> _clients = [];
     private readonly Task _accepting;
 
-    /// <param name="port">0 lets the system pick.</param>
-    /// <param name="serve">Owns the socket; returns the task that serves it until the client has gone, null when it was turned away.</param>
+    /// <param name="port">0 selects a free port.</param>
+    /// <param name="serve">Owns the socket; returns the task that serves it until the client has disconnected, or null when the client was rejected.</param>
     /// <exception cref="SocketException">The port is taken or not allowed.</exception>
     public LoopbackListener(ControllerCore core, int port, Func<Socket, CancellationToken, Task?> serve)
     {
@@ -60,7 +60,7 @@ internal sealed class LoopbackListener : IAsyncDisposable
             }
             catch (SocketException)
             {
-                // A client that left before it was accepted is no reason to stop listening.
+                // A client that disconnects before it is accepted does not stop the listener.
             }
         }
     }

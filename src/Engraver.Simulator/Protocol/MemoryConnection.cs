@@ -1,7 +1,9 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>The client end of a handle without a socket: a write executes its commands in the caller's thread, the replies are then already there.</summary>
-/// <param name="taken">Told when bytes are taken, by the controller's clock, before they are executed; under its lock. Null for nobody.</param>
+/// <summary>The client end of a handle without a socket: a write executes its commands on the caller's thread; the replies are available when it
+/// returns.</summary>
+/// <param name="taken">Called with the controller's clock when bytes are taken, before they are executed; under the controller's lock. Null for no
+/// callback.</param>
 internal sealed class MemoryConnection(ControllerCore core, Handle handle, Action<long>? taken = null) : Stream
 {
     public override bool CanRead => true;

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Sends what programs print to the port that CF names, with bit 7 set under CW 1 (galil-dmc.md A.5).</summary>
+/// <summary>Sends the output of programs to the port that CF names, with bit 7 set under CW 1 (galil-dmc.md A.5).</summary>
 internal sealed class MessageRouter(HandleTable handles, SerialPort serial, SimulatorOptions options)
 {
     private const int Marked = 1;
@@ -14,11 +14,11 @@ internal sealed class MessageRouter(HandleTable handles, SerialPort serial, Simu
     /// <summary>CW, second field.</summary>
     public int WhenBlocked { get; set; } = 1;
 
-    /// <summary>CF is not burned: every reset brings back the port of the options.</summary>
+    /// <summary>CF is not burned: every reset restores the port of the options.</summary>
     public void Reset() => Port = options.MessagePort;
 
-    /// <param name="handle">The handle that {Ex} named; null leaves it to CF, -1 is the serial port.</param>
-    /// <returns>False when the client it is sent to has left without the controller having noticed (#TCPERR, C.3).</returns>
+    /// <param name="handle">The handle that {Ex} named; null selects the port of CF, -1 is the serial port.</param>
+    /// <returns>False when the receiving client has disconnected without the controller detecting it (#TCPERR, C.3).</returns>
     public bool Send(ReadOnlySpan<char> text, int? handle)
     {
         var index = handle ?? (Port == 'S' ? -1 : Port - 'A');

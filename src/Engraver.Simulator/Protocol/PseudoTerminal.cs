@@ -6,9 +6,9 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>A pseudo-terminal of Linux: the simulator opens the master, a host opens the slave as it would open a serial device.</summary>
-/// <remarks>The simulator keeps the slave open too. So a host that leaves is not noticed, as on a real RS-232 line, and the next one finds the terminal's
-/// settings unchanged.</remarks>
+/// <summary>A Linux pseudo-terminal: the simulator opens the master, and a host opens the slave like a serial device.</summary>
+/// <remarks>The simulator keeps the slave open too. A host that disconnects is therefore not detected, as on a real RS-232 line, and the next host finds the
+/// terminal's settings unchanged.</remarks>
 internal sealed class PseudoTerminal : IDisposable
 {
     private const int ReadWriteNoTerminal = 0x2 | 0x100; // O_RDWR O_NOCTTY
@@ -30,7 +30,7 @@ internal sealed class PseudoTerminal : IDisposable
         _watched = [.. new[] { master, bell }.Select(file => new Watched { File = (int)file.DangerousGetHandle(), Wanted = PollIn })];
     }
 
-    /// <summary>The device a host opens, for example <c>/dev/pts/3</c>.</summary>
+    /// <summary>The device that a host opens, for example <c>/dev/pts/3</c>.</summary>
     public string SlaveName { get; }
 
     /// <exception cref="IOException">The system has no free terminal.</exception>
@@ -46,8 +46,8 @@ internal sealed class PseudoTerminal : IDisposable
     }
 
     /// <summary>Waits for bytes of the host.</summary>
-    /// <returns>How many were read; 0 after <see cref="Ring"/>.</returns>
-    /// <exception cref="IOException">The terminal is gone.</exception>
+    /// <returns>Number of bytes read; 0 after <see cref="Ring"/>.</returns>
+    /// <exception cref="IOException">The terminal no longer exists.</exception>
     public int WaitAndRead(Span<byte> buffer)
     {
         while (true)
@@ -72,7 +72,7 @@ internal sealed class PseudoTerminal : IDisposable
         }
         catch (ObjectDisposedException)
         {
-            // The wait has ended already.
+            // The wait has already ended.
         }
     }
 
@@ -84,7 +84,7 @@ internal sealed class PseudoTerminal : IDisposable
         _bell.Dispose();
     }
 
-    /// <summary>Sets raw mode: the kernel's echo and line editing off, for hosts that do not set the line themselves.</summary>
+    /// <summary>Sets raw mode: switches the kernel's echo and line editing off, for hosts that do not configure the line.</summary>
     private static bool PassesEveryByte(SafeFileHandle slave)
     {
         var settings = default(LineSettings);
@@ -105,7 +105,7 @@ internal sealed class PseudoTerminal : IDisposable
         public short Happened;
     }
 
-    /// <summary>struct termios of the kernel (asm-generic, TCGETS), of which only the flags are touched.</summary>
+    /// <summary>struct termios of the kernel (asm-generic, TCGETS), of which only the flags are changed.</summary>
     [StructLayout(LayoutKind.Sequential, Size = 36)]
     private struct LineSettings
     {

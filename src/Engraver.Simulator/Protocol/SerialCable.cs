@@ -1,13 +1,13 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>One pseudo-terminal between a host and the serial port, until it is pulled: a thread waits for the host's bytes, two tasks carry bytes at the speed
-/// of the line.</summary>
+/// <summary>One pseudo-terminal between a host and the serial port, until the cable is disconnected: a thread waits for the host's bytes, and two tasks
+/// transfer bytes at the speed of the line.</summary>
 internal sealed class SerialCable : IDisposable
 {
-    /// <summary>Bytes that go over the wire before the controller sees them: few, so that time does not jump over a long download.</summary>
+    /// <summary>Bytes transmitted before the controller receives them: few, so that time does not jump over a long download.</summary>
     private const int Portion = 32;
 
-    /// <summary>Wait before writing again to a host that does not read; wall time, because it is the operating system's buffer that must empty.</summary>
+    /// <summary>Wait before writing again to a host that does not read; wall time, because the operating system's buffer must empty.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(5);
 
     private readonly ControllerCore _core;
@@ -20,9 +20,9 @@ internal sealed class SerialCable : IDisposable
 
     private SerialCable(ControllerCore core, SerialLineSetup setup, PseudoTerminal terminal, Handle handle) => (_core, _setup, _terminal, _handle) = (core, setup, terminal, handle);
 
-    /// <summary>Makes the terminal and its link, and plugs it in.</summary>
-    /// <exception cref="IOException">The path is taken, the port already has a client, or the system has no free terminal.</exception>
-    /// <exception cref="UnauthorizedAccessException">The path may not be written.</exception>
+    /// <summary>Creates the terminal and its link, and connects it.</summary>
+    /// <exception cref="IOException">The path is in use, the port already has a client, or the system has no free terminal.</exception>
+    /// <exception cref="UnauthorizedAccessException">The path cannot be written.</exception>
     public static SerialCable Plug(ControllerCore core, SerialLineSetup setup)
     {
         var terminal = PseudoTerminal.Open();
@@ -39,20 +39,20 @@ internal sealed class SerialCable : IDisposable
         }
     }
 
-    /// <summary>Carries bytes until the cable is pulled; the terminal and its link are gone then. A host that leaves is not noticed, as on a real
-    /// line.</summary>
+    /// <summary>Transfers bytes until the cable is disconnected; the terminal and its link are then removed. A host that disconnects is not detected, as on a
+    /// real line.</summary>
     public async Task ServeAsync()
     {
         new Thread(Listen) { IsBackground = true, Name = "serial port" }.Start();
         await Task.WhenAll(ReceiveAsync(_pulled.Token), SendAsync(_pulled.Token), _listenerEnded.Task).ConfigureAwait(false);
     }
 
-    /// <summary>Pulls the cable from any thread: <see cref="ServeAsync"/> ends.</summary>
+    /// <summary>Disconnects the cable; can be called from any thread. <see cref="ServeAsync"/> then ends.</summary>
     public void Pull() => _terminal.Ring();
 
     public void Dispose() => _pulled.Dispose();
 
-    /// <summary>Reads until the cable is pulled, from here or from the controller's side, and is the only place that closes the terminal.</summary>
+    /// <summary>Reads until the cable is disconnected, from here or from the controller's side. Only this method closes the terminal.</summary>
     private void Listen()
     {
         var buffer = new byte[4096];
@@ -66,7 +66,7 @@ internal sealed class SerialCable : IDisposable
         }
         catch (IOException)
         {
-            // The terminal is gone: nothing more will come.
+            // The terminal no longer exists: no more bytes will arrive.
         }
 
         _incoming.Complete();
@@ -92,7 +92,7 @@ internal sealed class SerialCable : IDisposable
         }
         catch (OperationCanceledException)
         {
-            // The cable is pulled.
+            // The cable is disconnected.
         }
 
         _core.Detach(_handle);
@@ -117,7 +117,7 @@ internal sealed class SerialCable : IDisposable
         }
         catch (OperationCanceledException)
         {
-            // The cable is pulled.
+            // The cable is disconnected.
         }
         catch (ObjectDisposedException)
         {
@@ -126,10 +126,11 @@ internal sealed class SerialCable : IDisposable
     }
 }
 
-/// <summary>What the serial port is served with, again after each time that its cable was pulled.</summary>
-/// <param name="Path">A symbolic link to the terminal is made here.</param>
+/// <summary>Settings with which the serial port is served, also after each disconnection of its cable.</summary>
+/// <param name="Path">Path at which a symbolic link to the terminal is created.</param>
 /// <param name="Baud">Bits per second in each direction.</param>
-/// <param name="ByteTime">How long a byte takes on the wall; zero at speed max, where it takes its time on the controller's clock alone.</param>
-/// <param name="Time">The wall.</param>
-/// <param name="Heard">Told all bytes as they pass, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
+/// <param name="ByteTime">Wall time of a byte; zero at speed max, where a byte takes only controller time.</param>
+/// <param name="Time">The wall clock.</param>
+/// <param name="Heard">Called with all bytes as they pass and a flag that is true for bytes from the host, on the threads that transfer them. Null for no
+/// callback.</param>
 internal sealed record SerialLineSetup(string Path, int Baud, TimeSpan ByteTime, TimeProvider Time, Action<ReadOnlyMemory<byte>, bool>? Heard);

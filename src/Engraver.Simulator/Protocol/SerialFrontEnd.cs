@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>The serial port on a pseudo-terminal. When the controller cuts its links (a fault that resets them, a power cycle), the host sees a hang-up, and
-/// the port comes back on a new terminal at the same path.</summary>
+/// the port is served again on a new terminal at the same path.</summary>
 internal sealed class SerialFrontEnd : IAsyncDisposable
 {
     private readonly ControllerCore _core;
@@ -17,9 +17,10 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         _serving = core.WatchAsync(ServeAsync());
     }
 
-    /// <param name="heard">Told all bytes as they pass, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
-    /// <exception cref="IOException">The path is taken, the port already has a client, or the system has no free terminal.</exception>
-    /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
+    /// <param name="heard">Called with all bytes as they pass and a flag that is true for bytes from the host, on the threads that transfer them. Null for no
+    /// callback.</param>
+    /// <exception cref="IOException">The path is in use, the port already has a client, or the system has no free terminal.</exception>
+    /// <exception cref="PlatformNotSupportedException">The operating system is not Linux.</exception>
     public static SerialFrontEnd Open(ControllerCore core, string path, int baud, SimulatorOptions options, Action<ReadOnlyMemory<byte>, bool>? heard)
     {
         if (!OperatingSystem.IsLinux()) throw new PlatformNotSupportedException("the simulated serial port is built for Linux only so far; serve TCP instead.");
@@ -48,7 +49,8 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         while (PlugAgain());
     }
 
-    /// <summary>Plugs a new cable in, unless the port is disposed or the controller has broken down: then nobody answers on it.</summary>
+    /// <summary>Connects a new cable, unless the port is disposed or the controller has stopped after an internal error: then the port does not
+    /// answer.</summary>
     private bool PlugAgain()
     {
         lock (_gate)

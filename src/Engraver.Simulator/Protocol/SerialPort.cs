@@ -8,7 +8,7 @@ internal sealed class SerialPort
 
     private volatile bool _carriesAtOnce;
 
-    /// <summary>EO: 1 is the factory setting; a reset brings back what BN burned.</summary>
+    /// <summary>EO: 1 is the factory setting; a reset restores the value burned by BN.</summary>
     public bool Echo { get; set; } = true;
 
     /// <summary>The connected client; null when there is none.</summary>
@@ -17,14 +17,14 @@ internal sealed class SerialPort
     /// <summary>Start bit, eight data bits, stop bit.</summary>
     public TimeSpan ByteTime { get; private set; }
 
-    /// <summary>Whether bytes take no time on the line; from any thread.</summary>
+    /// <summary>True when bytes take no time on the line; can be read from any thread.</summary>
     public bool CarriesAtOnce
     {
         get => _carriesAtOnce;
         set => _carriesAtOnce = value;
     }
 
-    /// <summary>Connects a client; returns null when there already is one.</summary>
+    /// <summary>Connects a client; returns null when a client is already connected.</summary>
     public Handle? Plug(int baud, Handle client)
     {
         if (Client is not null) return null;

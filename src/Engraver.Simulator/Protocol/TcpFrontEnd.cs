@@ -3,13 +3,13 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Connections over TCP on loopback; each takes one handle, and one too many is answered with RST (galil-dmc.md A.1).</summary>
+/// <summary>Connections over TCP on loopback; each uses one handle; a connection for which no handle is free is answered with RST (galil-dmc.md A.1).</summary>
 internal sealed class TcpFrontEnd : IAsyncDisposable
 {
     private readonly ControllerCore _core;
     private readonly LoopbackListener _listener;
 
-    /// <param name="port">0 lets the system pick.</param>
+    /// <param name="port">0 selects a free port.</param>
     public TcpFrontEnd(ControllerCore core, int port)
     {
         _core = core;
@@ -20,7 +20,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
 
     public ValueTask DisposeAsync() => _listener.DisposeAsync();
 
-    /// <summary>Called on the listener's thread, which may be at work before the constructor has returned.</summary>
+    /// <summary>Called on the listener's thread, which can run before the constructor has returned.</summary>
     private Task? Admit(Socket socket, CancellationToken cancellation)
     {
         var remotePort = ((IPEndPoint)socket.RemoteEndPoint!).Port;
@@ -41,7 +41,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         }
         catch (SocketException)
         {
-            // Already broken: closing is all that is left.
+            // The connection is already broken; it only needs to be closed.
         }
 
         socket.Dispose();
@@ -68,11 +68,11 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         }
         catch (SocketException)
         {
-            // The client is gone; its handle is freed by the caller.
+            // The client has disconnected; the caller frees its handle.
         }
         catch (ObjectDisposedException)
         {
-            // Cut from this side.
+            // The connection was cut from this side.
         }
         catch (OperationCanceledException)
         {
@@ -97,11 +97,11 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         }
         catch (SocketException)
         {
-            // Nobody listens any more.
+            // The client no longer receives.
         }
         catch (ObjectDisposedException)
         {
-            // Cut from this side.
+            // The connection was cut from this side.
         }
         catch (OperationCanceledException)
         {

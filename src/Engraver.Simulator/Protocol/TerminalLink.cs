@@ -5,9 +5,9 @@ internal static class TerminalLink
 {
     private const string Terminals = "/dev/pts/";
 
-    /// <summary>Makes the link. An existing link to a pseudo-terminal is taken for the remains of a killed run, and replaced.</summary>
-    /// <exception cref="IOException">Something else has the name, or the folder does not exist.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder may not be written.</exception>
+    /// <summary>Creates the link. An existing link to a pseudo-terminal is assumed to remain from a killed run and is replaced.</summary>
+    /// <exception cref="IOException">Another file has this name, or the folder does not exist.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder cannot be written.</exception>
     public static void Create(string path, string terminal)
     {
         if (new FileInfo(path).LinkTarget is { } target && target.StartsWith(Terminals, StringComparison.Ordinal)) File.Delete(path);
@@ -23,7 +23,7 @@ internal static class TerminalLink
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            // A link that cannot be removed now points to nothing; the next run replaces it.
+            // A link that cannot be removed points to a terminal that no longer exists; the next run replaces it.
         }
     }
 }

@@ -3,7 +3,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Text that follows a command up to an end mark and is answered with a prompt only then: a program (DL) or the elements of an array (QD)
+/// <summary>Text that follows a command up to an end mark and is answered with a prompt only after it: a program (DL) or the elements of an array (QD)
 /// (galil-dmc.md A.6).</summary>
 internal sealed class TextIntake(Handle handle, ICommandSink sink)
 {
@@ -12,7 +12,7 @@ internal sealed class TextIntake(Handle handle, ICommandSink sink)
     private bool _isProgram;
     private bool _hasFailed;
 
-    /// <summary>The end mark has not come yet.</summary>
+    /// <summary>The end mark has not been received yet.</summary>
     public bool IsOpen => _isProgram || _arrayTarget is not null;
 
     public void BeginProgram()
@@ -29,16 +29,16 @@ internal sealed class TextIntake(Handle handle, ICommandSink sink)
         _received.Clear();
     }
 
-    /// <returns>True for the end mark; <see cref="End"/> is then due.</returns>
+    /// <returns>True for the end mark; <see cref="End"/> must then be called.</returns>
     public bool Accept(char c)
     {
         var isEnd = c is '\\' or '\x1A' || (_isProgram && c is '\x11' or '\x04');
         if (_isProgram && (c == '\r' || isEnd)) EndLine();
-        else if (!isEnd && _received.Length < Longest) _received.Append(c); // longer text is refused at its end and need not be kept
+        else if (!isEnd && _received.Length < Longest) _received.Append(c); // longer text is refused at its end and need not be stored
         return isEnd;
     }
 
-    /// <returns>The answer to the whole text; null when none is sent.</returns>
+    /// <returns>The answer to the whole text; null when no answer is sent.</returns>
     public string? End()
     {
         if (_isProgram)

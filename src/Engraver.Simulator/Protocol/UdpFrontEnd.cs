@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Datagrams on loopback; every sender has one handle until IHx=>-1 frees it (galil-dmc.md A.1). A sender without a free handle gets no
+/// <summary>Datagrams on loopback; every sender has one handle until IHx=>-1 frees it (galil-dmc.md A.1). A sender for which no handle is free gets no
 /// answer.</summary>
 internal sealed class UdpFrontEnd : IAsyncDisposable
 {
@@ -49,7 +49,7 @@ internal sealed class UdpFrontEnd : IAsyncDisposable
             }
             catch (SocketException)
             {
-                // A datagram came back because its receiver has gone, or one was too long: neither ends the service.
+                // A datagram was returned because its receiver no longer exists, or a datagram was too long: neither stops the service.
             }
         }
     }
@@ -71,7 +71,7 @@ internal sealed class UdpFrontEnd : IAsyncDisposable
         }
         catch (SocketException)
         {
-            // Lost, as datagrams may be.
+            // The datagram is lost, which is allowed for datagrams.
         }
         catch (ObjectDisposedException)
         {

@@ -1,9 +1,10 @@
 namespace Engraver.Simulator;
 
-/// <summary>Everything that the axes and outputs did: one row for every sample of motion and one for every output change at rest (galil-dmc.md I.16).</summary>
-/// <remarks>Thread safe. Rows lie in chunks; a span of constant speed is kept as its closed form. When a motion begins at a position that no row has, a row
-/// with that position comes first.
-/// A record that keeps no rows still passes them to its listeners and its file.</remarks>
+/// <summary>The complete motion of the axes and all output changes: one row for every sample of motion and one for every output change at rest (galil-dmc.md
+/// I.16).</summary>
+/// <remarks>Thread safe. Rows are stored in chunks; a span of constant speed is stored in closed form. When a motion starts at a position that is in no row, a
+/// row with that position is recorded first.
+/// A record that stores no rows still passes them to its listeners and its file.</remarks>
 public sealed class MotionRecord
 {
     private readonly Lock _gate = new();
@@ -15,7 +16,7 @@ public sealed class MotionRecord
 
     internal MotionRecord(bool isKept) => _isKept = isKept;
 
-    /// <summary>Rows kept so far, those within spans included.</summary>
+    /// <summary>Rows stored so far, including those within spans.</summary>
     public int Count
     {
         get
@@ -40,7 +41,7 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>A copy of all kept rows, oldest first.</summary>
+    /// <summary>A copy of all stored rows, oldest first.</summary>
     public IReadOnlyList<MotionSample> Snapshot()
     {
         lock (_gate)
@@ -49,9 +50,9 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>From here on the listener is called with every row, on the thread that computes it; it must be quick and must not call the
+    /// <summary>From now on the listener is called with every row, on the thread that computes it; it must return quickly and must not call the
     /// controller.</summary>
-    /// <returns>Dispose it to end the subscription.</returns>
+    /// <returns>The subscription; dispose it to stop listening.</returns>
     public IDisposable Subscribe(IMotionListener listener)
     {
         ArgumentNullException.ThrowIfNull(listener);
@@ -63,9 +64,9 @@ public sealed class MotionRecord
         return new Subscription(this, listener);
     }
 
-    /// <summary>Writes the header now, and all rows, also those already kept, whenever <see cref="FlushCsv"/> runs (the controller does so every few
+    /// <summary>Writes the header now, and all rows, including those already stored, whenever <see cref="FlushCsv"/> runs (the controller calls it every few
     /// milliseconds and when it is disposed).</summary>
-    /// <param name="writer">The record owns it from now on, and closes it when the controller is disposed.</param>
+    /// <param name="writer">The record owns the writer from now on and closes it when the controller is disposed.</param>
     public void AttachCsv(TextWriter writer)
     {
         ArgumentNullException.ThrowIfNull(writer);
@@ -81,9 +82,9 @@ public sealed class MotionRecord
         FlushCsv();
     }
 
-    /// <summary>Writes the rows that wait and closes the file; later rows are not written. Safe beside a <see cref="FlushCsv"/> on another thread, which writes
-    /// before the file is closed or not at all.</summary>
-    /// <exception cref="IOException">Writing fails; the file is closed all the same.</exception>
+    /// <summary>Writes the pending rows and closes the file; later rows are not written. Can run at the same time as a <see cref="FlushCsv"/> on another
+    /// thread, which writes before the file is closed or not at all.</summary>
+    /// <exception cref="IOException">Writing fails; the file is closed nevertheless.</exception>
     internal void CompleteCsv()
     {
         lock (_csvGate)
@@ -98,8 +99,8 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>Writes the rows that wait to the attached file and flushes it to the operating system. Does nothing without a file, and after the controller
-    /// was disposed.</summary>
+    /// <summary>Writes the pending rows to the attached file and flushes it to the operating system. Does nothing without a file or after the controller is
+    /// disposed.</summary>
     public void FlushCsv()
     {
         lock (_csvGate)
@@ -117,7 +118,7 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>Writes header and all kept rows: <c>t,a,b,c,d,outputs</c>, t in seconds, positions in counts, outputs as a decimal byte.</summary>
+    /// <summary>Writes the header and all stored rows: <c>t,a,b,c,d,outputs</c>, t in seconds, positions in counts, outputs as a decimal byte.</summary>
     public void WriteCsv(TextWriter writer)
     {
         ArgumentNullException.ThrowIfNull(writer);

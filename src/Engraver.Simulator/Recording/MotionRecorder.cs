@@ -2,7 +2,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>Records what the axes and outputs do: every sample of motion with the position it began from, spans of constant speed in closed form, and every
+/// <summary>Records the motion of the axes and the outputs: every sample of motion with its start position, spans of constant speed in closed form, and every
 /// change of an output at rest.</summary>
 internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool keepsRows)
 {
@@ -10,13 +10,13 @@ internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool kee
 
     public MotionRecord Record { get; } = new(keepsRows);
 
-    /// <summary>The last sample moved something.</summary>
+    /// <summary>The last sample moved an axis.</summary>
     public bool IsMoving { get; private set; }
 
     /// <summary>The sample of the last row; 0 before the first.</summary>
     public long LastSample => _last?.Sample ?? 0;
 
-    /// <summary>Before a sample: records the position a motion starts from, unless the last row has it already.</summary>
+    /// <summary>Called before a sample: records the start position of a motion, unless the last row already has it.</summary>
     public void Before(long sample)
     {
         if (IsMoving || !motion.CanProgress) return;
@@ -24,24 +24,24 @@ internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool kee
         if (_last is null || _last.Value with { Sample = row.Sample, Error = row.Error } != row) Append(row);
     }
 
-    /// <summary>After a sample.</summary>
+    /// <summary>Called after a sample.</summary>
     public void After(long sample, bool moved)
     {
         IsMoving = moved;
         if (moved) Append(Row(sample));
     }
 
-    /// <summary>So many samples after <paramref name="sample"/> passed at constant speed; the axes are at the end of the span.</summary>
+    /// <summary>Records the given number of samples after <paramref name="sample"/> at constant speed; the axes are at the end of the span.</summary>
     public void Passed(long sample, long samples, SteadyCourse[] courses)
     {
         _last = Row(sample + samples);
         Record.Append(new MotionSpan(sample, samples, _last.Value, courses));
     }
 
-    /// <summary>Samples passed in which nothing happened.</summary>
+    /// <summary>Called after samples in which nothing happened.</summary>
     public void Rested() => IsMoving = false;
 
-    /// <summary>Records an output change at rest; in motion the row of the sample has it.</summary>
+    /// <summary>Records an output change at rest; in motion the row of the sample contains it.</summary>
     public void OutputsChanged(long sample)
     {
         if (!IsMoving || !motion.CanProgress) Append(Row(sample));

@@ -2,16 +2,16 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>Samples of motion at constant speed in which nothing else happened, in closed form: each can be computed, none is stored.</summary>
+/// <summary>Samples of motion at constant speed in which nothing else happened, in closed form: samples are computed on demand and not stored.</summary>
 public sealed class MotionSpan
 {
     private readonly long _before;
     private readonly MotionSample _end;
     private readonly SteadyCourse[] _courses;
 
-    /// <param name="before">The sample before the first.</param>
+    /// <param name="before">The sample before the first sample of the span.</param>
     /// <param name="samples">At least one.</param>
-    /// <param name="end">The last row; axes without a course have its positions throughout.</param>
+    /// <param name="end">The last row; axes without a course have its positions during the whole span.</param>
     internal MotionSpan(long before, long samples, MotionSample end, SteadyCourse[] courses)
     {
         _before = before;
@@ -20,7 +20,7 @@ public sealed class MotionSpan
         Count = samples;
     }
 
-    /// <summary>Number of samples in it.</summary>
+    /// <summary>Number of samples in the span.</summary>
     public long Count { get; }
 
     /// <summary>The outputs, constant over the span.</summary>
@@ -30,7 +30,7 @@ public sealed class MotionSpan
 
     public MotionSample Last => _end;
 
-    /// <summary>One of its samples, from 0; equal to what single steps give.</summary>
+    /// <summary>One of its samples, counted from 0; equal to the result of single steps.</summary>
     public MotionSample this[long index]
     {
         get
@@ -41,9 +41,9 @@ public sealed class MotionSpan
         }
     }
 
-    /// <summary>Two axes at one of its samples, counts before rounding.</summary>
+    /// <summary>Positions of two axes at one of its samples, counts before rounding.</summary>
     /// <param name="x">An axis, from 0 for A.</param>
-    /// <param name="y">Another.</param>
+    /// <param name="y">Another axis.</param>
     public (double X, double Y) Exactly(long index, int x, int y)
     {
         Span<double> places = [_end.A, _end.B, _end.C, _end.D, 0, 0];
@@ -51,8 +51,8 @@ public sealed class MotionSpan
         return (places[x], places[y]);
     }
 
-    /// <summary>The arc on which two axes go from the first sample to the last, at most a quarter of an ellipse; null when they go straight, or
-    /// stand.</summary>
+    /// <summary>The arc on which two axes move from the first sample to the last, at most a quarter of an ellipse; null when they move on a straight line or
+    /// are at rest.</summary>
     /// <param name="x">The axis of the cosine, from 0 for A.</param>
     /// <param name="y">The axis of the sine.</param>
     public ArcCourse? ArcOf(int x, int y)
@@ -66,17 +66,17 @@ public sealed class MotionSpan
     }
 }
 
-/// <summary>Receives everything that goes into a record, in order of time, while the controller computes it.</summary>
+/// <summary>Receives all entries of a record, in order of time, while the controller computes them.</summary>
 public interface IMotionListener
 {
-    /// <summary>A sample of motion, the position at which a motion begins, or a change of an output.</summary>
+    /// <summary>Called for a sample of motion, the start position of a motion, or a change of an output.</summary>
     void Add(in MotionSample sample);
 
-    /// <summary>A span of many samples at constant speed.</summary>
+    /// <summary>Called for a span of many samples at constant speed.</summary>
     void Add(MotionSpan span);
 }
 
-/// <summary>Where the axes stood at one sample: commanded positions in counts, of a stepper the place of its shaft, and the outputs 1 to 8 as a byte (bit 0 =
+/// <summary>Axis positions at one sample: commanded positions in counts, for a stepper the position of its shaft, and the outputs 1 to 8 as a byte (bit 0 =
 /// output 1).</summary>
 /// <param name="Sample">Sample number since power up; its time is Sample times 1 ms nominal.</param>
 public readonly record struct MotionSample(long Sample, int A, int B, int C, int D, byte Outputs)
@@ -84,12 +84,12 @@ public readonly record struct MotionSample(long Sample, int A, int B, int C, int
     /// <summary>Nominal controller time in seconds.</summary>
     public double Seconds => Sample / 1000.0;
 
-    /// <summary>Commanded minus motor position of the first four axes (_TE), counts; 0 in a span, whose motors follow without a lag.</summary>
+    /// <summary>Commanded minus motor position of the first four axes (_TE), counts; 0 in a span, where the motors follow without lag.</summary>
     public (int A, int B, int C, int D) Error { get; init; }
 
-    /// <summary>The following error of an axis, from 0 for A.</summary>
+    /// <summary>The following error of an axis, counts; the index of A is 0.</summary>
     public int ErrorOf(int axis) => axis switch { 0 => Error.A, 1 => Error.B, 2 => Error.C, 3 => Error.D, _ => 0 };
 
-    /// <summary>The place of an axis, from 0 for A.</summary>
+    /// <summary>The position of an axis, counts; the index of A is 0.</summary>
     public int this[int axis] => axis switch { 0 => A, 1 => B, 2 => C, 3 => D, _ => 0 };
 }

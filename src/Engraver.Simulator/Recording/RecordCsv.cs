@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Engraver.Simulator;
 
-/// <summary>The file of a record: rows wait here until they are written, spans in closed form. Not thread safe by itself.</summary>
+/// <summary>The file of a record: buffers rows until they are written, spans in closed form. Not thread safe.</summary>
 internal sealed class RecordCsv(TextWriter writer, List<RowStore.RecordPart> waiting)
 {
     private List<RowStore.RecordPart> _waiting = waiting;
@@ -27,7 +27,7 @@ internal sealed class RecordCsv(TextWriter writer, List<RowStore.RecordPart> wai
         return taken;
     }
 
-    /// <summary>Writes and flushes to the operating system.</summary>
+    /// <summary>Writes the buffered rows and flushes them to the operating system.</summary>
     public void Write(List<RowStore.RecordPart> parts)
     {
         foreach (var (row, span) in parts)
@@ -39,7 +39,7 @@ internal sealed class RecordCsv(TextWriter writer, List<RowStore.RecordPart> wai
         writer.Flush();
     }
 
-    /// <summary>Writes what waits and closes the file, also when writing fails.</summary>
+    /// <summary>Writes the buffered rows and closes the file, also when writing fails.</summary>
     public void Complete()
     {
         using (writer) Write(TakeWaiting());

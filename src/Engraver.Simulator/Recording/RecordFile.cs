@@ -1,9 +1,9 @@
 namespace Engraver.Simulator;
 
-/// <summary>Writes the gathered rows to the record's file. When writing fails, the controller goes on without the file.</summary>
+/// <summary>Writes the collected rows to the record's file. When writing fails, the controller continues without the file.</summary>
 internal sealed class RecordFile(MotionRecord record)
 {
-    /// <summary>The error that ended the writing; null while it works.</summary>
+    /// <summary>The error that stopped the writing; null while writing succeeds.</summary>
     public IOException? Failure { get; private set; }
 
     public void Flush()
@@ -19,7 +19,7 @@ internal sealed class RecordFile(MotionRecord record)
         }
     }
 
-    /// <summary>Writes the rows that wait and closes the file.</summary>
+    /// <summary>Writes the pending rows and closes the file.</summary>
     public void Complete()
     {
         try

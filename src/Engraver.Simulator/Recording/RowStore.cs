@@ -1,6 +1,7 @@
 namespace Engraver.Simulator;
 
-/// <summary>Rows of a record: single ones in chunks, so that hours of motion neither copy nor fragment, and spans of constant speed among them.</summary>
+/// <summary>Rows of a record: single rows in chunks, so that hours of motion need no copying and do not fragment memory, and spans of constant speed between
+/// them.</summary>
 internal sealed class RowStore
 {
     private const int ChunkSize = 1 << 12;
@@ -8,10 +9,10 @@ internal sealed class RowStore
     private readonly List<(long FirstRow, long SinglesBefore, MotionSpan Span)> _spans = [];
     private long _singles;
 
-    /// <summary>Number of rows, those within spans included.</summary>
+    /// <summary>Number of rows, including those within spans.</summary>
     public long Count { get; private set; }
 
-    /// <summary>A row by its number.</summary>
+    /// <summary>Returns a row by its number.</summary>
     public MotionSample this[long row]
     {
         get
@@ -58,7 +59,7 @@ internal sealed class RowStore
 
     private MotionSample Single(long index) => _chunks[(int)(index / ChunkSize)][index % ChunkSize];
 
-    /// <summary>Index of the last span that begins at or before a row; -1 when none does.</summary>
+    /// <summary>Index of the last span that begins at or before a row; -1 when there is none.</summary>
     private int LastSpanAt(long row)
     {
         var (low, high) = (0, _spans.Count);

@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Values;
 
 /// <summary>A number of the controller: 32-bit signed integer part and 16-bit fraction, resolution 1/65536 (galil-dmc.md E, Number).</summary>
-/// <remarks>Held as value times 65536 in 48 bits; what does not fit wraps. A string is up to six characters in the same 48 bits.</remarks>
+/// <remarks>Stored as value times 65536 in 48 bits; a value that does not fit wraps. A string is up to six characters in the same 48 bits.</remarks>
 internal readonly record struct FixedPoint(long Raw)
 {
     private const long One = 1L << 16;
@@ -32,7 +32,7 @@ internal readonly record struct FixedPoint(long Raw)
 
     public static FixedPoint operator *(FixedPoint left, FixedPoint right) => Wrap((long)((Int128)left.Raw * right.Raw / One));
 
-    /// <summary>Division truncates: 2000/360 is 5.5555 (galil-dmc.md E, fixed-point traps). By zero it is an operand error.</summary>
+    /// <summary>Division truncates: 2000/360 is 5.5555 (galil-dmc.md E, fixed-point traps). Division by zero is an operand error.</summary>
     public static FixedPoint operator /(FixedPoint left, FixedPoint right) =>
         right.Raw == 0 ? throw new CommandRefusedException(Tc.OperandError) : Wrap((long)((Int128)left.Raw * One / right.Raw));
 

@@ -9,7 +9,7 @@ internal static class MemorySizes
     /// <summary>Elements of all arrays together.</summary>
     public const int ArrayElements = 8000;
 
-    /// <summary>Characters kept of an array that is downloaded as text: 24 for each element that it can have. A longer text has too many elements
-    /// anyway.</summary>
+    /// <summary>Characters kept of an array that is downloaded as text: 24 for each element that it can have. A longer text has too many elements in any
+    /// case.</summary>
     public const int LongestArray = ArrayElements * 24;
 }

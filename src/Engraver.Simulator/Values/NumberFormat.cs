@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace Engraver.Simulator.Values;
 
-/// <summary>How a number is printed: digits before and after the point, padded or not, decimal or hexadecimal (galil-dmc.md A.3 format commands, E
+/// <summary>Print format of a number: digits before and after the point, padded or not, decimal or hexadecimal (galil-dmc.md A.3 format commands, E
 /// messages).</summary>
 /// <param name="Digits">Places before the point.</param>
-/// <param name="Decimals">Places after the point, rounded: what was given with up to four decimals prints as it was given, although 0.6 is kept as 0.59999 (4.1
+/// <param name="Decimals">Places after the point, rounded: a number given with up to four decimals prints as given, although 0.6 is stored as 0.59999 (4.1
 /// with {F5.2} prints 00004.10, E Messages).</param>
-/// <param name="LeadingZeros">Whether unused places before the point print as zeros.</param>
-/// <param name="Hex">Hexadecimal with a dollar sign.</param>
+/// <param name="LeadingZeros">True when unused places before the point print as zeros.</param>
+/// <param name="Hex">True for hexadecimal with a dollar sign.</param>
 internal readonly record struct NumberFormat(int Digits, int Decimals, bool LeadingZeros, bool Hex)
 {
     /// <summary>Characters of the longest number: sign or blank, ten digits, point, four decimals.</summary>
@@ -20,7 +20,7 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
 
     public static NumberFormat Position => new(10, 0, false, false);
 
-    /// <summary>From the argument of PF and VF: m.n, negative m for hexadecimal.</summary>
+    /// <summary>Creates a format from the argument of PF and VF: m.n, negative m for hexadecimal.</summary>
     public static NumberFormat FromArgument(FixedPoint argument)
     {
         var (digits, decimals) = Math.DivRem((long)Math.Round(Math.Abs(argument.Value) * 10), 10);
@@ -29,7 +29,7 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
             : throw new CommandRefusedException(Tc.OutOfRange);
     }
 
-    /// <summary>m.n as PF and VF take it, negative for hexadecimal: <c>PF ?</c>, <c>_PF</c>.</summary>
+    /// <summary>The argument m.n of PF and VF, negative for hexadecimal: <c>PF ?</c>, <c>_PF</c>.</summary>
     public FixedPoint Argument => FixedPoint.FromDouble((Digits + (Decimals / 10.0)) * (Hex ? -1 : 1));
 
     /// <summary>The number with one column for its sign: a blank or a minus.</summary>
@@ -48,11 +48,11 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
 
     private int WriteDecimal(Span<char> text, FixedPoint value)
     {
-        // One unit of the last place. A literal loses less than 1/65536 when it is read, so rounding to four decimals gives back what was written.
+        // One unit of the last place. A literal loses less than 1/65536 when it is read, so rounding to four decimals restores the number as written.
         var unit = Powers[Decimals];
         var places = (long)((((Int128)Math.Abs(value.Raw) * unit) + (1 << 15)) >> 16);
         var (whole, fraction) = Math.DivRem(places, unit);
-        if (whole > int.MaxValue && value.Raw > 0) (whole, fraction) = (int.MaxValue, unit - 1); // the largest number there is (E, Number)
+        if (whole > int.MaxValue && value.Raw > 0) (whole, fraction) = (int.MaxValue, unit - 1); // the largest number (E, Number)
         if (whole >= Powers[Digits]) (whole, fraction) = (Powers[Digits] - 1, unit - 1); // too large for its digits: prints as all nines (A.3 format commands)
         Span<char> zeros = stackalloc char[Digits];
         zeros.Fill('0');

@@ -135,8 +135,8 @@ internal static class Tc
     public static string TextOf(int code) => code == 0 ? "No error" : Texts.GetValueOrDefault(code, "Undefined error");
 }
 
-/// <summary>Ends the execution of one command with a TC code. Thrown anywhere in the interpreter, caught in exactly two places: where a host command and where
-/// a program line ends.</summary>
+/// <summary>Ends the execution of one command with a TC code. Thrown anywhere in the interpreter and caught in exactly two places: at the end of a host command
+/// and at the end of a program line.</summary>
 internal sealed class CommandRefusedException(int code) : Exception(Tc.TextOf(code))
 {
     public int Code { get; } = code;

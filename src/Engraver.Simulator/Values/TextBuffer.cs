@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Values;
 
-/// <summary>Text that grows in one array and is used again and again: replies and messages, one Latin-1 character for each byte.</summary>
+/// <summary>Reusable text that grows in one array: replies and messages, one Latin-1 character for each byte.</summary>
 internal sealed class TextBuffer
 {
     private char[] _characters = new char[128];

@@ -11,7 +11,7 @@ internal sealed class CamFollower(Axis axis)
 
     public Axis Axis => axis;
 
-    /// <summary>EM: counts that the slave moves in one cycle of the master, unsigned; 0 when it returns to where it began.</summary>
+    /// <summary>EM: counts that the slave moves in one cycle of the master, unsigned; 0 when it returns to its start position.</summary>
     public int Cycle { get; set; }
 
     /// <summary><c>_EGx</c>: the slave follows the table.</summary>
@@ -20,7 +20,7 @@ internal sealed class CamFollower(Axis axis)
     /// <summary><c>_EQx</c>: 1 waits to engage, 2 waits to disengage, 3 both.</summary>
     public int Waiting => (_engageAt is null ? 0 : 1) + (_disengageAt is null ? 0 : 2);
 
-    /// <summary>Counts that it moved in the last sample.</summary>
+    /// <summary>Counts that the slave moved in the last sample.</summary>
     public int LastStep { get; private set; }
 
     public int this[int point]
@@ -29,14 +29,14 @@ internal sealed class CamFollower(Axis axis)
         set => _points[point] = value;
     }
 
-    /// <summary>EG.</summary>
+    /// <summary>Requests engagement: EG.</summary>
     public void Engage(ElectronicCam cam, double at)
     {
         if (cam.Contains(at) && at != cam.MasterPlace) _engageAt = at;
         else Start(cam);
     }
 
-    /// <summary>EQ.</summary>
+    /// <summary>Requests disengagement: EQ.</summary>
     public void Disengage(ElectronicCam cam, double at)
     {
         if (cam.Contains(at) && at != cam.MasterPlace) _disengageAt = at;
@@ -60,7 +60,7 @@ internal sealed class CamFollower(Axis axis)
         Cycle = 0;
     }
 
-    /// <summary>One sample in which the master moved by <paramref name="distance"/> counts.</summary>
+    /// <summary>Computes one sample in which the master moved by <paramref name="distance"/> counts.</summary>
     public void Step(ElectronicCam cam, double distance)
     {
         LastStep = 0;
@@ -69,10 +69,10 @@ internal sealed class CamFollower(Axis axis)
         if (_disengageAt is { } to && cam.Passed(to, distance)) Release(StopCode.CamStopped);
     }
 
-    /// <summary>Signed distance from the slave's position to the one that the table asks for.</summary>
+    /// <summary>Signed distance from the slave's position to the position given by the table.</summary>
     public double Heading(ElectronicCam cam) => Target(cam) - axis.Position;
 
-    /// <summary>Counts the slave's position within its cycle, and applies the table from now on: a slave that is elsewhere jumps to the table's position
+    /// <summary>Counts the slave's position within its cycle, and applies the table from now on: a slave at another position jumps to the table's position
     /// [U].</summary>
     private void Start(ElectronicCam cam)
     {

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Motion.Following;
 
-/// <summary>The table of the electronic cam and its cycles, as BV burns them (galil-dmc.md A.6).</summary>
+/// <summary>The table of the electronic cam and its cycles, as burned by BV (galil-dmc.md A.6).</summary>
 internal sealed class CamTable
 {
     private readonly (int Modulus, int Interval, int Shift) _master;

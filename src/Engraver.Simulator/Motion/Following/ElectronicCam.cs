@@ -2,8 +2,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion.Following;
 
-/// <summary>The electronic cam (galil-dmc.md C.4): slaves follow the encoder of a master axis through a table, linearly from point to point, cycle after
-/// cycle.</summary>
+/// <summary>The electronic cam (galil-dmc.md C.4): slaves follow the encoder of a master axis through a table, with linear interpolation between its points, in
+/// every cycle.</summary>
 internal sealed class ElectronicCam
 {
     public const int Points = 257;
@@ -19,13 +19,13 @@ internal sealed class ElectronicCam
         Followers = [.. motion.Axes.Take(Axis.Real).Select(a => new CamFollower(a))];
     }
 
-    /// <summary>One for each of the axes A to D; the master's own is not used.</summary>
+    /// <summary>One follower for each of the axes A to D; that of the master is not used.</summary>
     public CamFollower[] Followers { get; }
 
-    /// <summary>EA; null before it was given.</summary>
+    /// <summary>EA: the master axis; null before EA is given.</summary>
     public Axis? Master { get; set; }
 
-    /// <summary>EB.</summary>
+    /// <summary>EB: the cam is on.</summary>
     public bool IsEnabled { get; private set; }
 
     /// <summary>EM of the master: counts of one cycle.</summary>
@@ -46,7 +46,7 @@ internal sealed class ElectronicCam
     /// <summary>The master's position in the table, from 0 to the modulus.</summary>
     public double Phase { get; private set; }
 
-    /// <summary>Counts cycles of the table; the difference of two values says how often the table's end was passed.</summary>
+    /// <summary>Counts cycles of the table; the difference of two values is the number of times that the table's end was passed.</summary>
     public long CycleNumber { get; private set; }
 
     /// <summary>The master has moved since the slaves last followed it.</summary>
@@ -54,7 +54,7 @@ internal sealed class ElectronicCam
 
     public bool Contains(double masterPlace) => masterPlace >= 0 && masterPlace < Modulus;
 
-    /// <summary>EB 1: from here on the master's position is counted within its cycle.</summary>
+    /// <summary>EB 1: from now on the master's position is counted within its cycle.</summary>
     /// <exception cref="CommandRefusedException">TC 102 without a master, TC 103 when the table is too short for the cycle.</exception>
     public void Enable()
     {
@@ -72,14 +72,14 @@ internal sealed class ElectronicCam
         IsEnabled = false;
     }
 
-    /// <summary>RS: no master, no table.</summary>
+    /// <summary>RS: removes the master and the table.</summary>
     public void Reset()
     {
         (Master, Modulus, Interval, Shift, Index) = (null, 0, UsualInterval, 0, 0);
         foreach (var follower in Followers) follower.Clear();
     }
 
-    /// <summary>One sample: the slaves move to where the table puts them for the master's position at the beginning of the sample.</summary>
+    /// <summary>Computes one sample: the slaves move to the table positions for the master's position at the start of the sample.</summary>
     /// <returns>Number of slaves that the table drove into a limit switch; they are stopped.</returns>
     public int Step()
     {
@@ -117,7 +117,7 @@ internal sealed class ElectronicCam
         return points[segment] + (((double)points[segment + 1] - points[segment]) * share);
     }
 
-    /// <summary>After EP or a step of the master: computes the phase and the cycle number anew.</summary>
+    /// <summary>After EP or a step of the master: recomputes the phase and the cycle number.</summary>
     public void Look()
     {
         _seen = MasterPlace;
@@ -126,7 +126,7 @@ internal sealed class ElectronicCam
         CycleNumber = _wraps + (long)turns;
     }
 
-    /// <summary>Keeps the master's position within one cycle (C.4); its motion goes on unchanged.</summary>
+    /// <summary>Keeps the master's position within one cycle (C.4); its motion continues unchanged.</summary>
     private void WrapMaster()
     {
         var turns = Math.Floor(MasterPlace / Modulus);

@@ -25,13 +25,13 @@ internal sealed class Gear
     /// <summary>Ends gearing for ST or a limit, unless GM 1 was given.</summary>
     public void Release() => Ratio = IsGantry ? Ratio : 0;
 
-    /// <summary>Called when the master's position was redefined without motion.</summary>
+    /// <summary>Called when the master's position has been redefined without motion.</summary>
     public void Renumber(double difference) => _masterBefore += difference;
 
     /// <summary>The master has moved since the last <see cref="Follow"/>.</summary>
     public bool IsBehind(double masterNow) => masterNow != _masterBefore;
 
-    /// <summary>Counts that this axis has to move for the master's motion since the last call.</summary>
+    /// <summary>Counts that this axis must move for the master's motion since the last call.</summary>
     public double Follow(double masterNow)
     {
         var counts = Ratio * (masterNow - _masterBefore);

@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Motion.Following;
 
 /// <summary>The axis that VM keeps along the tangent of the path (galil-dmc.md B.6): position = zero + counts per degree x angle.</summary>
-/// <remarks>The angle continues beyond 180 degrees, so that the axis never turns back by a whole turn.</remarks>
+/// <remarks>The angle continues beyond 180 degrees, so that the axis never turns back by a full turn.</remarks>
 internal sealed class TangentFollower
 {
     private double? _angle;
@@ -12,10 +12,10 @@ internal sealed class TangentFollower
     /// <summary>TN, first field: counts per degree, a multiple of 1/256.</summary>
     public double CountsPerDegree { get; set; }
 
-    /// <summary>TN, second field: the position that means zero degrees.</summary>
+    /// <summary>TN, second field: the position for zero degrees.</summary>
     public double Zero { get; set; }
 
-    /// <summary>Position needed at the start of a path: <c>_TNS</c>.</summary>
+    /// <summary>Required position at the start of a path: <c>_TNS</c>.</summary>
     public double StartFor(VectorSegment? first) => first is null ? Zero : Zero + (CountsPerDegree * Unwound(first.TangentAt(0), 0));
 
     public void Restart() => _angle = null;
