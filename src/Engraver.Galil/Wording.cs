@@ -10,4 +10,7 @@ internal static class Wording
     public static string Get(string name) => s_texts.Get(name);
 
     public static string Get(string name, params object?[] facts) => s_texts.Get(name, facts);
+
+    /// <summary>A number with its noun, from <c>NAME.One</c> and <c>NAME.Many</c>.</summary>
+    public static string Count(string name, int count) => s_texts.Count(name, count);
 }

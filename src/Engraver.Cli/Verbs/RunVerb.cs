@@ -239,7 +239,7 @@ internal sealed class RunVerb
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {
         if (parsed.GetValue(_json)) Write(RunReport.NotStarted(job.Settings, job, JobOutcome.Refused));
-        _host.Error.WriteLine(Wording.Get("Run.NotStarted", char.ToLowerInvariant(why[0]) + why[1..]));
+        _host.Error.WriteLine(Wording.Get("Run.NotStarted", why));
         return ExitCode.DrawingError;
     }
 

@@ -22,7 +22,10 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
     public string Message => $"{Sentence} {Advice}";
 
     /// <summary>The sentence with its facts filled in.</summary>
-    public string Sentence => Fill(Rule.Sentence);
+    public string Sentence => Fill(TextName is null ? Rule.Sentence : Wording.Get(TextName));
+
+    /// <summary>Name of the text of this case, with the same {names}; null for the rule's sentence.</summary>
+    internal string? TextName { get; init; }
 
     /// <summary>The rule's advice, or the text that a caller with knowledge of the settings made of it.</summary>
     public string Advice

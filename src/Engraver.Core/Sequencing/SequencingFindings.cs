@@ -27,7 +27,9 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         var first = 0;
         while (first < kept.Length && kept[first] == first) first++;
         var entity = analysed.EntityIndexOf(first);
-        Add(SequencingRules.DuplicatesRemoved, entity, null, Number(analysed.Count - kept.Length), HandleOf(entity) ?? Wording.Get("SequencingFindings.WithoutHandle"));
+        var handle = HandleOf(entity);
+        var text = handle is null ? "SequencingFindings.DuplicatesWithoutHandle" : null;
+        Add(SequencingRules.DuplicatesRemoved.At(SourceOf(entity), Number(analysed.Count - kept.Length), handle ?? "") with { TextName = text });
     }
 
     public void AddArcs(ArcRecoveryResult recovered)
@@ -68,7 +70,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
     public void AddEntry(EnterAt wish, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
     {
         if (enter != wish && (wish, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var standIn }))
-            Add(SequencingRules.EntryStandsIn, named, null, HandleOf(named) ?? Wording.Get("SequencingFindings.WithoutHandle"), HandleOf(standIn) ?? Wording.Get("SequencingFindings.WithoutHandle"));
+            AddEntryReplaced(named, HandleOf(named), HandleOf(standIn));
         if (entry is not { } found)
         {
             _diagnostics.Add(SequencingRules.EntryNotFound.At(default));
@@ -79,12 +81,19 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (within > 0) _diagnostics.Add(SequencingRules.EntryWaits.At(default, Number(within)));
     }
 
+    private void AddEntryReplaced(int named, string? handle, string? other)
+    {
+        var text = handle is null || other is null ? "SequencingFindings.EntryWithoutHandle" : null;
+        Add(SequencingRules.EntryStandsIn.At(SourceOf(named), handle ?? "", other ?? "") with { TextName = text });
+    }
+
     private static string Number(double value) => Math.Round(value, 6).ToString("0.######", CultureInfo.InvariantCulture);
 
     private void AddSmallGap(Discontinuity end, EntityTable table)
     {
-        var nearest = HandleOf(table.EntityIndexOf(end.NearestRow)) ?? Wording.Get("SequencingFindings.WithoutHandle");
-        Add(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), end.Place, Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
+        var nearest = HandleOf(table.EntityIndexOf(end.NearestRow));
+        var text = nearest is null ? "SequencingFindings.GapWithoutHandle" : null;
+        Add(SequencingRules.SmallGap.At(SourceOf(table.EntityIndexOf(end.Row)), Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest ?? "") with { Place = end.Place, TextName = text });
     }
 
     private void AddShortSegments(EntityTable table, ReadOnlySpan<Segment> segments)
@@ -101,11 +110,15 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), place, Number(options.JoinTolerance), Number(count), Number(place.X), Number(place.Y));
     }
 
-    private void Add(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts)
+    private void Add(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts) => Add(rule.At(SourceOf(entity), facts) with { Place = place });
+
+    private void Add(Diagnostic found)
     {
-        var count = _counts[rule] = _counts.GetValueOrDefault(rule) + 1;
-        if (count <= ShownPerRule) _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts) with { Place = place });
+        var count = _counts[found.Rule] = _counts.GetValueOrDefault(found.Rule) + 1;
+        if (count <= ShownPerRule) _diagnostics.Add(found);
     }
 
-    private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;
+    private SourceRef SourceOf(int entity) => drawing?.SourceOf(entity) ?? default;
+
+    private string? HandleOf(int entity) => SourceOf(entity).Handle;
 }

@@ -228,7 +228,7 @@ internal sealed class Job
         _machine.Hold.CutBegins();
         if (!_isHandMove && await _machine.Tool.TurnAsync(on: false).ConfigureAwait(false) is { Ends: true } turning) return turning;
         if (_program.Finish is { } finish && await RapidMove.ToAsync(_machine, finish).ConfigureAwait(false) is { Ends: true } unfinished) return unfinished;
-        return new JobStep(JobOutcome.Complete, Wording.Get("Job.DoneSegments", _ledger.Executed), null);
+        return new JobStep(JobOutcome.Complete, Wording.Count("Job.DoneSegments", _ledger.Executed), null);
     }
 
     /// <summary>First the tool goes up, then the spindle turns.</summary>

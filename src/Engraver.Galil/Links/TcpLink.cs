@@ -39,7 +39,7 @@ public sealed class TcpLink : IControllerLink
         {
             socket.Dispose();
             var hint = failure.SocketErrorCode == SocketError.ConnectionReset ? " " + HandlesTaken : "";
-            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, SystemReason.Of(failure)).Replace("..", ".", StringComparison.Ordinal) + hint, failure);
+            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, SystemReason.Of(failure)) + hint, failure);
         }
         catch (OperationCanceledException failure) when (!cancellation.IsCancellationRequested)
         {

@@ -15,7 +15,7 @@ public static class SequenceText
         foreach (var stroke in result.Strokes)
         {
             var inside = stroke.Inside < 0 ? "" : Wording.Get("SequenceText.Inside", stroke.Inside + 1);
-            output.WriteLine(Wording.Get("SequenceText.Stroke", stroke.Index + 1, stroke.Closed ? Wording.Get("SequenceText.Closed") : Wording.Get("SequenceText.Open"), stroke.Segments, stroke.Length, stroke.Start.X, stroke.Start.Y, stroke.End.X, stroke.End.Y, inside));
+            output.WriteLine(Wording.Get(stroke.Segments == 1 ? "SequenceText.StrokeOfOneSegment" : "SequenceText.Stroke", stroke.Index + 1, stroke.Closed ? Wording.Get("SequenceText.Closed") : Wording.Get("SequenceText.Open"), stroke.Segments, stroke.Length, stroke.Start.X, stroke.Start.Y, stroke.End.X, stroke.End.Y, inside));
         }
 
         if (result.Discontinuities.Count > 0) WriteOpenEnds(output, result);

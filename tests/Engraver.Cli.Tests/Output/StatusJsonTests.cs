@@ -59,7 +59,7 @@ public class StatusJsonTests
         var status = StatusJson.From(s_ready with { State = MachineState.NoOrigin, OriginMissing = PreparationRules.ZeroLost.At(default, "G54"), WorkHeight = 1 }, null, MachineProfile.Default);
 
         Assert.Equal(new StatusJson.WorkJson("G54", null, null, null), status.Work);
-        Assert.StartsWith("work    G54 is unknown: The controller was switched off", status.Text().Last(), StringComparison.Ordinal);
+        Assert.StartsWith("work    G54: unknown. The controller was switched off", status.Text().Last(), StringComparison.Ordinal);
         Assert.Contains("engraver zero", status.Text().Last(), StringComparison.Ordinal);
         Assert.DoesNotContain("CNC", status.Text().Last(), StringComparison.Ordinal);
     }

@@ -64,11 +64,11 @@ public class ReportVerbTests
         await File.AppendAllTextAsync(drawing, "\n");
         await CliRun.RunAsync("report", drawing, "-o", folder.PathOf("drawing.html"));
 
-        Assert.Equal("run: complete", Verdict("same"));
+        Assert.Equal("Run: complete", Verdict("same"));
         Assert.DoesNotContain("This run was made with a different version of the job", Section(Read(folder.PathOf("same.html")), "run").Value, StringComparison.Ordinal);
-        Assert.Equal("run of a different version of this job: complete", Verdict("setting"));
+        Assert.Equal("Run of a different version of this job: complete", Verdict("setting"));
         Assert.Contains("This run was made with a different version of the job. Changed since then: --max-error, the machine profile.", Section(Read(folder.PathOf("setting.html")), "run").Value, StringComparison.Ordinal);
-        Assert.Equal("run of a different version of this job: complete", Verdict("drawing"));
+        Assert.Equal("Run of a different version of this job: complete", Verdict("drawing"));
         Assert.Contains("This run was made with a different version of the job. Changed since then: the drawing.", Section(Read(folder.PathOf("drawing.html")), "run").Value, StringComparison.Ordinal);
 
         string Verdict(string name) => Read(folder.PathOf(name + ".html")).Descendants(Html + "p").Single(part => part.Attribute("class")?.Value == "verdict").Value;
@@ -161,7 +161,7 @@ public class ReportVerbTests
         var page = File.ReadAllText(folder.PathOf("page.html"));
 
         Assert.Equal(ExitCode.Done, report.ExitCode);
-        Assert.Contains("run: complete", page, StringComparison.Ordinal);
+        Assert.Contains("Run: complete", page, StringComparison.Ordinal);
         Assert.Contains("comes from its journal only", page, StringComparison.Ordinal);
     }
 }

@@ -62,7 +62,7 @@ public sealed class UnhomedMachineTests : IDisposable
         Assert.All([status.Out, zero.Error, place.Error, park.Error], said => Assert.DoesNotContain("CNC", said, StringComparison.Ordinal));
         Assert.Equal(ExitCode.Done, (await CliRun.RunAsync(["home", .. at])).ExitCode);
         var homed = await CliRun.RunAsync(["status", .. at]);
-        Assert.Contains("G54 is unknown: The work origin G54 is not set", homed.Out, StringComparison.Ordinal);
+        Assert.Contains("G54: unknown. The work origin G54 is not set", homed.Out, StringComparison.Ordinal);
         Assert.Contains("engraver zero", homed.Out, StringComparison.Ordinal);
     }
 

@@ -10,13 +10,13 @@ public class DiagnosticTests
     {
         var diagnostic = VerificationRules.CutBesideDrawing.At(new SourceRef(7, "1A"), "0.5", "12", "7", "0.01");
 
-        Assert.Equal("The program deviates from the drawing by 0.5 mm at 12, 7; 0.01 mm are allowed. Compare the program with the drawing at that position.", diagnostic.Message);
+        Assert.Equal("The program deviates from the drawing by 0.5 mm at 12, 7; allowed: 0.01 mm. Compare the program with the drawing at that position.", diagnostic.Message);
         Assert.Equal("VER0008", diagnostic.Id);
     }
 
     [Fact]
     public void A_missing_fact_shows() =>
-        Assert.Equal("The program deviates from the drawing by 0.5 mm at ?, ?; ? mm are allowed.", VerificationRules.CutBesideDrawing.At(default, "0.5").Sentence);
+        Assert.Equal("The program deviates from the drawing by 0.5 mm at ?, ?; allowed: ? mm.", VerificationRules.CutBesideDrawing.At(default, "0.5").Sentence);
 
     /// <summary>A fact may come from a damaged file: its control characters are seen by the reader and not obeyed by the terminal.</summary>
     [Theory]

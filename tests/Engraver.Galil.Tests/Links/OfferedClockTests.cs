@@ -28,12 +28,12 @@ public sealed class OfferedClockTests : IDisposable
     }
 
     [Theory]
-    [InlineData("220 mail.example ready\n", "the service at this port is not a clock.")]
-    [InlineData("-5\n", "the service at this port is not a clock.")]
-    [InlineData("\n", "the service at this port is not a clock.")]
-    [InlineData("", "the other end closed the connection.")]
-    [InlineData("17", "the other end closed the connection.")]
-    [InlineData("0000000000000000000000000000000000000000000000000000000000000000000000", "the other end closed the connection.")]
+    [InlineData("220 mail.example ready\n", "the service at this port is not a clock")]
+    [InlineData("-5\n", "the service at this port is not a clock")]
+    [InlineData("\n", "the service at this port is not a clock")]
+    [InlineData("", "the other end closed the connection")]
+    [InlineData("17", "the other end closed the connection")]
+    [InlineData("0000000000000000000000000000000000000000000000000000000000000000000000", "the other end closed the connection")]
     public async Task Somebody_who_is_no_clock_is_refused_and_the_reason_is_told(string answer, string reason)
     {
         var taking = Task.Run(() => OfferedClock.Take(Port));

@@ -33,7 +33,7 @@ internal static class ReportVerb
             var report = JobReport.Create(request.WithRunOf(history.Look()), stop);
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => JobReportPage.Write(report, TimeZoneInfo.Local, writer));
             if (report.Run is { } run && history.Keep(run with { Report = Path.GetFullPath(parsed.GetRequiredValue(output)) }) is { } failure) host.Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
-            if (report.TraceProblem is { } problem) host.Error.WriteLine(Wording.Get("Report.NoTrace", problem.TrimEnd('.')));
+            if (report.TraceProblem is { } problem) host.Error.WriteLine(Wording.Get("Report.NoTrace", problem));
             return Task.FromResult(host.Report(parsed, read.FileName, report.Job.Diagnostics));
         });
         return command;

@@ -17,4 +17,9 @@ public static class OutcomeText
 
     /// <summary>For people.</summary>
     public static string Said(JobOutcome outcome) => Wording.Get("Outcome." + outcome);
+
+    /// <param name="word">An outcome as the history stores it.</param>
+    public static string Said(string word) =>
+        word == "begun" ? Wording.Get("Outcome.Begun")
+        : Enum.GetValues<JobOutcome>().Where(outcome => Word(outcome) == word).Select(Said).FirstOrDefault(word);
 }

@@ -19,7 +19,7 @@ internal static class RunVerdict
         var tolerances = RunJudge.Tolerances(job);
         var (allowed, lag) = (AllowedDeviation(job, program, judgement, tolerances), RunJudge.AllowedFollowing(program));
         if ((judgement.CommandedDeviationMm ?? judgement.MaxDeviationMm) is { } commanded && commanded > allowed)
-            return Deviated(result, Wording.Get("RunVerdict.RunDeviated", Millimetres(commanded)), judgement.DeviationAt);
+            return Deviated(result, Wording.Get("RunVerdict.RunDeviated", Millimetres(commanded), Millimetres(allowed)), judgement.DeviationAt);
         if (judgement.CommandedDeviationMm is not null && judgement.MaxDeviationMm is { } deviation && deviation > allowed + lag)
             return Deviated(result, Wording.Get("RunVerdict.MotorsDeviated", Millimetres(deviation), Millimetres(allowed + lag)), judgement.DeviationAt);
         if (judgement.FollowingMm is { } following && following > lag)

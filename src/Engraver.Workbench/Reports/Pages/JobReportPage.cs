@@ -51,10 +51,10 @@ public static class JobReportPage
 
     private static string Verdict(JobReport report) => report switch
     {
-        { Run: { RanTrajectories: true } run } => Wording.Get("JobReport.VerdictTrajectories", run.Outcome, run.Kind),
-        { Run: { } run, RunDiffers: [_, ..] } => Wording.Get("JobReport.VerdictOtherRun", run.Outcome, run.Kind),
-        { Run: { } run } => Wording.Get("JobReport.VerdictRun", run.Outcome, run.Kind),
-        { Journalled: { } told } => Wording.Get(report.Journal.IsThisJob ? "JobReport.VerdictRun" : "JobReport.VerdictOtherRun", Outcome(told), Kind(told)),
+        { Run: { RanTrajectories: true } run } => Wording.Get("JobReport.VerdictTrajectories", OutcomeText.Said(run.Outcome), Kind(run.Kind)),
+        { Run: { } run, RunDiffers: [_, ..] } => Wording.Get("JobReport.VerdictOtherRun", OutcomeText.Said(run.Outcome), Kind(run.Kind)),
+        { Run: { } run } => Wording.Get("JobReport.VerdictRun", OutcomeText.Said(run.Outcome), Kind(run.Kind)),
+        { Journalled: { } told } => Wording.Get(report.Journal.IsThisJob ? "JobReport.VerdictRun" : "JobReport.VerdictOtherRun", Outcome(told), Wording.Get(told.IsDryRun ? "JobReport.DryRun" : "JobReport.Run")),
         { Motion: null } => Wording.Get("JobReport.VerdictNothing"),
         _ => Wording.Get("JobReport.VerdictPlanned"),
     };
@@ -65,7 +65,7 @@ public static class JobReportPage
         page.Section("path", Wording.Get("JobReport.Path"), () => Picture(PlotModel.FromPath(job.Toolpath, title), page));
         if (report.Motion is { } motion) page.Section("speed", Wording.Get("JobReport.Speed"), () => page.Figure("chart", output => SpeedPicture.Write(motion, output)));
         if (report.Trace is { } trace) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => Deviation(report, trace, title, page));
-        else if (report.TraceProblem is { } problem) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Paragraph(problem.TrimEnd('.') + "."));
+        else if (report.TraceProblem is { } problem) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Paragraph(Wording.Get("JobReport.TraceNotShown", problem)));
     }
 
     private static void Deviation(JobReport report, RunTrace trace, string title, PageWriter page)
@@ -131,9 +131,15 @@ public static class JobReportPage
         });
     }
 
-    private static string Outcome(JournalledRun told) => told.Outcome is { } outcome ? OutcomeText.Word(outcome) : "begun";
+    private static string Outcome(JournalledRun told) => told.Outcome is { } outcome ? OutcomeText.Said(outcome) : Wording.Get("Outcome.Begun");
 
-    private static string Kind(JournalledRun told) => told.IsDryRun ? "dryRun" : "run";
+    /// <param name="kind">As in the history.</param>
+    private static string Kind(string kind) => kind switch
+    {
+        "dryRun" => Wording.Get("JobReport.DryRun"),
+        "simulation" => Wording.Get("JobReport.Simulation"),
+        _ => Wording.Get("JobReport.Run"),
+    };
 
     private static void Journalled(JobReport report, JournalledRun told, PageWriter page)
     {
@@ -150,7 +156,7 @@ public static class JobReportPage
     private static IEnumerable<PagePair> RunPairs(JobReport report, Histories.HistoryEntry run, TimeZoneInfo here) =>
     [
         new PagePair(Wording.Get("JobReport.Date"), Time(run.Date, here)),
-        new PagePair(Wording.Get("JobReport.Outcome"), run.Outcome, "outcome"),
+        new PagePair(Wording.Get("JobReport.Outcome"), OutcomeText.Said(run.Outcome), "outcome"),
         new PagePair(Wording.Get("JobReport.Message"), run.Sentence),
         new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
         PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),

@@ -1,7 +1,7 @@
 using System.Text.RegularExpressions;
 using Engraver.Architecture.Tests.Sources;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>Habits that a compiler does not enforce.</summary>
 public class HabitTests

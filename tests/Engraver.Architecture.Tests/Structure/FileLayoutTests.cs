@@ -1,7 +1,7 @@
 using System.Text.RegularExpressions;
 using Engraver.Architecture.Tests.Sources;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>How a file of tests begins. In the product the SDK's rules of style hold it (.editorconfig); the tests are compiled without them, which saves processor time.</summary>
 public class FileLayoutTests

@@ -1,12 +1,12 @@
 using Engraver.Architecture.Tests.Sources;
 using Engraver.TestKit;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>No new circle between the folders of a project. Those that exist are listed in circles.txt, which may only become shorter.</summary>
 public class FolderCircleTests
 {
-    private const string ListName = "tests/Engraver.Architecture.Tests/House/circles.txt";
+    private const string ListName = "tests/Engraver.Architecture.Tests/Structure/circles.txt";
 
     private static readonly Lazy<IReadOnlyList<string>> s_found = new(() => [.. FolderCircles.Find(SourceFile.Under("src", ".cs")).Select(circle => circle.ToString())]);
 

@@ -2,12 +2,12 @@ using System.Text.RegularExpressions;
 using Engraver.Architecture.Tests.Sources;
 using Engraver.TestKit;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>The machine seam (ADR 9): DMC text stands in Engraver.Galil; whoever else meets the driver or the simulator does so in Workbench/Composition. Who does not yet is listed in seam.txt, which may only become shorter.</summary>
 public partial class MachineSeamTests
 {
-    private const string ListName = "tests/Engraver.Architecture.Tests/House/seam.txt";
+    private const string ListName = "tests/Engraver.Architecture.Tests/Structure/seam.txt";
 
     private static readonly Lazy<IReadOnlyList<SourceFile>> s_above = new(() => [.. new[] { "src/Engraver.Workbench", "src/Engraver.Cli", "src/Engraver.App" }.SelectMany(folder => SourceFile.Under(folder, ".cs"))]);
 

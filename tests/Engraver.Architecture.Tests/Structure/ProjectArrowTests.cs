@@ -1,7 +1,7 @@
 using System.Text.RegularExpressions;
 using Engraver.TestKit;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>Projects reference each other as the table in docs/architecture.md says: by project file, and by what the compiler wrote into the assembly.</summary>
 public class ProjectArrowTests

@@ -1,7 +1,7 @@
 using Engraver.Architecture.Tests.Sources;
 using Engraver.TestKit;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>What a commit is tried with must hold every subject and every pair of choices, and the switch of the full run has one home.</summary>
 public class TestExtentTests

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 using Engraver.Architecture.Tests.Sources;
 using Engraver.TestKit;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>A row of the table "Projects" in docs/architecture.md: which projects and packages a project may name in its project file.</summary>
 public sealed record ProjectRule(string Project, IReadOnlyList<string> MayReference, IReadOnlyList<string> Packages)

@@ -4,7 +4,7 @@ using System.Reflection.PortableExecutable;
 using System.Text.RegularExpressions;
 using Engraver.TestKit;
 
-namespace Engraver.Architecture.Tests.House;
+namespace Engraver.Architecture.Tests.Structure;
 
 /// <summary>What the compiler made of a project of src/, read as a file; nothing of it is loaded.</summary>
 public sealed class BuiltAssembly : IDisposable
