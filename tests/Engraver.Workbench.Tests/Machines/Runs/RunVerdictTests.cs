@@ -28,7 +28,7 @@ public class RunVerdictTests
     public void Place_and_size_are_said()
     {
         Assert.StartsWith(
-            "Maximum deviation of the run from the drawing 396.001 mm. Position: -44,0.5. The values come from the controller.",
+            "Maximum deviation of the run from the drawing 396.001 mm, allowed 0.0135 mm. Position: -44,0.5. The values come from the controller.",
             Judged(new RunJudgement(396.001, 12.0, "polled") { DeviationAt = new Point2D(-44, 0.5) }, JobOutcome.Complete).Sentence, StringComparison.Ordinal);
         Assert.StartsWith(
             "7.9 mm of the drawing were not cut. Position: 1,2. The values come", Judged(new RunJudgement(0.001, 7.9, "record") { MissingAt = new Point2D(1, 2) }, JobOutcome.Complete).Sentence, StringComparison.Ordinal);
