@@ -32,7 +32,7 @@ public sealed record Navigation(IReadOnlyList<NavigationGroup> Groups)
         foreach (var heading in index.Document.OfType<HeadingBlock>().Where(heading => heading.Level == 2))
         {
             var below = index.Document.SkipWhile(block => block != heading).Skip(1).TakeWhile(block => block is not HeadingBlock { Level: <= 2 });
-            var entries = below.SelectMany(Links).Select(link => new NavigationEntry(TitleOf(source, link, AddressOf(index, link)), AddressOf(index, link))).Where(entry => entry.Address.EndsWith(".html", StringComparison.Ordinal) && seen.Add(entry.Address)).ToList();
+            var entries = below.SelectMany(Links).Select(link => new NavigationEntry(SitePage.TextOf(link), AddressOf(index, link))).Where(entry => entry.Address.EndsWith(".html", StringComparison.Ordinal) && seen.Add(entry.Address)).ToList();
             if (entries.Count > 0) groups.Add(new NavigationGroup(SitePage.TextOf(heading.Inline), entries));
         }
 
@@ -53,13 +53,6 @@ public sealed record Navigation(IReadOnlyList<NavigationGroup> Groups)
         ContainerBlock container => container.SelectMany(Links),
         _ => [],
     };
-
-    /// <summary>The words of the link; the title of the page where the words are a file name.</summary>
-    private static string TitleOf(SiteSource source, LinkInline link, string address)
-    {
-        var words = SitePage.TextOf(link);
-        return words.EndsWith(".md", StringComparison.Ordinal) && source.Pages.FirstOrDefault(page => page.Address == address) is { } page ? page.Title : words;
-    }
 
     private static string AddressOf(SitePage index, LinkInline link)
     {

@@ -15,7 +15,7 @@ public readonly record struct PageHeading(int Level, string Id, string Text);
 /// <param name="Path">Relative to the root, with slashes.</param>
 public sealed record SitePage(string Path, MarkdownDocument Document, IReadOnlyList<PageHeading> Headings)
 {
-    public static MarkdownPipeline Pipeline { get; } = new MarkdownPipelineBuilder().UsePipeTables().UseTaskLists().UseAutoLinks().UseAutoIdentifiers(AutoIdentifierOptions.GitHub).UsePreciseSourceLocation().Build();
+    public static MarkdownPipeline Pipeline { get; } = new MarkdownPipelineBuilder().UsePipeTables().UseAutoLinks().UseAutoIdentifiers(AutoIdentifierOptions.GitHub).UsePreciseSourceLocation().Build();
 
     public string Title => Headings.FirstOrDefault(heading => heading.Level == 1).Text ?? System.IO.Path.GetFileNameWithoutExtension(Path);
 

@@ -28,7 +28,9 @@ public partial class PhraseTests
     public void No_page_has_a_phrase_that_is_not_used()
     {
         var phrases = UnusedPhrases.Read();
-        var wrong = from page in Pages()
+        var pages = Pages().ToList();
+        Assert.NotEmpty(pages);
+        var wrong = from page in pages
                     from found in phrases.Find(Prose(page.Text))
                     select $"{page.Name}({page.LineOf(found.Index)}): '{found.Words}', write: {found.Instead}";
 
@@ -38,7 +40,9 @@ public partial class PhraseTests
     [Fact]
     public void No_line_of_prose_is_too_long()
     {
-        var wrong = from page in Pages()
+        var pages = Pages().ToList();
+        Assert.NotEmpty(pages);
+        var wrong = from page in pages
                     from line in Prose(page.Text).Split('\n').Index()
                     where line.Item.TrimEnd().Length > LongestLine && !line.Item.StartsWith('|')
                     select $"{page.Name}({line.Index + 1}): {line.Item.TrimEnd().Length} characters";

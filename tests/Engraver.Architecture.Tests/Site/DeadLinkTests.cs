@@ -10,7 +10,7 @@ public sealed class DeadLinkTests : IDisposable
     public DeadLinkTests()
     {
         Write("README.md", "# Product\n\nSee [the pages](docs/README.md) and [one](docs/one.md#first-part).\n");
-        Write("docs/README.md", "# Pages\n\n## Guide\n\n* [One](one.md): the first, before [this](README.md).\n\n## Reference\n\n| Page | |\n|---|---|\n| [Notes](notes) | all |\n| [two.md](two.md) | |\n");
+        Write("docs/README.md", "# Pages\n\n## Guide\n\n* [One](one.md): the first, before [this](README.md).\n\n## Reference\n\n| Page | |\n|---|---|\n| [Notes](notes) | all |\n| [The second](two.md) | |\n");
         Write("docs/one.md", "# One\n\n## First part\n\nText.\n");
         Write("docs/two.md", "# The second\n\nAn [entry](#the-second), [sources](../src), a [file](../LICENSE), <a href=\"one.md\">one</a>.\n");
         Write("docs/notes/a.md", "# Note A\n\n![](../images/x.png)\n");
