@@ -2,9 +2,9 @@ using System.Collections;
 
 namespace Engraver.Core;
 
-/// <summary>A list whose items are made when they are asked for, anew each time: of a million that were kept the memory would be many times that of what they are made from.</summary>
-/// <param name="count">How many there are.</param>
-/// <param name="at">Makes the item of an index; what it reads does not change any more.</param>
+/// <summary>A list whose items are created again on each access: storing a million of them would need many times the memory of their source.</summary>
+/// <param name="count">Number of items.</param>
+/// <param name="at">Creates the item of an index; the data that it reads no longer changes.</param>
 public sealed class MadeList<T>(int count, Func<int, T> at) : IReadOnlyList<T>
 {
     public int Count => count;

@@ -4,7 +4,7 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Counts what becomes of every model-space record while the file is read.</summary>
+/// <summary>Counts how every model-space record is handled while the file is read.</summary>
 internal sealed class BalanceSheet(ImportLog log)
 {
     private readonly Dictionary<string, int> _counts = new(StringComparer.Ordinal);
@@ -63,7 +63,7 @@ internal sealed class BalanceSheet(ImportLog log)
 
     private static int Count(long count) => (int)Math.Min(count, int.MaxValue);
 
-    /// <summary>Counts a record. Records of one type follow one another, so equal types are counted before the type is looked up.</summary>
+    /// <summary>Counts a record. Records of one type follow each other, so equal types are counted before the type is looked up.</summary>
     private void AddRecord(EntityRecord record)
     {
         if (!ReferenceEquals(record.Type, _runType)) EndRun(record.Type);

@@ -8,7 +8,7 @@ using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Reads the entities of a block or of model space, each with the records that belong to it, and hands them to a target.</summary>
+/// <summary>Reads the entities of a block or of model space, each with the records that belong to it, and passes them to a target.</summary>
 internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, LengthCheck lengths, LinetypeTable linetypes, CutChoice cut)
 {
     private readonly EntityRecord _record = new();
@@ -16,7 +16,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
     private readonly CurveMapper _mapper = new();
     private readonly List<PlacedText> _attributes = [];
 
-    /// <summary>Reads the next record and its parts. The caller has made sure that it is not the end of a block, section or file.</summary>
+    /// <summary>Reads the next record and its parts. The caller has checked that it is not the end of a block, section or file.</summary>
     public void ReadEntity(IContentTarget target)
     {
         records.Read(_record);
@@ -147,7 +147,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         else _mapper.NoteMissingEnd(_record);
     }
 
-    /// <summary>The attributes of an INSERT are texts of that copy: counted, but not entities of their own.</summary>
+    /// <summary>The attributes of an INSERT are texts of that copy: counted, but not as separate entities.</summary>
     private int ReadAttributes()
     {
         var count = 0;

@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Reads what entities refer to: the layers and text styles of TABLES, the blocks of BLOCKS.</summary>
+/// <summary>Reads the definitions to which entities refer: the layers and text styles of TABLES, the blocks of BLOCKS.</summary>
 internal sealed class DefinitionReader(
     RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, LinetypeTable linetypes, Dictionary<int, BlockDefinition> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
 {
@@ -21,7 +21,7 @@ internal sealed class DefinitionReader(
     /// <summary>Where the blocks of model space begin, if they are not empty: some programs write the drawing there and not in ENTITIES.</summary>
     public List<(int Position, int Line)> ModelSpaceBlocks { get; } = [];
 
-    /// <summary>Reads a definition; any other record is skipped, and reported when it does not belong into the section.</summary>
+    /// <summary>Reads a definition; any other record is skipped, and reported when it does not belong in the section.</summary>
     /// <param name="section">HEADER, TABLES, BLOCKS, or "" outside of every section.</param>
     public void Take(string section)
     {
@@ -42,7 +42,7 @@ internal sealed class DefinitionReader(
         records.Skip();
     }
 
-    /// <summary>Forgets the unfinished block: no record that follows belongs to it.</summary>
+    /// <summary>Discards the unfinished block: no record that follows belongs to it.</summary>
     public void Finish() => Unfinished = null;
 
     private void TakeTableEntry()
@@ -86,7 +86,8 @@ internal sealed class DefinitionReader(
 
     private bool EndsBlock() => records.Next is RecordKind.Block or RecordKind.BlockEnd or RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
-    /// <summary>Adds a block. An external reference without content is not added, because its drawing is in another file: its inserts are then refused instead of drawing nothing.</summary>
+    /// <summary>Adds a block. An external reference without content is not added, because its drawing is in another file: its inserts are then refused instead
+    /// of drawing nothing.</summary>
     private void Define(BlockDefinition block)
     {
         if (_record.Fault is { } fault) balance.AddInBlock(fault);

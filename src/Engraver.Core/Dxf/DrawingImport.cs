@@ -10,7 +10,7 @@ using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Reads one file into a <see cref="Drawing"/>: goes through the sections and holds what they share.</summary>
+/// <summary>Reads one file into a <see cref="Drawing"/>: processes the sections and holds their shared data.</summary>
 internal sealed class DrawingImport
 {
     private readonly DxfTagSource _tags;
@@ -57,7 +57,7 @@ internal sealed class DrawingImport
         _modelSpace = new ModelSpaceContent(_curves, expander, _texts, _points, _construction, _balance, _log);
     }
 
-    /// <summary>Reads all sections; false when there is none, so that the file is not a DXF.</summary>
+    /// <summary>Reads all sections; false when there is none and the file is therefore not a DXF.</summary>
     public bool ReadSections()
     {
         while (_records.Next != RecordKind.FileEnd)
@@ -142,14 +142,15 @@ internal sealed class DrawingImport
     private bool IsAheadOfItsBlocks()
     {
         if (_readBlocks && _readTables) return false; // the usual order; no need to search the whole file
-        // Looked up once: a hostile file may have as many sections as it has lines.
+        // Looked up once: a malicious file may have as many sections as it has lines.
         _lastDefinitions ??= Math.Max(_tags.LastWord("BLOCKS"u8), _tags.LastWord("TABLES"u8));
         return _tags.Bookmark().Position < _lastDefinitions;
     }
 
     private bool AtSectionEnd() => _records.Next is RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
-    /// <summary>Skips a section of another program, or one that holds nothing to cut. Damage in it is reported, and so are records that can only be part of a drawing.</summary>
+    /// <summary>Skips a section of another program, or one without content to cut. Damage in it is reported, as are records that can only be part of a
+    /// drawing.</summary>
     private void PassSection(string name, int damages)
     {
         var (count, first) = (0, 0);
@@ -182,8 +183,8 @@ internal sealed class DrawingImport
     }
 
     /// <summary>
-    /// Records after a superfluous ENDSEC, or before the first SECTION. Definitions are taken; entities continue the block that the ENDSEC interrupted, and otherwise belong to
-    /// the drawing. The operator is told.
+    /// Records after a superfluous ENDSEC, or before the first SECTION. Definitions are read; entities continue the block that the ENDSEC interrupted, and
+    /// otherwise belong to the drawing. This is reported to the operator.
     /// </summary>
     private void ReadLoose()
     {
@@ -209,7 +210,7 @@ internal sealed class DrawingImport
         while (!AtSectionEnd()) _content.ReadEntity(_modelSpace);
     }
 
-    /// <summary>Reads the content of the block that is model space, last, because its inserts need the blocks after it.</summary>
+    /// <summary>Reads the content of the block that is model space last, because its inserts need the blocks after it.</summary>
     private void ReadModelSpaceBlock()
     {
         _records.PassOver();
@@ -232,8 +233,8 @@ internal sealed class DrawingImport
 }
 
 /// <summary>
-/// What follows the place where reading a binary file stopped. AutoCAD's vertical products (Map, Civil) write objects whose values are not as long as their group codes say,
-/// so that nothing after such a value can be found again; AutoCAD can, because it calls the object's own code.
+/// The bytes after the position where reading a binary file stopped. AutoCAD's vertical products (Map, Civil) write objects whose values do not have the length
+/// of their group codes, so that the data after such a value cannot be located; AutoCAD can, because it calls the object's own code.
 /// </summary>
 internal static class UnreadRest
 {

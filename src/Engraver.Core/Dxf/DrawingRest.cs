@@ -3,10 +3,11 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>What a file held besides the curves, texts and points of its drawing.</summary>
+/// <summary>The content of a file apart from the curves, texts and points of its drawing.</summary>
 public static class DrawingRest
 {
-    /// <summary>Model-space records that became neither curve, text nor point, by type: construction, what was refused; points beyond those that are kept, also in blocks. Empty when nothing would be lost.</summary>
+    /// <summary>Model-space records that did not become a curve, text or point, by type: construction, refused records; points beyond those that are kept, also
+    /// in blocks. Empty when nothing would be lost.</summary>
     public static IReadOnlyList<(string Type, int Count)> Find(Drawing drawing)
     {
         var rest = new SortedDictionary<string, int>(StringComparer.Ordinal);

@@ -11,27 +11,27 @@ namespace Engraver.Core.Dxf;
 /// <summary>Reads a DXF of any version, ASCII or binary.</summary>
 public static class DxfReader
 {
-    /// <summary>The entity types that are known, by what becomes of them; docs/diagnostics.md lists them.</summary>
+    /// <summary>The known entity types, by how they are handled; docs/diagnostics.md lists them.</summary>
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> TypeFates => RecordKinds.Fates();
 
     private const int ShownStart = 24;
 
-    /// <summary>Bytes by which a text is known.</summary>
+    /// <summary>Number of bytes from which a text is recognised.</summary>
     private const int FirstBytes = 64;
 
     private static readonly SearchValues<byte> VersionBytes = SearchValues.Create("0123456789."u8);
 
     /// <summary>
-    /// Every curve of model space, blocks expanded, in drawing units. Whatever the bytes are, it returns a drawing; what could not be read is in its
-    /// balance and its diagnostics, each with type, handle and line. A bad entity is left out alone, without any other.
+    /// Every curve of model space, blocks expanded, in drawing units. It returns a drawing for any input; whatever could not be read is in its
+    /// balance and its diagnostics, each with type, handle and line. A bad entity is left out alone; all others are kept.
     /// </summary>
     /// <param name="file">The whole file.</param>
     /// <param name="fileName">Name for messages; no file is opened.</param>
-    /// <param name="options">What the operator decided.</param>
+    /// <param name="options">The operator's choices.</param>
     /// <param name="cancellation">Ends reading with an <see cref="OperationCanceledException"/>.</param>
     public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation) => ReadWhole(new WholeBytes(file), fileName, options, cancellation);
 
-    /// <summary>The same of a file that is still being read: a text is understood while it arrives, anything else when it is there.</summary>
+    /// <summary>The same for a file that is still being read: a text is parsed while it arrives, any other file when it is complete.</summary>
     /// <inheritdoc cref="Read(ReadOnlyMemory{byte}, string, DxfReadOptions, CancellationToken)"/>
     /// <exception cref="IOException">The file cannot be read to its end, or has become shorter.</exception>
     public static Drawing Read(IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
@@ -70,7 +70,8 @@ public static class DxfReader
         return new AsciiTagSource(narrowed is null ? file : new WholeBytes(narrowed)) { IsUtf8 = narrowed is not null || file.Bytes.AsSpan().StartsWith("\uFEFF"u8) };
     }
 
-    /// <summary>True for what can only be a text of one byte a letter: a group code of 0 or 999 comes first, with blanks before it or not.</summary>
+    /// <summary>True for a file that can only be a text of one byte per character: a group code of 0 or 999 comes first, with or without blanks before
+    /// it.</summary>
     private static bool BeginsAsText(ReadOnlySpan<byte> bytes) => !bytes.Contains((byte)0) && bytes.TrimStart((byte)' ') is [(byte)'0' or (byte)'9', ..];
 
     /// <summary>True for a DWG, which begins with AC and four digits or dots (the first releases: MC0.0), then binary; in a DXF no version is in the first line.</summary>
@@ -95,9 +96,10 @@ public static class DxfReader
     private static Drawing Unreadable(string fileName, long bytes, Diagnostic why) => Drawing.Unusable(fileName, bytes, why);
 }
 
-/// <summary>What the operator decides before a drawing is read.</summary>
+/// <summary>The operator's choices before a drawing is read.</summary>
 /// <param name="UnitOverride">The unit to use instead of the file's (its <see cref="LengthUnit.Source"/> is "option"); null uses the file's.</param>
-/// <param name="MaxExpandedCurves">Most curves and nested inserts that the expansion of blocks may visit in one drawing; an INSERT beyond that is refused by name.</param>
+/// <param name="MaxExpandedCurves">Maximum number of curves and nested inserts that the expansion of blocks may visit in one drawing; an INSERT beyond that is
+/// refused by name.</param>
 /// <param name="Cut">Construction that is cut like curves.</param>
 public sealed record DxfReadOptions(LengthUnit? UnitOverride = null, int MaxExpandedCurves = 10_000_000, CutChoice Cut = CutChoice.None)
 {

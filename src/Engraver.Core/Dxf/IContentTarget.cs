@@ -5,7 +5,7 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Where the records of a BLOCK or of model space go.</summary>
+/// <summary>Receives the records of a BLOCK or of model space.</summary>
 internal interface IContentTarget
 {
     /// <summary>False for records that the target ignores (paper space).</summary>
@@ -18,21 +18,21 @@ internal interface IContentTarget
 
     void AddInsert(EntityRecord record, in BlockInsert insert, int attributes);
 
-    /// <summary>A text, point, dimension and the like: drawn, not cut.</summary>
+    /// <summary>A text, point, dimension or other construction: drawn, not cut.</summary>
     void AddConstruction(EntityRecord record);
 
     /// <summary>The content of a text that has already been counted.</summary>
     void AddText(PlacedText text);
 
-    /// <summary>A constant attribute, which every copy of its block shows. In model space, where it is a template, nothing becomes of it.</summary>
+    /// <summary>A constant attribute, which every copy of its block shows. In model space, where it is a template, it is ignored.</summary>
     void AddConstant(EntityRecord record, PlacedText text);
 
-    /// <summary>The place of a point that has already been counted.</summary>
+    /// <summary>The position of a point that has already been counted.</summary>
     void AddPoint(PlacedPoint point);
 
-    /// <summary>A finding about a record that was taken.</summary>
+    /// <summary>A finding about a record that was accepted.</summary>
     void Note(in RecordIssue oddity);
 
-    /// <summary>A record that should have given a curve and did not.</summary>
+    /// <summary>A record that should have given a curve but did not.</summary>
     void Refuse(EntityRecord record, in RecordIssue issue);
 }

@@ -6,7 +6,7 @@ using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded in their order.</summary>
+/// <summary>Takes the records of model space: curves are added directly to the drawing's columns, inserts are expanded in their order.</summary>
 internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, PointExpander points, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
 {
     /// <summary>Records of paper space that would be cut or shown in model space.</summary>

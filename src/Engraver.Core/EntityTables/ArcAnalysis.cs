@@ -5,7 +5,8 @@ namespace Engraver.Core.EntityTables;
 /// <summary>The paper's "DXF analysis": end points and rotation angle of arcs, start point of circles (paper 001, section 4.2).</summary>
 public static class ArcAnalysis
 {
-    /// <summary>The table with slots 1 to 6 and 15 filled for arcs and circles; circles start at their right quadrant point until sequencing decides. Lines, ellipses and splines pass unchanged; a table of these alone is returned as it is.</summary>
+    /// <summary>The table with slots 1 to 6 and 15 filled for arcs and circles; circles start at their right quadrant point until sequencing decides. Lines,
+    /// ellipses and splines are not changed; a table with these only is returned unchanged.</summary>
     public static EntityTable Analyse(EntityTable table)
     {
         if (!HasArcs(table)) return table;

@@ -5,10 +5,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>Findings about a drawing before it is cut: visible content that is not cut, heights that a flat machine does not have, a size or position that no machine reaches.</summary>
+/// <summary>Findings about a drawing before it is cut: visible content that is not cut, heights that a flat machine does not have, a size or position that
+/// exceeds every machine.</summary>
 public static class CutFindings
 {
-    /// <summary>Largest size in either direction, mm; about that of the largest flat-bed machines on the market. A profile does not hold the size of its machine's table yet.</summary>
+    /// <summary>Largest size in either direction, mm; about that of the largest flat-bed machines on the market. A profile does not yet contain the size of its
+    /// machine's table.</summary>
     public const double LargestMm = 10_000.0;
 
     /// <summary>Largest distance from the tool's start, mm: the diagonal of the largest machine, with some room.</summary>
@@ -17,7 +19,7 @@ public static class CutFindings
     /// <param name="selection">The layers that are cut.</param>
     /// <param name="toolStart">The drawing point at which the tool is, mm.</param>
     /// <param name="joinTolerance">As for sequencing; heights that differ by less are equal.</param>
-    /// <param name="cutsHeights">An axis moves the tool, so that heights are cut and need no word.</param>
+    /// <param name="cutsHeights">An axis moves the tool, so heights are cut and are not reported.</param>
     public static IReadOnlyList<Diagnostic> Find(Drawing drawing, LayerSelection selection, Point2D toolStart, double joinTolerance, bool cutsHeights = false)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -44,7 +46,7 @@ public static class CutFindings
         findings.Add(PreparationRules.TooLarge.At(default, Number(bounds.Width), Number(bounds.Height), Number(distance), Number(LargestMm), Number(FarthestMm), Guess(drawing.Unit, bounds)));
     }
 
-    /// <summary>What drawings with such numbers usually mean.</summary>
+    /// <summary>The probable cause of such numbers in a drawing.</summary>
     private static string Guess(LengthUnit unit, Bounds2D bounds)
     {
         var size = Math.Max(bounds.Width, bounds.Height);

@@ -1,11 +1,12 @@
 namespace Engraver.Core.EntityTables;
 
 /// <summary>The height (z, millimetres) at which each segment of a table begins and ends: slots 3 and 6. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
-/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) separates nothing. A level is no higher than the tolerance: the small steps of a ramp do not
+/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) does not separate levels. A level is no
+/// higher than the tolerance: the small steps of a ramp do not
 /// make one of all depths. A drawing at one level, at any height, is flat.</remarks>
 public sealed class EndHeights
 {
-    /// <summary>Heights that differ by no more belong to one place, and no level ends between them, mm.</summary>
+    /// <summary>Heights that differ by no more are at one place, and a level does not end between them, mm.</summary>
     private const double Noise = 1e-6;
 
     private readonly double[] _heights;

@@ -19,7 +19,7 @@ internal struct EntitySlots
         if (this[EntitySlot.Sweep] != 0.0) this[EntitySlot.Sweep] = -this[EntitySlot.Sweep];
     }
 
-    /// <summary>Makes a circle start and end in the direction <paramref name="start"/> from its centre; its direction of travel stays.</summary>
+    /// <summary>Makes a circle start and end in the direction <paramref name="start"/> from its centre; its direction of travel does not change.</summary>
     public void StartCircleAt(Angle start)
     {
         var place = Centre + Vector2D.FromPolar(this[EntitySlot.Radius], start);

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>Drawing to entity table: the only place where drawing units become millimetres.</summary>
+/// <summary>Converts a drawing to an entity table: the only place where drawing units become millimetres.</summary>
 public static class EntityTableBuilder
 {
     /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are divided into their parts (paper 001, section 3.3).</summary>
@@ -21,7 +21,7 @@ public static class EntityTableBuilder
         return table;
     }
 
-    /// <summary>The same of some entities, in file order, whatever their layer; what is hidden itself is left out.</summary>
+    /// <summary>The rows of the given entities, in file order, on any layer; an entity that is hidden itself is left out.</summary>
     public static EntityTable Build(Drawing drawing, IEnumerable<int> entities)
     {
         var table = new EntityTable();
@@ -83,6 +83,6 @@ public static class EntityTableBuilder
         return slots;
     }
 
-    /// <summary>End angle in [0, 360]: 350 to 10 degrees is written as 10, not 370; 270 to 360 stays 360.</summary>
+    /// <summary>End angle in [0, 360]: 350 to 10 degrees is written as 10, not 370; 270 to 360 remains 360.</summary>
     private static double WithinOneTurn(double degrees) => degrees > 360.0 ? degrees - 360.0 : degrees < -360.0 ? degrees + 360.0 : degrees;
 }

@@ -14,7 +14,7 @@ public static class EntityTableCsv
         }
     }
 
-    /// <summary>The 16 cells with commas between them; JSON spells them the same way.</summary>
+    /// <summary>The 16 cells with commas between them; JSON has the same cells.</summary>
     internal static void WriteCells(EntityRow row, TextWriter output)
     {
         for (var slot = 0; slot < EntitySlot.Count; slot++)

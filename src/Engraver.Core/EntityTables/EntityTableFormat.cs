@@ -1,6 +1,6 @@
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The formats in which a table is written, by the names of the runner's contract.</summary>
+/// <summary>The formats in which a table is written, by their names.</summary>
 public static class EntityTableFormat
 {
     public static IReadOnlyList<string> Names { get; } = ["text", "csv", "json"];

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The table for people: columns s0 to s15 under their headings, numbers right-aligned, each column as wide as its longest number.</summary>
+/// <summary>The table as readable text: columns s0 to s15 under their headings, numbers right-aligned, each column as wide as its longest number.</summary>
 public static class EntityTableText
 {
     private const string Gap = "  ";

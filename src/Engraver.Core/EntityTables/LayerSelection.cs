@@ -3,7 +3,7 @@ using Engraver.Core.Drawings;
 namespace Engraver.Core.EntityTables;
 
 /// <summary>Which layers are cut. Default: on, not frozen, plotted. Names are compared without regard to case, as in DXF.</summary>
-/// <remarks>An entity that is hidden itself (code 60, or by its insert) is never cut, whatever the selection says about its layer.</remarks>
+/// <remarks>An entity that is hidden itself (code 60, or through its insert) is never cut, even if the selection includes its layer.</remarks>
 /// <param name="Only">When not empty: only these layers, even when they are off, frozen or not plotted.</param>
 /// <param name="Skip">Layers that are left out.</param>
 public sealed record LayerSelection(IReadOnlyList<string> Only, IReadOnlyList<string> Skip)

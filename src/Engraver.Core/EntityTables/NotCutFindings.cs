@@ -4,7 +4,8 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>Visible content of the layers that are cut which is not cut itself: texts, and construction such as hatches, dimensions and points. Refused entities are not among it; the drawing's balance has them.</summary>
+/// <summary>Visible content of the layers that are cut which is not cut itself: texts, and construction such as hatches, dimensions and points. Refused
+/// entities are not included; the drawing's balance lists them.</summary>
 /// <param name="Counts">By DXF type, in the order of their names, blocks expanded; empty when everything visible is cut.</param>
 /// <param name="First">Where the first of them is in the file.</param>
 public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, SourceRef First)
@@ -35,13 +36,13 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         }
     }
 
-    /// <summary>For example "1 HATCH, 2 TEXT"; "" when nothing is left.</summary>
+    /// <summary>For example "1 HATCH, 2 TEXT"; "" when there is none.</summary>
     public string Subject => string.Join(", ", Counts.Select(pair => FormattableString.Invariant($"{pair.Value} {pair.Key}")));
 
-    /// <summary>The same as a part of a sentence about a job; "" when nothing is left.</summary>
+    /// <summary>The same as a part of a sentence about a job; "" when there is none.</summary>
     public string Clause => Counts.Count == 0 ? "" : Wording.Get("NotCutFindings.VisibleNotCut", Subject);
 
-    /// <summary>How to have it cut, instructions in a row, with settings named by their keys; "" when nothing is left.</summary>
+    /// <summary>How to have it cut, as consecutive instructions, with settings named by their keys; "" when there is none.</summary>
     public string HowTo
     {
         get
@@ -56,7 +57,7 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         }
     }
 
-    /// <summary>What can be done about a type of entity: not everything can be named in [cut].</summary>
+    /// <summary>The possible action for a type of entity: not every type is allowed in [cut].</summary>
     private static string WayOf(string type) => type switch
     {
         "POINT" => "NotCutFindings.Points",
@@ -65,9 +66,9 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         _ => "NotCutFindings.Others",
     };
 
-    /// <summary>The word of [cut] for a type; null for one that it does not know.</summary>
+    /// <summary>The word of [cut] for a type; null for a type that it does not include.</summary>
     private static string? ChoiceOf(string type) => RecordKinds.ChoiceOf(RecordKinds.Find(type)) is not CutChoice.None and var choice ? choice.ToString().ToLowerInvariant() : null;
 
-    /// <summary>The finding about it; null when nothing is left.</summary>
+    /// <summary>The finding about this content; null when there is none.</summary>
     public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject) with { Advice = Wording.Get("NotCutFindings.Advice", HowTo) };
 }

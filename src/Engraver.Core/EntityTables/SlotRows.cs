@@ -5,7 +5,8 @@ using System.Runtime.Intrinsics;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The slots of a table's rows, in chunks. A slot that is the same in all rows of a chunk (what lines have in the slots of arcs, heights of a flat drawing) is one number; the others of a row lie side by side, because rows are read in the order of cutting, which is no order of the file.</summary>
+/// <summary>The slots of a table's rows, in chunks. A slot that is the same in all rows of a chunk (the arc slots of lines, heights of a flat drawing) is one
+/// number; the others of a row are adjacent in memory, because rows are read in the order of cutting, which differs from the order of the file.</summary>
 internal sealed class SlotRows
 {
     private const int ChunkShift = 10;
@@ -38,10 +39,10 @@ internal sealed class SlotRows
         /// <summary>The value of all rows where they do not differ.</summary>
         private readonly EntitySlots _first = first;
 
-        /// <summary>For each slot its place among those that differ; negative for the others.</summary>
+        /// <summary>For each slot its index among those that differ; negative for the others.</summary>
         private PlacesOfSlots _placeOf = PlacesOfSlots.AllSame;
 
-        /// <summary>The slots that differ, in the order in which they began to.</summary>
+        /// <summary>The slots that differ, in the order in which they first differed.</summary>
         private PlacesOfSlots _differing;
         private int _width;
 
@@ -87,7 +88,7 @@ internal sealed class SlotRows
             return unlike;
         }
 
-        /// <summary>Makes room for slots that differ from now on; they were the same in all rows so far.</summary>
+        /// <summary>Adds space for slots that differ from now on; they were the same in all rows so far.</summary>
         private void Widen(int before, int rows)
         {
             var cells = GC.AllocateUninitializedArray<double>(ChunkSize * _width);

@@ -10,7 +10,7 @@ internal sealed class KerfCheck
     /// <summary>Fractions of a segment at which it is measured.</summary>
     private static readonly double[] s_fractions = [0.0, 0.13, 0.5, 0.81];
 
-    /// <summary>Sample points on a drawn segment per quarter of the radius, and the minimum and maximum for a segment.</summary>
+    /// <summary>Number of sample points on a drawn segment per radius of its length, and the minimum and maximum for a segment.</summary>
     private const double StepsPerRadius = 8.0;
 
     private const int FewestSteps = 4;

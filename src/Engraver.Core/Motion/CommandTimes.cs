@@ -25,7 +25,8 @@ public abstract class CommandTimes
     /// <summary>Counts/s at which the tool's axis moves down to the work.</summary>
     public abstract double PlungeSpeed(MachineProfile profile);
 
-    /// <summary>Time of one tool change of state with its settle time; where an axis is the tool drive, of the commands for its moves.</summary>
+    /// <summary>Time to switch the tool on or off once, with its settle time; where an axis is the tool drive, the time of the commands for its
+    /// moves.</summary>
     /// <param name="at">Position of the machine, job frame.</param>
     /// <param name="on">The tool is switched on or moves to the work; otherwise off or away from it.</param>
     /// <param name="moving">Duration of the moves of the tool's axis; 0 where an output is the tool.</param>

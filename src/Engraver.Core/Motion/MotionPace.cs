@@ -63,7 +63,8 @@ public sealed class MotionPace
         }
     }
 
-    /// <summary>The beginning of a sequence that ends where a move ended: where the path comes there several times the one that takes a similar time, of these the nearest. All of it where there is none.</summary>
+    /// <summary>The part of a sequence up to the point where a move ended: where the path reaches that point several times, the part with a similar duration,
+    /// of these the nearest. The whole sequence where there is none.</summary>
     private VectorSequence UpTo(PaceMove last, VectorSequence sequence)
     {
         var scale = _program.Profile.Scale;

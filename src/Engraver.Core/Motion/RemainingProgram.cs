@@ -137,7 +137,8 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
             return arc with { End = CountsScale.Round(new SegmentCourse(start, arc).At(left)) with { Z = segment.End.Z } };
         }
 
-        /// <summary>From a segment on. Where the first one ends beside its planned end, arcs behind it are shifted by as much, until a line ends at its own place again.</summary>
+        /// <summary>The rest from a segment on. Where the first one ends beside its planned end, the arcs after it are shifted by the same distance, until a
+        /// line ends at its planned end again.</summary>
         private MotionStroke Rest(int at, CountsPoint start, VectorSegment first)
         {
             var sequences = new List<VectorSequence>();
@@ -169,14 +170,15 @@ public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, 
 /// <summary>Finds places on a motion program.</summary>
 public static class PlaceOnProgram
 {
-    /// <summary>The counter may be older than the position by a reply's time: short segments may have ended meanwhile.</summary>
+    /// <summary>The counter may be older than the position by the time of one reply: short segments may have ended meanwhile.</summary>
     private const int SegmentsAhead = 12;
 
-    /// <summary>Where on a program a machine was.</summary>
+    /// <summary>Finds the place of a machine on a program.</summary>
     /// <param name="segments">Segments that were done when the position was read, or a few fewer.</param>
     /// <param name="at">Position, job frame.</param>
     /// <param name="tolerance">A position further from a segment than this is not on it, counts.</param>
-    /// <returns>The first place from there on that fits; the beginning of the segment where none does, so that nothing is left out. Heights count where an axis holds the tool.</returns>
+    /// <returns>The first matching place from there on; the beginning of the segment where none matches, so that no part is left out. Heights count where an
+    /// axis is the tool drive.</returns>
     public static JobPlace Find(MotionProgram program, int segments, CountsPoint at, double tolerance)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -196,7 +198,7 @@ public static class PlaceOnProgram
         return (course.DistanceTo(place), course.AlongTo(place, tolerance));
     }
 
-    /// <summary>Of a line that may rise or fall.</summary>
+    /// <summary>The distance from a line that may rise or fall, and along it.</summary>
     private static (double Away, double Along) InSpace(CountsPoint start, CountsPoint end, CountsPoint at)
     {
         var length = Length(start, end);

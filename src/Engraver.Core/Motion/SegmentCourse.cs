@@ -3,8 +3,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>One segment of a vector sequence as a course: from how far along it to a place, and back. Lengths are counts.</summary>
-/// <param name="start">Where it begins.</param>
+/// <summary>One segment of a vector sequence as a course: converts a length along it to a point, and back. Lengths are counts.</summary>
+/// <param name="start">Start point.</param>
 public readonly struct SegmentCourse(Point2D start, VectorSegment segment)
 {
     public SegmentCourse(CountsPoint start, in VectorSegment segment)
@@ -16,7 +16,7 @@ public readonly struct SegmentCourse(Point2D start, VectorSegment segment)
 
     private Point2D End => new(segment.End.X, segment.End.Y);
 
-    /// <summary>Of an arc; it begins exactly at the start.</summary>
+    /// <summary>The arc of the segment; it begins exactly at the start.</summary>
     private ArcSegment Arc
     {
         get
@@ -26,7 +26,7 @@ public readonly struct SegmentCourse(Point2D start, VectorSegment segment)
         }
     }
 
-    /// <summary>The place so far along; both ends are included.</summary>
+    /// <summary>The point at this length along the segment; both ends are included.</summary>
     public Point2D At(double along)
     {
         var part = Length <= 0.0 ? 0.0 : Math.Clamp(along / Length, 0.0, 1.0);
@@ -36,8 +36,8 @@ public readonly struct SegmentCourse(Point2D start, VectorSegment segment)
 
     public double DistanceTo(Point2D place) => segment.Kind == VectorSegmentKind.Line ? new LineSegment(start, End).DistanceTo(place) : Arc.DistanceTo(place);
 
-    /// <summary>How far along the nearest point to a place is that lies on the segment.</summary>
-    /// <param name="tolerance">Where a whole turn begins it also ends: so near to the start nothing counts as passed.</param>
+    /// <summary>Length along the segment to its point nearest to a place.</summary>
+    /// <param name="tolerance">A whole turn ends where it begins: a place this near to the start counts as length 0.</param>
     public double AlongTo(Point2D place, double tolerance)
     {
         if (segment.Kind == VectorSegmentKind.Line)

@@ -3,10 +3,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>The spans of a motion program as a column, 13 bytes each: how long, and which part of which sequence. Where a span begins and ends is read from the program when it is looked at.</summary>
+/// <summary>The spans of a motion program as a column, 13 bytes each: duration, and the part of the sequence. The start and end point of a span are read from
+/// the program on access.</summary>
 internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : IReadOnlyList<MotionSpan>
 {
-    /// <summary>The begin of every so many spans is kept; those between are added up again, by the same sums.</summary>
+    /// <summary>The start time of every span at this interval is stored; those between are added up again, by the same sums.</summary>
     private const int Stride = 16;
 
     private const int PartBits = 3;
@@ -18,7 +19,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
     /// <summary>Parts of a stroke in time, in their order.</summary>
     internal enum SpanPart
     {
-        /// <summary>The tool is raised from where it was found.</summary>
+        /// <summary>The tool is raised from its present height.</summary>
         Raise,
         Wait,
         Rapid,
@@ -27,7 +28,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
         Cut,
         ToolOff,
 
-        /// <summary>The way to where the program finishes.</summary>
+        /// <summary>The move to the finish of the program.</summary>
         Finish,
     }
 
@@ -38,7 +39,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
 
     public MotionSpan this[int index] => Span(index, StartOf(index));
 
-    /// <param name="sequence">Among the sequences of all strokes.</param>
+    /// <param name="sequence">Index among the sequences of all strokes.</param>
     public void Add(SpanPart part, double seconds, int sequence)
     {
         if (Count % Stride == 0) _starts.Add(End);
@@ -47,7 +48,7 @@ internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : 
         End += seconds;
     }
 
-    /// <summary>The last span that begins at a moment or before it; 0 before the first, -1 when there is none.</summary>
+    /// <summary>The last span that begins at a time or before it; 0 before the first, -1 when there is none.</summary>
     public int At(double seconds)
     {
         if (Count == 0) return -1;

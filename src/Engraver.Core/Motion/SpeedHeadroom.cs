@@ -3,14 +3,15 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>How much faster than planned sequences may be cut. A factor scales the speed and not the acceleration, so a bend that the plan allows may be too sharp for it.</summary>
+/// <summary>The factor by which sequences may be cut faster than planned. A factor scales the speed and not the acceleration, so a bend that the plan allows
+/// may be too sharp for it.</summary>
 public static class SpeedHeadroom
 {
     private const double Step = 0.1;
 
-    /// <summary>The largest factor, in steps of a tenth, at which every limit that the plan keeps is kept.</summary>
+    /// <summary>The largest factor, in steps of a tenth, at which every limit that the plan keeps is still kept.</summary>
     /// <param name="fastest">The controller's fastest speed along a path, counts/s.</param>
-    /// <param name="most">No more is asked for.</param>
+    /// <param name="most">Upper limit of the factor.</param>
     /// <returns>At least 1: the plan itself.</returns>
     public static double Of(IEnumerable<VectorSequence> sequences, MachineProfile profile, double fastest, double most)
     {
@@ -26,14 +27,15 @@ public static class SpeedHeadroom
         return Math.Max(1.0, Math.Floor((headroom / Step) + 1e-6) * Step);
     }
 
-    /// <summary>Across an arc the acceleration is the square of the speed by the radius.</summary>
+    /// <summary>Across an arc the acceleration is the square of the speed divided by the radius.</summary>
     private static double OfArcs(VectorSequence sequence, double acceleration) => sequence.Segments
         .Where(segment => segment.Kind == VectorSegmentKind.Arc)
         .Select(segment => Math.Sqrt(acceleration * segment.Radius) / sequence.Speed)
         .DefaultIfEmpty(double.PositiveInfinity)
         .Min();
 
-    /// <summary>At a joint the velocity jumps by 2 v sin(turn / 2) (galil-dmc.md B.5). No jump becomes larger than the plan allows at the sharpest turn that it runs through, at the planned speed.</summary>
+    /// <summary>At a joint the velocity changes by 2 v sin(turn / 2) (galil-dmc.md B.5). The change must not become larger than the plan allows at the sharpest
+    /// turn that it runs without a stop, at the planned speed.</summary>
     private static double OfJoints(VectorSequence sequence, MachineProfile profile)
     {
         var sharpest = 0.0;
@@ -61,7 +63,7 @@ public static class SpeedHeadroom
     /// <summary>Sine of half the angle between two directions: half the length of their difference.</summary>
     private static double HalfTurnSine((double X, double Y, double Z) one, (double X, double Y, double Z) other) => double.Hypot(double.Hypot(one.X - other.X, one.Y - other.Y), one.Z - other.Z) / 2.0;
 
-    /// <summary>Places at which the path turns too sharply to be run through at this factor of its speed.</summary>
+    /// <summary>Number of places at which the path turns too sharply to be run without a stop at this factor of its speed.</summary>
     private static int Corners(VectorSequence sequence, MachineProfile profile, double factor)
     {
         var detector = new CornerDetector(profile, sequence.Speed * factor);

@@ -11,7 +11,7 @@ public readonly record struct SpeedTrapezoid(double Distance, double TopSpeed, d
 
     public double Seconds => Time(Distance, TopSpeed, Acceleration);
 
-    /// <summary>Distance covered after some seconds; within 0 and <see cref="Distance"/>.</summary>
+    /// <summary>Distance covered after this time; between 0 and <see cref="Distance"/>.</summary>
     public double DistanceAt(double seconds)
     {
         if (seconds <= 0.0) return 0.0;

@@ -3,12 +3,12 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Motion;
 
-/// <summary>The segment that was under way when a job ended: the controller counts whole segments only, but it has also said where it was.</summary>
+/// <summary>The segment that was in progress when a job ended: the controller counts whole segments only, but it has also reported its position.</summary>
 public static class UnfinishedSegment
 {
-    /// <summary>How far the segment was cut, by the last position that was polled on it with the tool on.</summary>
+    /// <summary>The cut length of the segment, by the last position that was polled on it with the tool on.</summary>
     /// <param name="tolerance">A position further from the segment than this is not on it, counts.</param>
-    /// <returns>Counts along the segment, never more than was cut; 0 when no such position is known or the job was cut whole.</returns>
+    /// <returns>Counts along the segment, never more than was cut; 0 when no such position is known or the whole job was cut.</returns>
     public static double CutLength(MotionProgram program, JobResult result, double tolerance)
     {
         ArgumentNullException.ThrowIfNull(program);

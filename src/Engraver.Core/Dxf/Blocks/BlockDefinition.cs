@@ -17,7 +17,7 @@ internal sealed class BlockDefinition(string name, Vector3D basePoint, int first
     /// <summary>Index after the last curve.</summary>
     public int EndCurve { get; set; } = firstCurve;
 
-    /// <summary>True when inserting it draws nothing and reports nothing.</summary>
+    /// <summary>True when inserting it does not draw or report anything.</summary>
     public bool IsEmpty => EndCurve == FirstCurve && Inserts.Count == 0 && Issues.Count == 0 && Texts.Count == 0 && Construction.Count == 0;
 
     /// <summary>Steps of an expansion beyond one for each curve: a spline may have a million spans.</summary>

@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Puts the curves of a block into the drawing, once for every copy. The cost is known before the first curve is placed.</summary>
+/// <summary>Adds the curves of a block to the drawing, once for every copy. The cost is known before the first curve is placed.</summary>
 internal sealed class BlockExpander(
     IReadOnlyDictionary<int, BlockDefinition> blocks,
     NameTable blockNames,
@@ -26,7 +26,7 @@ internal sealed class BlockExpander(
     private BlockWalk? _walk;
     private long _steps;
 
-    /// <summary>Expands an insert of model space. Returns the finding when nothing, or not everything, was drawn; null when all went well.</summary>
+    /// <summary>Expands an insert of model space. Returns the finding when nothing, or not everything, was drawn; otherwise null.</summary>
     public RecordIssue? Expand(in BlockInsert insert)
     {
         var name = blockNames[insert.Block];

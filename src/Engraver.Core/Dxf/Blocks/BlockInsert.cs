@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>An INSERT as written: which block, where and how often. The block's base point is not yet subtracted.</summary>
+/// <summary>An INSERT as written: the block, its position and the number of copies. The block's base point is not yet subtracted.</summary>
 internal readonly record struct BlockInsert
 {
     private const int MostCopies = short.MaxValue;
@@ -34,7 +34,7 @@ internal readonly record struct BlockInsert
 
     public string Type { get; }
 
-    /// <summary>Group code of a scale factor of zero: 41 (no width is left) or 42 (no height); 0 when neither is zero.</summary>
+    /// <summary>Group code of a scale factor of zero: 41 (no width remains) or 42 (no height); 0 when neither is zero.</summary>
     public int ZeroScaleCode { get; }
 
     /// <summary>Number of the block's name.</summary>

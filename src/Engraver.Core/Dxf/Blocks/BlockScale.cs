@@ -7,7 +7,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
 {
     private readonly HashSet<BlockDefinition> _open = [];
 
-    /// <summary>The weight of a block. A nested insert without a block, or of a block that contains itself, gets its obstacle and weighs nothing.</summary>
+    /// <summary>The weight of a block. A nested insert without a block, or of a block that contains itself, gets its obstacle and has no weight.</summary>
     public BlockWeight Weigh(BlockDefinition block)
     {
         if (block.Weight is { } known) return known;
@@ -78,7 +78,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
     }
 }
 
-/// <summary>What one copy of a block contains and costs. Sums are limited to <see cref="Most"/>, so that no nesting can overflow them.</summary>
+/// <summary>Content and cost of one copy of a block. Sums are limited to <see cref="Most"/>, so that no nesting can overflow them.</summary>
 /// <param name="Curves">Curves after full expansion.</param>
 /// <param name="Steps">Curves and inserts that an expansion visits; an insert without curves counts, but its content does not.</param>
 /// <param name="Loses">True when something in it was refused.</param>

@@ -4,7 +4,7 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Visits every copy of a block and of what is nested in it, in drawing order. Uses a stack of its own, so that nesting may be of any depth.</summary>
+/// <summary>Visits every copy of a block and of the blocks nested in it, in drawing order. Uses its own stack, so that nesting may be of any depth.</summary>
 internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, IBlockVisitor visitor, CancellationToken cancellation)
 {
     private readonly List<Visit> _open = [];
@@ -79,7 +79,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
     }
 }
 
-/// <summary>Receives what a <see cref="BlockWalk"/> visits.</summary>
+/// <summary>Receives the visits of a <see cref="BlockWalk"/>.</summary>
 internal interface IBlockVisitor
 {
     /// <summary>False to skip a block and everything nested in it.</summary>
@@ -88,6 +88,6 @@ internal interface IBlockVisitor
     /// <summary>Called at the beginning of a copy of a block.</summary>
     void Enter(BlockDefinition block, in Placement at, in InsertStyle style);
 
-    /// <summary>Curves of the copy, in order; the inserts between them come between two calls.</summary>
+    /// <summary>Curves of the copy, in order; the inserts between them are visited between two calls.</summary>
     void Curves(int first, int end, in Placement at, in InsertStyle style);
 }

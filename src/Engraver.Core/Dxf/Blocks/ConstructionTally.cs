@@ -9,7 +9,7 @@ namespace Engraver.Core.Dxf.Blocks;
 /// <summary>Counts visible construction by type and layer; in blocks once for every copy, up to the limit. Texts are not counted here: they are kept (<see cref="TextExpander"/>).</summary>
 internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
-    /// <summary>Most counts and inserts that are visited. In a larger drawing the reported numbers are too small, but never zero.</summary>
+    /// <summary>Maximum number of counts and inserts that are visited. In a larger drawing the reported numbers are too small, but never zero.</summary>
     private const int MostSteps = 1_000_000;
 
     private readonly Dictionary<(string Type, int Layer), (long Count, SourceRef First)> _counts = [];
@@ -17,7 +17,8 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
     private long _steps;
 
     /// <summary>True for a record that is drawn and counted here.</summary>
-    /// <param name="inBlock">True in a block, where an ATTDEF is not counted: it is a template, and the ATTRIB of each insert is what is seen; a constant one is a text.</param>
+    /// <param name="inBlock">True in a block, where an ATTDEF is not counted: it is a template, and the ATTRIB of each insert is visible; a constant one is a
+    /// text.</param>
     public static bool Counts(EntityRecord record, bool inBlock) =>
         !record.Invisible && record.Kind is not (RecordKind.Text or RecordKind.Attribute or RecordKind.Insert) && record.Type != "VIEWPORT" && !(inBlock && record.Kind == RecordKind.AttributeDefinition);
 
@@ -25,7 +26,7 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
 
     public void Add(EntityRecord record) => Add(record.Type, record.Layer, 1, SourceOf(record));
 
-    /// <summary>Counts what an insert of model space contains. The weight of its block is known.</summary>
+    /// <summary>Counts the content of an insert of model space. The weight of its block is known.</summary>
     public void Expand(in BlockInsert insert)
     {
         if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { ConstructionSteps: > 0 } weight) return;

@@ -3,10 +3,11 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Puts what is only shown (texts, points) into the drawing, of blocks once for every copy, up to a limit: beyond it they are only counted.</summary>
+/// <summary>Adds items that are only shown (texts, points) to the drawing, those of blocks once for every copy, up to a limit: beyond it they are only
+/// counted.</summary>
 internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
-    /// <summary>Most of them, with the inserts that lead to them, that are placed.</summary>
+    /// <summary>Maximum number of items, with the inserts that lead to them, that are placed.</summary>
     private const int MostSteps = 1_000_000;
 
     private readonly List<T> _placed = [];
@@ -15,7 +16,7 @@ internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition
 
     public IReadOnlyList<T> Placed => _placed;
 
-    /// <summary>True once some were left out.</summary>
+    /// <summary>True after an item was left out.</summary>
     public bool LeftOut { get; private set; }
 
     public void Add(T one)
@@ -24,7 +25,7 @@ internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition
         else LeftOut = true;
     }
 
-    /// <summary>Places those of an insert of model space. The weight of its block is known.</summary>
+    /// <summary>Places the items of an insert of model space. The weight of its block is known.</summary>
     public void Expand(in BlockInsert insert)
     {
         if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { } weight || StepsOf(weight) == 0) return;
@@ -53,12 +54,12 @@ internal abstract class CopyExpander<T>(IReadOnlyDictionary<int, BlockDefinition
     {
     }
 
-    /// <summary>What one copy of a block costs.</summary>
+    /// <summary>The cost of one copy of a block.</summary>
     protected abstract long StepsOf(BlockWeight weight);
 
-    /// <summary>Those directly in a block.</summary>
+    /// <summary>The items directly in a block.</summary>
     protected abstract IReadOnlyList<T> ContentOf(BlockDefinition block);
 
-    /// <summary>One of them in the world; false out of range.</summary>
+    /// <summary>One item in the world; false when it is out of range.</summary>
     protected abstract bool TryPlace(T one, in Placement at, in InsertStyle style, out T placed);
 }

@@ -9,7 +9,7 @@ namespace Engraver.Core.Dxf.Blocks;
 /// <param name="Colour">Colour of content "by block".</param>
 internal readonly record struct InsertStyle(int Layer, bool Hidden, DrawingColour Colour)
 {
-    /// <summary>The style of an INSERT in model space, where "by block" has nothing to refer to and becomes the foreground colour.</summary>
+    /// <summary>The style of an INSERT in model space, where "by block" has no reference and becomes the foreground colour.</summary>
     public static InsertStyle FromModelSpace(in BlockInsert insert) => new(insert.Layer, Hidden: false, insert.Colour.IsByBlock ? DrawingColour.Foreground : insert.Colour);
 
     /// <summary>The effective layer of content drawn on a layer.</summary>
@@ -17,7 +17,7 @@ internal readonly record struct InsertStyle(int Layer, bool Hidden, DrawingColou
 
     /// <param name="own">As written.</param>
     /// <param name="layer">The effective layer.</param>
-    /// <param name="layers">Gives the present colour of a layer, needed where the insert is coloured by another layer than this.</param>
+    /// <param name="layers">Gives the present colour of a layer, needed where the insert is coloured by another layer than this one.</param>
     public DrawingColour ColourOf(DrawingColour own, int layer, LayerTable layers)
     {
         if (!own.IsByBlock) return own;

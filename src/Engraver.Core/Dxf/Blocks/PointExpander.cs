@@ -4,7 +4,7 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Puts the points of blocks into the drawing, once for every copy.</summary>
+/// <summary>Adds the points of blocks to the drawing, once for every copy.</summary>
 internal sealed class PointExpander(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : CopyExpander<PlacedPoint>(blocks, layers, cancellation)
 {
     private readonly LayerTable _layers = layers;

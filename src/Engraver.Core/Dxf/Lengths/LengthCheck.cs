@@ -6,7 +6,8 @@ using Engraver.Core.Dxf.Records;
 namespace Engraver.Core.Dxf.Lengths;
 
 /// <summary>
-/// Compares the length of every curve that was read with the length that its numbers describe: a curve that became next to nothing is an error that names it, whatever the cause.
+/// Compares the length of every curve that was read with the length that its numbers describe: a curve that became almost empty is an error that names it,
+/// whatever the cause.
 /// Shares no code with the mapping, which it checks. Faces and multilines are left out: their lines join written points.
 /// </summary>
 internal sealed class LengthCheck(LayerTable layers)
@@ -24,7 +25,7 @@ internal sealed class LengthCheck(LayerTable layers)
 
     public void AddVertex(EntityRecord vertex) => _written.AddVertex(vertex);
 
-    /// <summary>The finding about a curve that is lost; null for every other, and for one that is not visible.</summary>
+    /// <summary>The finding about a curve that is lost; null for any other curve, and for one that is not visible.</summary>
     public RecordIssue? Find(EntityRecord record, CurveShape shape) => IsVisible(record) ? Compare(record, _written.Of(record), shape) : null;
 
     /// <summary>The findings about the outlines of a record, in the order in which they were written.</summary>
@@ -46,7 +47,7 @@ internal sealed class LengthCheck(LayerTable layers)
         return record.Finding(DxfRules.CurveLost, Wording.Get("LengthCheck.DescribedAndRead", written, shape is null ? 0.0 : Exact(shape)), refused: false);
     }
 
-    /// <summary>By chords first, which are never longer than the curve; they tell enough of almost every one.</summary>
+    /// <summary>Compares by chords first, which are never longer than the curve; they suffice for almost every curve.</summary>
     private static bool IsAtLeast(CurveShape shape, double length)
     {
         var sum = 0.0;

@@ -4,7 +4,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Lengths;
 
-/// <summary>The length of a curve, drawing units, from the numbers of its record alone: exact for lines, arcs and bulges, of ellipses and splines a figure of the right size. 0 for what has no length in plan.</summary>
+/// <summary>The length of a curve, drawing units, from the numbers of its record alone: exact for lines, arcs and bulges, an estimate of the right magnitude
+/// for ellipses and splines. 0 for a record without length in plan.</summary>
 internal sealed class WrittenLength
 {
     private const int FrameVertex = 16;
@@ -83,11 +84,12 @@ internal sealed class WrittenLength
     /// <summary>Radians.</summary>
     private static double HatchSpan(ReadOnlySpan<CodedNumber> edge) => WrittenSpan.Of(First(edge, 50, 0.0), First(edge, 51, 360.0), 360.0) * (Math.PI / 180.0);
 
-    /// <summary>The angles of such an edge are true angles: in the direction a the ellipse is 1 / sqrt((cos a / A)^2 + (sin a / B)^2) from its centre. A clockwise edge is the mirror image.</summary>
+    /// <summary>The angles of such an edge are true angles: in the direction a the ellipse is 1 / sqrt((cos a / A)^2 + (sin a / B)^2) from its centre. A
+    /// clockwise edge is the mirror image.</summary>
     private static double HatchEllipse(ReadOnlySpan<CodedNumber> edge)
     {
         var (major, ratio) = (Distance(First(edge, 11, 0.0), First(edge, 21, 0.0)), Math.Abs(First(edge, 40, 1.0)));
-        if (ratio == 0.0) return 0.0; // no ellipse
+        if (ratio == 0.0) return 0.0; // not an ellipse
         return SampledChords.Length(First(edge, 50, 0.0) * (Math.PI / 180.0), HatchSpan(edge), angle =>
         {
             var (sin, cos) = Math.SinCos(angle);
@@ -96,7 +98,7 @@ internal sealed class WrittenLength
         });
     }
 
-    /// <summary>As large as the ellipse is in its own plane.</summary>
+    /// <summary>The length of the ellipse in its own plane.</summary>
     private static double Ellipse(EntityRecord record)
     {
         var major = Math.Sqrt((record.Number(11, 0.0) * record.Number(11, 0.0)) + (record.Number(21, 0.0) * record.Number(21, 0.0)) + (record.Number(31, 0.0) * record.Number(31, 0.0)));
@@ -121,7 +123,8 @@ internal sealed class WrittenLength
         return _vertices.Length(closed, bent: true);
     }
 
-    /// <summary>The control polygon, less what unequal weights can draw together; of a spline through points the chords between these. The shorter where both are written.</summary>
+    /// <summary>The control polygon, less the contraction that unequal weights can cause; for a spline through points the chords between these. The shorter
+    /// where both are written.</summary>
     private static double Spline(ReadOnlySpan<CodedNumber> pairs, int weightCode)
     {
         var (controls, fits, lightest, heaviest) = (new PointTrail(), new PointTrail(), 1.0, 1.0);

@@ -1,14 +1,15 @@
 namespace Engraver.Core.Dxf.Lengths;
 
-/// <summary>How far a curve turns as its two angles are written, at most one turn.</summary>
+/// <summary>The turn of a curve between its two written angles, at most one turn.</summary>
 internal static class WrittenSpan
 {
-    /// <summary>Angles nearer than this are equal: such a curve has no length, which is told (DXF0010).</summary>
+    /// <summary>Angles nearer than this are equal: such a curve has no length, which is reported (DXF0010).</summary>
     private const double Equal = 1e-9;
 
     /// <summary>
-    /// End less start where it is positive. Where it is negative, a curve between usual angles (0 to a turn, or half a turn to each side) crosses the angle at which these begin again;
-    /// between others it is taken as written against the clock.
+    /// End minus start where it is positive. Where it is negative, a curve between usual angles (0 to a turn, or half a turn to each side) crosses the angle at
+    /// which these begin again;
+    /// between others it is taken as clockwise, as written.
     /// </summary>
     public static double Of(double start, double end, double turn)
     {
@@ -21,7 +22,7 @@ internal static class WrittenSpan
     private static bool AreWithin(double start, double end, double low, double high) => Math.Min(start, end) >= low && Math.Max(start, end) <= high;
 }
 
-/// <summary>The length of a smooth curve by a few chords: never more than it is, and of the right size.</summary>
+/// <summary>The length of a smooth curve from a few chords: never more than the true length, and of the right magnitude.</summary>
 internal static class SampledChords
 {
     private const int Count = 16;

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The columns into which curves go, of the drawing or of all blocks together.</summary>
+/// <summary>The columns that store curves, of the drawing or of all blocks together.</summary>
 internal sealed class CurveColumns
 {
     public GrowingColumn<DrawingEntity> Entities { get; } = new();
@@ -17,7 +17,7 @@ internal sealed class CurveColumns
 
     /// <param name="entity">The row; the position of its parts is filled in here.</param>
     /// <param name="parts">Ellipses and splines refer to <paramref name="curves"/>.</param>
-    /// <param name="curves">Ellipses and splines of these parts alone.</param>
+    /// <param name="curves">Ellipses and splines of these parts only.</param>
     public void Add(DrawingEntity entity, ReadOnlySpan<DrawingPart> parts, IReadOnlyList<RationalCurve> curves)
     {
         entity.FirstPart = Parts.Count;

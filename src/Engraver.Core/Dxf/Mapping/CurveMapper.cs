@@ -7,7 +7,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>Turns a record into the curve it draws, in world coordinates (inside a block: the block's). A record that cannot be read gets a fault.</summary>
+/// <summary>Converts a record into the curve that it draws, in world coordinates (inside a block: the block's). A record that cannot be read gets a
+/// fault.</summary>
 internal sealed class CurveMapper
 {
     /// <summary>Slope below which an ellipse counts as level.</summary>
@@ -23,7 +24,7 @@ internal sealed class CurveMapper
         Shape.Begin(CurveType.Line);
         var start = record.Point(10);
         var end = record.Point(11);
-        // A line without length is kept too: the drawing's box includes its point, as other DXF readers have it.
+        // A line without length is also kept: the drawing's box includes its point, as in other DXF readers.
         Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
         if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, Wording.Get(start.Z == end.Z ? "CurveMapper.PointsCoincide" : "CurveMapper.VerticalLine"));
         Finish(record);
@@ -91,7 +92,7 @@ internal sealed class CurveMapper
         _vertices.Clear();
     }
 
-    /// <summary>Notes that the vertices stopped without SEQEND although the file goes on.</summary>
+    /// <summary>Records that the vertices ended without SEQEND although the file continues.</summary>
     public void NoteMissingEnd(EntityRecord record) => Note(record, DxfRules.PolylineWithoutEnd, "");
 
     /// <summary>Adds a VERTEX. Control points of a spline frame (flag 16) are not drawn.</summary>
@@ -103,7 +104,8 @@ internal sealed class CurveMapper
         if ((vertex.Flags(70) & PolylineFlags.FrameVertex) == 0) _vertices.Add(new PolylineVertex(point.X, point.Y, point.Z, bulge));
     }
 
-    /// <summary>The curve of a POLYLINE whose vertices have been added. A 2D polyline lies at its own elevation, a 3D one where its vertices are.</summary>
+    /// <summary>The curve of a POLYLINE whose vertices have been added. A 2D polyline is at its own elevation, a 3D one at the heights of its
+    /// vertices.</summary>
     public void FinishPolyline(EntityRecord record)
     {
         var flags = record.Flags(70);
@@ -154,7 +156,8 @@ internal sealed class CurveMapper
         if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, Wording.Get("CurveMapper.YOfVertex"));
     }
 
-    /// <summary>Compares group 90 (announced number of vertices) with the vertices read, without relying on it: a damaged file may say anything.</summary>
+    /// <summary>Compares group 90 (announced number of vertices) with the vertices read, without relying on it: a damaged file may contain any
+    /// number.</summary>
     private void CheckCount(EntityRecord record, bool atEndOfFile)
     {
         var declared = record.Number(90, _vertices.Count);

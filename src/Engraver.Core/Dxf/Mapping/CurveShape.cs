@@ -4,10 +4,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The curve that a record draws, before it goes into the columns. Used again for every record.</summary>
+/// <summary>The curve that a record draws, before it is stored in the columns. Reused for every record.</summary>
 internal sealed class CurveShape
 {
-    /// <summary>Empty at first: a hatch may have a million loops, each with a shape of its own.</summary>
+    /// <summary>Empty at first: a hatch may have a million loops, each with its own shape.</summary>
     private DrawingPart[] _parts = [];
     private int _count;
 
@@ -15,7 +15,7 @@ internal sealed class CurveShape
 
     public bool Closed { get; set; }
 
-    /// <summary>Findings about the record, which was taken all the same.</summary>
+    /// <summary>Findings about the record, which was accepted nevertheless.</summary>
     public List<RecordIssue> Oddities { get; } = [];
 
     public ReadOnlySpan<DrawingPart> Parts => _parts.AsSpan(0, _count);

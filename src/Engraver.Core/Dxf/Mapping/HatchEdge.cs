@@ -40,7 +40,8 @@ internal static class HatchEdge
         if (radius > 0.0 && sweep != 0.0) shape.Add(Drawings.DrawingPart.Arc(0, new ArcSegment(Point(edge, 10), radius, Angle.FromDegrees(start), Angle.FromDegrees(sweep)), elevation));
     }
 
-    /// <summary>Adds an elliptical edge. Its angles are true angles from the major axis, unlike the parameters of an ELLIPSE: only with this reading do the edges of real boundaries meet.</summary>
+    /// <summary>Adds an elliptical edge. Its angles are true angles from the major axis, unlike the parameters of an ELLIPSE: only with this interpretation do
+    /// the edges of real boundaries meet.</summary>
     public static void AddEllipse(EntityRecord record, ReadOnlySpan<CodedNumber> edge, double elevation, CurveShape shape)
     {
         var (centre, major, ratio) = (Point(edge, 10), Point(edge, 11), Value(edge, 40, 1.0));
@@ -56,7 +57,7 @@ internal static class HatchEdge
 
     private static Point2D Point(ReadOnlySpan<CodedNumber> edge, int code) => new(Value(edge, code, 0.0), Value(edge, code + 10, 0.0));
 
-    /// <summary>The turn is that of the angles as written: a flat ellipse makes many parameters of one degree beyond a whole turn.</summary>
+    /// <summary>The turn is that of the written angles: in a flat ellipse one degree beyond a whole turn becomes a large change of the parameter.</summary>
     private static (double Start, double Sweep) Course(EntityRecord record, ReadOnlySpan<CodedNumber> edge, CurveShape shape, Func<double, double> parameter)
     {
         var (first, last) = (Value(edge, 50, 0.0), Value(edge, 51, 360.0));

@@ -86,7 +86,7 @@ internal static class MultiLineMapper
         var (start, end) = (new Point2D(from.X, from.Y), new Point2D(to.X, to.Y));
         if (start == end) return;
         var side = (end - start).Cross(new Point2D(inside.X, inside.Y) - start);
-        shape.Add(DrawingPart.Arc(0, ArcSegment.FromBulge(start, end, side > 0.0 ? 1.0 : -1.0), from.Z)); // a positive bulge lies to the right of its chord
+        shape.Add(DrawingPart.Arc(0, ArcSegment.FromBulge(start, end, side > 0.0 ? 1.0 : -1.0), from.Z)); // a positive bulge is to the right of its chord
     }
 
     private static void Add(List<CurveShape> shapes, Action<CurveShape> draw)

@@ -6,14 +6,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>Turns construction that the operator wants cut into curves: one for each loop of a HATCH, each element of an MLINE, each run of visible edges.</summary>
+/// <summary>Converts construction that the operator has chosen to cut into curves: one for each loop of a HATCH, each element of an MLINE, each run of visible
+/// edges.</summary>
 internal sealed class OutlineMapper(MultiLineStyles styles)
 {
     private const int AllEdges = 4;
     private readonly HatchMapper _hatches = new();
     private readonly SplineMapper _splines = new();
 
-    /// <summary>The curves of the record mapped last; until <see cref="Finish"/> with those that have no length.</summary>
+    /// <summary>The curves of the record that was mapped last; until <see cref="Finish"/> including those without length.</summary>
     public List<CurveShape> Shapes { get; } = [];
 
     public void Map(EntityRecord record)
@@ -41,7 +42,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         if (Shapes.Exists(shape => !shape.IsInRange)) record.Refuse(DxfRules.OutOfRange, record.Line, "");
     }
 
-    /// <summary>Leaves out what has no length, and refuses the record when nothing is left.</summary>
+    /// <summary>Leaves out curves without length, and refuses the record when none is left.</summary>
     public void Finish(EntityRecord record)
     {
         Shapes.RemoveAll(shape => shape.Parts.IsEmpty);
@@ -64,7 +65,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         Shapes.Add(shape);
     }
 
-    /// <summary>A helix holds its exact spline before its own values.</summary>
+    /// <summary>A helix stores its exact spline before its own values.</summary>
     private void Helix(EntityRecord record)
     {
         var own = record.Sequence.FindIndex(pair => pair.Code == 100 && record.Texts[(int)pair.Value].Value == "AcDbHelix");

@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>Transforms a part by a placement: a line stays a line, an arc stays one or becomes an ellipse, ellipses and splines stay what they are.</summary>
+/// <summary>Transforms a part by a placement: a line remains a line, an arc remains one or becomes an ellipse, ellipses and splines keep their kind.</summary>
 internal static class PlacedPart
 {
     /// <summary>Slope below which a tilted circle counts as level: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
@@ -39,7 +39,7 @@ internal static class PlacedPart
         return InRange(start) && InRange(end) ? PlacementOutcome.Exact : PlacementOutcome.OutOfRange;
     }
 
-    /// <summary>An arc stays an arc when x and y axis stay level, perpendicular and equally long; a mirror reverses its direction.</summary>
+    /// <summary>An arc remains an arc when the x and y axes remain level, perpendicular and equally long; a mirror reverses its direction.</summary>
     private static PlacementOutcome TryArc(in DrawingPart part, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
     {
         placed = part;

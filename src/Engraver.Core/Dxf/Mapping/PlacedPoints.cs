@@ -5,10 +5,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>Turns POINT into a placed point. Its place is in world coordinates whatever its extrusion (DXF reference, "POINT"), inside a block in the block's.</summary>
+/// <summary>Converts a POINT into a placed point. Its position is in world coordinates whatever its extrusion (DXF reference, "POINT"), inside a block in the
+/// block's.</summary>
 internal static class PlacedPoints
 {
-    /// <summary>The point of a record; null when it has no place, or one out of range.</summary>
+    /// <summary>The point of a record; null when it has no position, or one out of range.</summary>
     public static PlacedPoint? Map(EntityRecord record) =>
         record.Has(10) && record.Has(20) && InRange(record.PointOrOrigin(10)) ? new PlacedPoint(record.PointOrOrigin(10), record.Layer, record.Colour, record.Invisible) : null;
 

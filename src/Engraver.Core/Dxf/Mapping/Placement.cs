@@ -23,7 +23,7 @@ internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector
         return new Placement(x, normal.Cross(x), normal, default);
     }
 
-    /// <summary>Scale, then rotation about z: what an INSERT does to its block, in the insert's own system.</summary>
+    /// <summary>Scale, then rotation about z: the transformation of a block by an INSERT, in the insert's own system.</summary>
     public static Placement FromInsert(Vector3D scale, Angle rotation) => new(
         new(scale.X * rotation.Cos(), scale.X * rotation.Sin(), 0.0),
         new(-scale.Y * rotation.Sin(), scale.Y * rotation.Cos(), 0.0),

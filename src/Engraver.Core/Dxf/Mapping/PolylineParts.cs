@@ -7,7 +7,7 @@ namespace Engraver.Core.Dxf.Mapping;
 internal static class PolylineParts
 {
     /// <summary>
-    /// Below this bulge a straight part is more exact: it misses the arc by bulge/2 of the chord, while the arc's centre is 1/(4 bulge) chords away
+    /// Below this bulge a straight part is more exact: its distance from the arc is bulge/2 of the chord, while the arc's centre is 1/(4 bulge) chords away
     /// and rounded to 1e-16 of that. The two errors are equal near 1e-8.
     /// </summary>
     private const double StraightBulge = 1e-8;

@@ -6,14 +6,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>Turns a SPLINE record into its curve. Control points come first; a spline with fit points only is interpolated. Announced numbers (72, 73, 74) are not relied on.</summary>
+/// <summary>Converts a SPLINE record into its curve. Control points have precedence; a spline with fit points only is interpolated. Announced numbers (72, 73,
+/// 74) are not relied on.</summary>
 internal sealed class SplineMapper
 {
     private const int DegreeWithoutGroup = 3;
     private const int ClosedFlag = 1;
 
     /// <summary>
-    /// Largest allowed ratio of weights. Near a much heavier point nearly the whole curve lies in a tiny range of its parameter, which doubles cannot resolve: from a ratio of 1e8 on
+    /// Largest allowed ratio of weights. Near a much heavier point nearly the whole curve is in a tiny range of its parameter, which doubles cannot resolve:
+    /// from a ratio of 1e8 on
     /// lengths were wrong, and at 1e17 the arc fit did not end.
     /// </summary>
     private const double LargestRatio = 1e6 * (1.0 + 1e-12);
@@ -111,7 +113,7 @@ internal sealed class SplineMapper
         return isTwoShort ? completed : NurbsCurve.UniformKnots(_degree, _controls.Count);
     }
 
-    /// <summary>True when at each end as many knots are equal as the degree says.</summary>
+    /// <summary>True when at each end the number of equal knots is the degree.</summary>
     private bool IsClamped(double[] knots) => knots.Length >= 2 * _degree && knots[0] == knots[_degree - 1] && knots[^1] == knots[^_degree];
 
     /// <summary>Homogeneous control points. Weights that do not fit, or are not all positive, are ignored: all are taken as 1.</summary>

@@ -5,7 +5,7 @@ namespace Engraver.Core.Dxf.Mapping;
 /// <param name="IsWrapped">True when the angles differ by more than a turn and not by whole turns; the whole turns are then left out.</param>
 internal readonly record struct TurnSpan(double Sweep, bool IsWrapped)
 {
-    /// <summary>Angles that differ by whole turns within this make a whole turn, or none when they are equal.</summary>
+    /// <summary>Angles that differ by whole turns within this tolerance make a whole turn, or no turn when they are equal.</summary>
     private const double Equal = 1e-9;
 
     /// <summary>Programs round 2 pi up (6.28318531, 360.000001): the part of a turn, 0.001 rad, by which a difference may exceed whole turns.</summary>

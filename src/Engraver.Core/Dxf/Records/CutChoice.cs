@@ -1,6 +1,6 @@
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>Construction that is cut because the operator asks for it (<c>--cut</c>); without that it is only counted.</summary>
+/// <summary>Construction that is cut at the operator's request (<c>--cut</c>); without it, construction is only counted.</summary>
 [Flags]
 public enum CutChoice
 {

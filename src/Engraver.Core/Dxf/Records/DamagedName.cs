@@ -5,7 +5,7 @@ internal static class DamagedName
 {
     private static readonly string[] s_cutTypes = ["LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE", "INSERT", "VERTEX"];
 
-    /// <summary>What is wrong with the name of a record of an unknown type; null for a name that another program may have given.</summary>
+    /// <summary>The fault in the name of a record of an unknown type; null for a name that another program may have given.</summary>
     public static string? Fault(string type)
     {
         if (type.Length == 0) return Wording.Get("DamagedName.Empty");

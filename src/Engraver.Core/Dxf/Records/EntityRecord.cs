@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>One record of the file (LINE, VERTEX, LAYER ...): its type and the values that any type we read needs. Used again for every record.</summary>
+/// <summary>One record of the file (LINE, VERTEX, LAYER ...): its type and the values that the supported types need. Reused for every record.</summary>
 internal sealed class EntityRecord
 {
     /// <summary>Group code of a colour as 0x00RRGGBB.</summary>
@@ -55,16 +55,17 @@ internal sealed class EntityRecord
     /// <summary>Group code of a name or layer that is in the record more than once; 0 when none is.</summary>
     public int DoubledCode { get; private set; }
 
-    /// <summary>True when two records have run together, the head of the second lost: behind a doubled code a value comes again, or another place.</summary>
+    /// <summary>True when two records have been merged because the head of the second is lost: after a doubled code a value or another point is
+    /// repeated.</summary>
     public bool HoldsTwo => DoubledCode != 0 && (_placedAgain || RepeatedCode != 0);
 
     /// <summary>The first value that could not be read: the record must then be refused.</summary>
     public RecordIssue? Fault { get; private set; }
 
-    /// <summary>A finding about the spelling of one of its values that could be read all the same; null for none.</summary>
+    /// <summary>A finding about the spelling of one of its values that could be read nevertheless; null for none.</summary>
     public RecordIssue? Oddity { get; set; }
 
-    /// <summary>Texts in file order, for records that are kept pair by pair; a 100 is in <see cref="Sequence"/> too, with its index here.</summary>
+    /// <summary>Texts in file order, for records that are kept pair by pair; a 100 is also in <see cref="Sequence"/>, with its index here.</summary>
     public List<CodedText> Texts { get; } = [];
 
     /// <summary>Numbers in file order, for types in which codes repeat.</summary>
@@ -92,7 +93,7 @@ internal sealed class EntityRecord
         RepeatedCode = 0;
         DoubledCode = 0;
         _counted = 0;
-        (_placed, _placedAgain) = (kind == RecordKind.Polyline, false); // its places are those of its vertices
+        (_placed, _placedAgain) = (kind == RecordKind.Polyline, false); // its points are those of its vertices
         Fault = null;
         Oddity = null;
         _embedded = false;
@@ -108,7 +109,7 @@ internal sealed class EntityRecord
         _counted |= 1u << code;
     }
 
-    /// <summary>Notes that a place begins (code 10), of which a record may have many, but none behind a doubled code.</summary>
+    /// <summary>Records that a point begins (code 10), of which a record may have many, but none after a doubled code.</summary>
     public void CountPlace()
     {
         if (DoubledCode == 0) _placed = true;
@@ -131,7 +132,7 @@ internal sealed class EntityRecord
     }
 
     /// <summary>Keeps the pair in file order, and of a kept code also the first value. A value that is not a number is left out.</summary>
-    /// <returns>False for a value that should be a number and is not: it harms what is cut, not what is only shown.</returns>
+    /// <returns>False for a value that should be a number but is not: it affects the cut, unless the record is only shown.</returns>
     public bool Collect(DxfTagSource tags, TextDecoding decode)
     {
         var code = tags.Code;

@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The layers met so far and their states. A layer that no table defines is on, thawed and plotted.</summary>
+/// <summary>The layers found so far and their states. A layer that is not defined in a table is on, thawed and plotted.</summary>
 internal sealed class LayerTable(NameTable names)
 {
     private const int FrozenFlag = 1;

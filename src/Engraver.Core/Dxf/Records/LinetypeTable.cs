@@ -2,7 +2,7 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The linetypes that have gaps: curves of one are seen dashed and cut through.</summary>
+/// <summary>The linetypes that have gaps: their curves are displayed dashed but cut as continuous lines.</summary>
 internal sealed class LinetypeTable(NameTable names, LayerTable layers)
 {
     private readonly HashSet<int> _dashed = [];
@@ -13,7 +13,7 @@ internal sealed class LinetypeTable(NameTable names, LayerTable layers)
         if (entry.Name >= 0 && entry.Number(40, 0.0) > 0.0) _dashed.Add(entry.Name);
     }
 
-    /// <summary>The finding about a visible curve that is drawn dashed, by its own linetype or its layer's; null for every other.</summary>
+    /// <summary>The finding about a visible curve that is drawn dashed, by its own linetype or its layer's; null for any other curve.</summary>
     public RecordIssue? Find(EntityRecord record)
     {
         if (_dashed.Count == 0 || record.Invisible || !layers.IsCut(record.Layer)) return null;

@@ -11,7 +11,7 @@ internal sealed class MultiLineStyles
     /// <summary>Flags of a style (group 70); 0, no caps, for one that the file does not define.</summary>
     public MultiLineStyleFlags this[string name] => (MultiLineStyleFlags)_flags.GetValueOrDefault(name);
 
-    /// <summary>Reads the whole file once and returns to the position where it began.</summary>
+    /// <summary>Reads the whole file once and returns to the starting position.</summary>
     public static MultiLineStyles Read(DxfTagSource tags, CancellationToken cancellation)
     {
         var styles = new MultiLineStyles();

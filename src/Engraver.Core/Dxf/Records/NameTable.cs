@@ -2,14 +2,15 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>Gives names small numbers. A name is looked up by its bytes; only a new spelling is decoded, and spellings that differ by case share a number.</summary>
+/// <summary>Assigns small numbers to names. A name is looked up by its bytes; only a new spelling is decoded, and spellings that differ by case share a
+/// number.</summary>
 internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
 {
     private readonly Dictionary<byte[], int> _byBytes = new(BytesComparer.Instance);
     private readonly Dictionary<string, int> _byName = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<string> _names = [];
 
-    /// <summary>Recent spellings, indexed by a few of their bits: most drawings use a handful of layers in turn.</summary>
+    /// <summary>Recent spellings, indexed by a few of their bits: most drawings use a few layers in turn.</summary>
     private readonly (byte[] Name, int Id)[] _recent = [.. Enumerable.Repeat((Array.Empty<byte>(), -1), 16)];
 
     public int Count => _names.Count;

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>What the reader does with a record, decided by its type name.</summary>
+/// <summary>How the reader handles a record, determined by its type name.</summary>
 internal enum RecordKind : byte
 {
     /// <summary>An unknown type: refused and counted.</summary>
@@ -19,7 +19,7 @@ internal enum RecordKind : byte
     Point,
     Text,
 
-    /// <summary>Drawn for people who read the drawing, not cut: dimensions, hatches, images, solids.</summary>
+    /// <summary>Drawn as information, not cut: dimensions, hatches, images, solids.</summary>
     Construction,
     Hatch,
     MultiLine,
@@ -29,7 +29,7 @@ internal enum RecordKind : byte
     /// <summary>SOLID, TRACE, 3DFACE.</summary>
     Face,
 
-    /// <summary>ATTDEF: a template, but for a constant one, which is a text of every copy of its block.</summary>
+    /// <summary>ATTDEF: a template, except for a constant one, which is a text of every copy of its block.</summary>
     AttributeDefinition,
     LayerEntry,
     LinetypeEntry,

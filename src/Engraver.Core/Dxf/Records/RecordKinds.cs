@@ -2,7 +2,8 @@ using System.Collections.Frozen;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The table of type names. BODY and REGION are left unknown on purpose: they may hold curves that are then lost, and the operator is told so.</summary>
+/// <summary>The table of type names. BODY and REGION are deliberately left unknown: they may contain curves that are then lost, and this is reported to the
+/// operator.</summary>
 internal static class RecordKinds
 {
     private static readonly string[] Construction =
@@ -16,7 +17,7 @@ internal static class RecordKinds
 
     private static readonly FrozenDictionary<string, RecordKind> Known = Build();
 
-    /// <summary>The known types of ENTITIES and BLOCKS, by what becomes of them; docs/diagnostics.md lists them.</summary>
+    /// <summary>The known types of ENTITIES and BLOCKS, by how they are handled; docs/diagnostics.md lists them.</summary>
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
     [
         (Wording.Get("RecordKinds.Cut"), TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
@@ -27,7 +28,8 @@ internal static class RecordKinds
 
     public static RecordKind Find(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);
 
-    /// <summary>True when the record's numbers matter. Of the others only visibility and space are read, so that damaged numbers in a dimension do no harm.</summary>
+    /// <summary>True when the record's numbers matter. Of the others only visibility and space are read, so that damaged numbers in a dimension have no
+    /// effect.</summary>
     public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
         or RecordKind.Attribute or RecordKind.AttributeDefinition or RecordKind.SequenceEnd or RecordKind.StyleEntry or RecordKind.LinetypeEntry) && !IsOutline(kind);
 
@@ -38,7 +40,7 @@ internal static class RecordKinds
     /// <summary>True for every record that makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
     public static bool IsOfDrawing(RecordKind kind) => IsEntity(kind) || kind is RecordKind.Vertex or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.LayerEntry or RecordKind.Block or RecordKind.BlockEnd;
 
-    /// <summary>True for the types of record that TABLES holds besides those that are read.</summary>
+    /// <summary>True for the other types of record in TABLES, which are not read.</summary>
     public static bool IsOfTables(string type) => TableTypes.Contains(type);
 
     /// <summary>For a record without content (a frame such as ENDSEC): false for a group code that it cannot have, which then belongs to another record whose beginning is damaged. True for every other record.</summary>

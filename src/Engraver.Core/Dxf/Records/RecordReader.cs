@@ -45,7 +45,7 @@ internal sealed class RecordReader
 
     public NameTable Linetypes { get; }
 
-    /// <summary>The type names met, by the numbers in the records.</summary>
+    /// <summary>The type names found, by the numbers in the records.</summary>
     public NameTable Types => _types;
 
     /// <summary>Kind of the next record; <see cref="RecordKind.FileEnd"/> also where the file stops without EOF.</summary>
@@ -80,7 +80,8 @@ internal sealed class RecordReader
         if (Truncated && _tags.CutInsidePair) record.Refuse(DxfRules.CutRecord, record.Line, "");
     }
 
-    /// <summary>Skips the next record, which holds nothing that matters. Reports group codes that cannot be its own, because then another record is lost in it.</summary>
+    /// <summary>Skips the next record, which has no relevant content. Reports group codes that cannot be its own, because another record is then lost in
+    /// it.</summary>
     public void Skip() => Skip(Next, NextType);
 
     /// <summary>Skips the rest of the head of TABLES, BLOCKS or ENTITIES, whose name has been read.</summary>
@@ -104,7 +105,7 @@ internal sealed class RecordReader
         Settle();
     }
 
-    /// <summary>Skips the next record without a report: it is read later, or its section is no part of the drawing.</summary>
+    /// <summary>Skips the next record without a report: it is read later, or its section is not part of the drawing.</summary>
     public void PassOver()
     {
         _cancellation.ThrowIfCancellationRequested();
@@ -116,13 +117,15 @@ internal sealed class RecordReader
         Settle();
     }
 
-    /// <summary>Reports a record without a name, which no program writes: zeros in a binary file are read so, and what they overwrote is lost.</summary>
+    /// <summary>Reports a record without a name, which no program writes: zeros in a binary file are read as one, and the data that they overwrote is
+    /// lost.</summary>
     private void TellNameless()
     {
         if (_types.Count > 0 && Next == RecordKind.Unknown && NextType.Length == 0) _log.Add(new RecordIssue(DxfRules.NameDamaged, "", 0, NextLine, DamagedName.Fault("")!, Refused: true));
     }
 
-    /// <summary>Goes through the record that has just been read once more: true when a value in it is the name of a record type, and the 0 before it may have been lost.</summary>
+    /// <summary>Reads the record that has just been read again: true when a value in it is the name of a record type, and the 0 before it may have been
+    /// lost.</summary>
     private bool NamesRecord((int Position, int Line) start)
     {
         var (end, found) = (_tags.Bookmark(), false);
@@ -215,7 +218,7 @@ internal sealed class RecordReader
         }
     }
 
-    /// <summary>Reads a record pair by pair. A damaged number of an outline refuses it, because it would change what is cut; in a text it does no harm.</summary>
+    /// <summary>Reads a record pair by pair. A damaged number of an outline refuses it, because it would change the cut; in a text it has no effect.</summary>
     private void Collect(EntityRecord record)
     {
         if (record.Collect(_tags, _decode) || !RecordKinds.IsOutline(record.Kind)) return;
@@ -230,7 +233,7 @@ internal sealed class RecordReader
     {
         if (record.Kind == RecordKind.Point && EntityRecord.Keeps(code) && code is not (60 or 67))
         {
-            if (!record.Has(code) && _tags.TryNumber(out var shown)) record.Set(code, shown); // only shown: a damaged number does no harm
+            if (!record.Has(code) && _tags.TryNumber(out var shown)) record.Set(code, shown); // only shown: a damaged number has no effect
             return;
         }
 

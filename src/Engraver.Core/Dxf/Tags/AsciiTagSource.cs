@@ -15,7 +15,7 @@ internal sealed class AsciiTagSource : DxfTagSource
 
     private const int MostBlanks = 8;
 
-    /// <summary>Bytes that a pair is waited for at least: in a DXF of AutoCAD no line has more than 2,049.</summary>
+    /// <summary>Minimum number of bytes to wait for before a pair is read: in a DXF of AutoCAD no line has more than 2,049.</summary>
     private const int Ahead = 1 << 12;
 
     private static readonly SearchValues<byte> KeywordBytes = SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"u8);
@@ -36,10 +36,11 @@ internal sealed class AsciiTagSource : DxfTagSource
 
     public override bool TryNumber(out double number) => DxfNumber.TryParse(Value, out number);
 
-    /// <summary>Reads a common pair fast; an unusual one is left untouched and read by the general method.</summary>
+    /// <summary>Reads a common pair fast; an unusual one is not consumed and is read by the general method.</summary>
     protected override bool ReadPair() => TryPlainPair() || TryPairToCome() || ReadAnyPair();
 
-    /// <summary>While the file arrives: waits for more where the pair may be cut off by what has not arrived, and for all where it is unusual, because the general method looks on to the end.</summary>
+    /// <summary>While the file arrives: waits for more where the pair may be incomplete, and for the whole file where it is unusual, because the general method
+    /// reads ahead to the end.</summary>
     private bool TryPairToCome()
     {
         while (!IsWhole)
@@ -52,7 +53,7 @@ internal sealed class AsciiTagSource : DxfTagSource
         return false;
     }
 
-    /// <summary>A common pair: blanks, one to four digits, LF or CR LF; a value that ends likewise, well before the end of the file.</summary>
+    /// <summary>A common pair: blanks, one to four digits, LF or CR LF; a value with the same line end, well before the end of the file.</summary>
     private bool TryPlainPair()
     {
         var bytes = Bytes;
@@ -101,11 +102,11 @@ internal sealed class AsciiTagSource : DxfTagSource
                 return complete;
             }
 
-            if (IsBlank(line)) continue; // a superfluous empty line: the pairs after it are sound
+            if (IsBlank(line)) continue; // a superfluous empty line: the pairs after it are valid
             Damage(NextLine - 1, Encoding.Latin1.GetString(line[..Math.Min(length, ShownText)]));
             if (Value.Trim(" \t"u8).SequenceEqual("0"u8) && IsKeyword(line))
             {
-                // The pairs were out of step by one line and the "0" of this record was taken for a value: from here they fit again.
+                // The pairs were shifted by one line and the "0" of this record was taken for a value: from here they are aligned again.
                 Code = 0;
                 Line = NextLine - 2;
                 (_valueStart, _valueLength) = (start, length);
@@ -161,7 +162,7 @@ internal sealed class AsciiTagSource : DxfTagSource
         return digits > 0 && at == line.Length;
     }
 
-    /// <summary>After a line that is no group code the pairs may be out of step by one line; a "0" followed by a keyword is where they fit again.</summary>
+    /// <summary>After a line that is not a group code the pairs may be shifted by one line; at a "0" followed by a keyword they are aligned again.</summary>
     private void SkipToNextRecord()
     {
         while (true)

@@ -22,7 +22,7 @@ internal sealed class BinaryTagSource : DxfTagSource
     /// <summary>The 22 bytes that open a binary DXF.</summary>
     public static ReadOnlySpan<byte> Sentinel => "AutoCAD Binary DXF\r\n\u001A\0"u8;
 
-    /// <summary>True where the line end in the sentinel is another one than it was written with.</summary>
+    /// <summary>True where the line end in the sentinel is not the original one.</summary>
     public static bool IsConverted(ReadOnlySpan<byte> file) => file.StartsWith(Sentinel[..^4]) && !file.StartsWith(Sentinel) && file.Length > Sentinel.Length && file[(Sentinel.Length - 4)..].TrimStart("\r\n"u8) is [0x1A, ..];
 
     public override bool IsBinary => true;
@@ -53,7 +53,7 @@ internal sealed class BinaryTagSource : DxfTagSource
         if (!TakeCode(out var code)) return Stop();
         if (!BinaryValueTypes.TryOf(code, out _type))
         {
-            // Without a known code the length of the value is unknown too: nothing after it can be found again.
+            // Without a known code the length of the value is also unknown: the data after it cannot be located.
             Damage(start, code.ToString(CultureInfo.InvariantCulture));
             return Stop();
         }

@@ -2,15 +2,15 @@ using System.Text;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>The variables of the HEADER section that matter here.</summary>
+/// <summary>The variables of the HEADER section that the reader uses.</summary>
 internal sealed class DxfHeader
 {
     private string _variable = "";
 
-    /// <summary>$ACADVER; "" when the file does not say.</summary>
+    /// <summary>$ACADVER; "" when the file does not state it.</summary>
     public string Version { get; private set; } = "";
 
-    /// <summary>$DWGCODEPAGE; null when the file does not say.</summary>
+    /// <summary>$DWGCODEPAGE; null when the file does not state it.</summary>
     public string? CodePage { get; private set; }
 
     /// <summary>$INSUNITS as written; null when missing or not a number.</summary>

@@ -11,7 +11,7 @@ internal static class DxfNumber
 
     private const ulong LargestExactMantissa = 1UL << 53;
 
-    /// <summary>Most decimal digits that fit 64 bits.</summary>
+    /// <summary>Maximum number of decimal digits that fit 64 bits.</summary>
     private const int MostDigits = 19;
 
     /// <summary>Longest number for the fast path, with sign and point.</summary>
@@ -75,7 +75,7 @@ internal static class DxfNumber
         return true;
     }
 
-    /// <summary>Checks the grammar and collects mantissa and decimal exponent; <paramref name="exact"/> says whether the fast path may be taken.</summary>
+    /// <summary>Checks the grammar and collects mantissa and decimal exponent; <paramref name="exact"/> states whether the fast path may be taken.</summary>
     private static bool Scan(ReadOnlySpan<byte> text, out ulong mantissa, out int exponent, out bool exact)
     {
         mantissa = 0;
@@ -99,7 +99,7 @@ internal static class DxfNumber
         return true;
     }
 
-    /// <summary>Appends digits to the mantissa. Nineteen fit; more overflow on purpose, since a longer number leaves the fast path anyway.</summary>
+    /// <summary>Appends digits to the mantissa. Nineteen fit; more overflow deliberately, since a longer number does not use the fast path.</summary>
     private static int Digits(ReadOnlySpan<byte> text, int at, ref ulong mantissa)
     {
         var value = mantissa;

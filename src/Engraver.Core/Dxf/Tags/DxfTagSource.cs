@@ -1,7 +1,7 @@
 namespace Engraver.Core.Dxf.Tags;
 
 /// <summary>A DXF as a stream of (group code, value) pairs over its bytes. Nothing is copied: a value is a span of the file.</summary>
-/// <param name="arriving">The file; no byte is looked at before it has arrived.</param>
+/// <param name="arriving">The file; no byte is read before it has arrived.</param>
 internal abstract class DxfTagSource(IArrivingBytes arriving)
 {
     private const int CommentCode = 999;
@@ -19,7 +19,7 @@ internal abstract class DxfTagSource(IArrivingBytes arriving)
     /// <summary>Position of the pair's value: the line after the code, or the pair's own offset.</summary>
     public int ValueLine => IsBinary ? Line : Line + 1;
 
-    /// <summary>True once <see cref="Read"/> found nothing more.</summary>
+    /// <summary>True after <see cref="Read"/> reached the end of the file.</summary>
     public bool AtEnd { get; private set; }
 
     /// <summary>True when the file ended inside a pair: the last value may be incomplete.</summary>
@@ -36,7 +36,7 @@ internal abstract class DxfTagSource(IArrivingBytes arriving)
 
     public abstract bool IsBinary { get; }
 
-    /// <summary>True when the texts are known to be UTF-8, whatever the header says.</summary>
+    /// <summary>True when the texts are known to be UTF-8, whatever the header states.</summary>
     public bool IsUtf8 { get; init; }
 
     /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
@@ -45,7 +45,7 @@ internal abstract class DxfTagSource(IArrivingBytes arriving)
     /// <summary>Part of the file that has been read, 0 to 1.</summary>
     public double Part => (double)Position / Math.Max(1, _file.Length);
 
-    /// <summary>What has been waited for so far, from the first byte on.</summary>
+    /// <summary>The bytes that have been waited for so far, from the first byte on.</summary>
     protected ReadOnlySpan<byte> Bytes => new(_file, 0, _arrived);
 
     /// <summary><see cref="Bytes"/> are the whole file.</summary>
@@ -93,15 +93,16 @@ internal abstract class DxfTagSource(IArrivingBytes arriving)
         AtEnd = false;
     }
 
-    /// <summary>Zero bytes in what has been read of a text, and the line of the first; none where zeros are part of the form, or only fill up the end.</summary>
+    /// <summary>Number of zero bytes in the part of a text that has been read, and the line of the first; 0 where zeros are part of the format, or only fill
+    /// the end.</summary>
     public virtual (int Count, int Line) ZeroBytes() => default;
 
     protected int NextLine { get; set; }
 
     protected abstract bool ReadPair();
 
-    /// <summary>Waits until so many bytes, or all, are there.</summary>
-    /// <exception cref="IOException">The file cannot be read so far.</exception>
+    /// <summary>Waits until this number of bytes, or the whole file, has arrived.</summary>
+    /// <exception cref="IOException">The file cannot be read up to this number.</exception>
     protected void WaitFor(int count) => _arrived = arriving.WaitFor(Math.Min(count, _file.Length));
 
     /// <summary>Waits for the whole file.</summary>

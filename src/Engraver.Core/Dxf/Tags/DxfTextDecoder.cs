@@ -12,7 +12,7 @@ internal sealed class DxfTextDecoder
     private bool _forced;
     private Encoding? _codePage;
 
-    /// <summary>True once a name was not valid in the encoding that the file declares.</summary>
+    /// <summary>True after a name was not valid in the encoding that the file declares.</summary>
     public bool MetForeignBytes { get; private set; }
 
     /// <summary>Takes $ACADVER; releases from 2007 write UTF-8.</summary>
@@ -20,7 +20,7 @@ internal sealed class DxfTextDecoder
         _utf8 = version.Length == 6 && version.StartsWith("AC", StringComparison.OrdinalIgnoreCase)
             && int.TryParse(version.AsSpan(2), NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1021;
 
-    /// <summary>Sets UTF-8 (the file was UTF-16, or begins with a byte order mark), whatever the header says.</summary>
+    /// <summary>Sets UTF-8 (the file was UTF-16, or begins with a byte order mark), whatever the header states.</summary>
     public void UseUtf8() => _forced = true;
 
     /// <summary>Takes $DWGCODEPAGE; false when the name is not known (Windows-1252 is used then).</summary>
@@ -36,7 +36,7 @@ internal sealed class DxfTextDecoder
         var validUtf8 = System.Text.Unicode.Utf8.IsValid(bytes);
         if (_forced && validUtf8) return Unescape(StrictUtf8.GetString(bytes));
         var codePage = _codePage ?? Find(1252) ?? Encoding.Latin1;
-        // Text in a single-byte code page is practically never valid UTF-8 by chance; a file that says 1252 and holds UTF-8 is common.
+        // Text in a single-byte code page is practically never valid UTF-8 by chance; a file that declares 1252 and contains UTF-8 is common.
         var readAsUtf8 = validUtf8 && (_utf8 || _codePage is null || codePage.IsSingleByte);
         MetForeignBytes |= _utf8 ? !validUtf8 : _codePage is not null && readAsUtf8;
         return Unescape((readAsUtf8 ? StrictUtf8 : codePage).GetString(bytes));
@@ -46,7 +46,7 @@ internal sealed class DxfTextDecoder
         : codePage == Encoding.Latin1.CodePage ? Encoding.Latin1
         : CodePagesEncodingProvider.Instance.GetEncoding(codePage);
 
-    /// <summary>The number in ANSI_1252, ansi_936, DOS437, ISO8859-2, GB2312 and the like.</summary>
+    /// <summary>The number in names such as ANSI_1252, ansi_936, DOS437, ISO8859-2 and GB2312.</summary>
     private static int? CodePageNumber(string name)
     {
         var upper = name.Trim().ToUpperInvariant();

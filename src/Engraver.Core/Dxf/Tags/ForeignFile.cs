@@ -25,7 +25,7 @@ internal static class ForeignFile
         ([.. "solid "u8], "ForeignFile.Stl"),
     ];
 
-    /// <summary>What the file is, with its article; null when it is unknown.</summary>
+    /// <summary>The kind of the file, with its article; null when it is unknown.</summary>
     public static string? NameOf(ReadOnlySpan<byte> file)
     {
         foreach (var (beginning, name) in Known)

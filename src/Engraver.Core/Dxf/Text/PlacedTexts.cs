@@ -5,7 +5,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>Transforms a text by a placement: its line turns with the x axis, its height is the part of the y axis perpendicular to that.</summary>
+/// <summary>Transforms a text by a placement: its line rotates with the x axis, its height is the component of the y axis perpendicular to that.</summary>
 internal static class PlacedTexts
 {
     public static PlacedText Placed(PlacedText text, in Placement placement)

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>A text value as people read it: %% codes and caret codes resolved, the formatting of an MTEXT removed (DXF reference, "TEXT", "MTEXT").</summary>
+/// <summary>A text value in readable form: %% codes and caret codes resolved, the formatting of an MTEXT removed (DXF reference, "TEXT", "MTEXT").</summary>
 internal static class TextContent
 {
     /// <summary>The content of TEXT and ATTRIB: one line.</summary>
@@ -14,7 +14,7 @@ internal static class TextContent
     {
         var text = Carets(Percents(raw));
         var result = new StringBuilder(text.Length);
-        var lastEnd = text.LastIndexOf(';'); // computed once: a hostile text may begin a million codes and end none
+        var lastEnd = text.LastIndexOf(';'); // computed once: a malicious text may begin a million codes and end none
         for (var at = 0; at < text.Length; at++)
         {
             if (text[at] is '{' or '}') continue;
@@ -103,7 +103,7 @@ internal static class TextContent
         }
     }
 
-    /// <summary>^I tab, ^J line feed, ^M return (nothing of its own), ^ and a blank: a caret.</summary>
+    /// <summary>^I tab, ^J line feed, ^M return (removed), ^ and a blank: a caret.</summary>
     private static string Carets(string text) => !text.Contains('^', StringComparison.Ordinal)
         ? text
         : text.Replace("^I", "\t", StringComparison.Ordinal).Replace("^J", "\n", StringComparison.Ordinal).Replace("^M", "", StringComparison.Ordinal).Replace("^ ", "^", StringComparison.Ordinal);

@@ -5,7 +5,7 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>Puts the texts of blocks into the drawing, once for every copy.</summary>
+/// <summary>Adds the texts of blocks to the drawing, once for every copy.</summary>
 internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : CopyExpander<PlacedText>(blocks, layers, cancellation)
 {
     private readonly LayerTable _layers = layers;

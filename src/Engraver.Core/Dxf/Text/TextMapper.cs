@@ -5,7 +5,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>Turns TEXT, MTEXT, ATTRIB and constant ATTDEF into placed texts, in world coordinates (inside a block: the block's).</summary>
+/// <summary>Converts TEXT, MTEXT, ATTRIB and constant ATTDEF into placed texts, in world coordinates (inside a block: the block's).</summary>
 internal sealed class TextMapper(StyleTable styles)
 {
     private const string StandardStyle = "STANDARD";
@@ -20,7 +20,7 @@ internal sealed class TextMapper(StyleTable styles)
         return text.Content.Length > 0 && PlacedTexts.IsInRange(text) ? text : null;
     }
 
-    /// <summary>The text of a constant ATTDEF, which every copy of its block shows; null for any other.</summary>
+    /// <summary>The text of a constant ATTDEF, which every copy of its block shows; null for any other ATTDEF.</summary>
     public PlacedText? MapConstant(EntityRecord record) => ((int)record.First(70, 0.0) & ConstantAttribute) != 0 ? Map(record) : null;
 
     private static bool IsAttribute(EntityRecord record) => record.Kind is RecordKind.Attribute or RecordKind.AttributeDefinition;

@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes an ellipse or spline exactly: ELLIPSE with its axes and parameters, SPLINE with its Bezier points and knots of full multiplicity. Heights are kept and the direction reads back; an ellipse that does not lie level, or whose axes rounding has lost, is written as the SPLINE that it is.</summary>
+/// <summary>Writes an ellipse or spline exactly: ELLIPSE with its axes and parameters, SPLINE with its Bezier points and knots of full multiplicity. Heights
+/// are kept and the direction is read back; an ellipse that is not level, or whose axes were lost in rounding, is written as its SPLINE.</summary>
 internal static class DxfCurveWriter
 {
     private const int Planar = 8;
@@ -12,7 +13,7 @@ internal static class DxfCurveWriter
     /// <summary>Heights that differ by less, as a part of the size, differ only by rounding.</summary>
     private const double LevelTo = 1e-12;
 
-    /// <summary>Writes what follows the common pairs of the entity.</summary>
+    /// <summary>Writes the pairs after the common pairs of the entity.</summary>
     public static void Write(DxfTagWriter tags, RationalCurve curve)
     {
         if (PlanOf(curve) is { } ellipse) Ellipse(tags, ellipse, curve.Spans[0].Z(0));

@@ -5,10 +5,10 @@ namespace Engraver.Core.Dxf.Writing;
 /// <summary>Writes lines and arcs end to start as the vertices and bulges of an LWPOLYLINE.</summary>
 public static class DxfPolylineWriter
 {
-    /// <summary>Degrees. An arc of more is not written as part of a polyline, because its bulge would not give back the circle exactly.</summary>
+    /// <summary>Degrees. A longer arc is not written as part of a polyline, because its bulge would not reproduce the circle exactly.</summary>
     private const double WidestSweep = 270.0;
 
-    /// <summary>Degrees. Readers take an arc of less for a line.</summary>
+    /// <summary>Degrees. Readers treat a shorter arc as a line.</summary>
     private const double FlattestSweep = 1e-5;
 
     /// <summary>Flags of a POLYLINE and of its vertices.</summary>

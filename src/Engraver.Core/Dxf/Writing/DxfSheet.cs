@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>What <see cref="DxfWriter"/> writes: layers, and curves in order, in one unit.</summary>
+/// <summary>The input of <see cref="DxfWriter"/>: layers, and curves in order, in one unit.</summary>
 /// <param name="Layers">Layer 0 is written in colour 7 when it is not among them.</param>
 /// <param name="Entities">In file order.</param>
 public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList<DxfSheetEntity> Entities)
@@ -44,14 +44,14 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
 /// <summary>A layer of a written drawing.</summary>
 /// <param name="Name">Written in ASCII; every other character is escaped.</param>
 /// <param name="Colour">Colour index, 1 to 255.</param>
-/// <param name="Plots">False for a layer that is shown but not cut: our reader, like a plotter, leaves it out unless it is asked for.</param>
+/// <param name="Plots">False for a layer that is shown but not cut: the reader of this package, like a plotter, leaves it out unless it is selected.</param>
 public sealed record DxfSheetLayer(string Name, int Colour, bool Plots = true)
 {
     public bool On { get; init; } = true;
 
     public bool Frozen { get; init; }
 
-    /// <summary>What lies on it is not to be changed.</summary>
+    /// <summary>Its objects cannot be changed.</summary>
     public bool Locked { get; init; }
 
     /// <summary>True colour as 0x00RRGGBB, which has precedence over the index; null for none.</summary>
@@ -59,7 +59,7 @@ public sealed record DxfSheetLayer(string Name, int Colour, bool Plots = true)
 }
 
 /// <summary>A text of a written drawing.</summary>
-/// <param name="Text">As it was read; an MTEXT is written as MTEXT, every other as TEXT.</param>
+/// <param name="Text">The text as read; an MTEXT is written as MTEXT, every other as TEXT.</param>
 /// <param name="Layer">Name of one of the sheet's layers.</param>
 public readonly record struct DxfSheetText(PlacedText Text, string Layer);
 

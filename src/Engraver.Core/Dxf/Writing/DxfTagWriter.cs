@@ -13,7 +13,7 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
 {
     private int _nextHandle = firstHandle;
 
-    /// <summary>False once a number was written that is not finite: the text is then no DXF.</summary>
+    /// <summary>False after a number was written that is not finite: the text is then not a valid DXF.</summary>
     public bool IsFinite { get; private set; } = true;
 
     public DxfTagWriter Text(int code, string value)
@@ -54,7 +54,7 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
 
     public DxfTagWriter Begin(string type, int owner, int handle) => Text(0, type).Handle(type == "DIMSTYLE" ? 105 : 5, handle).Handle(330, owner);
 
-    /// <summary>Begins an entity of model space: what every one has in common.</summary>
+    /// <summary>Begins an entity of model space: writes the pairs that all entities have in common.</summary>
     public DxfTagWriter BeginEntity(string type, string layer, DrawingColour colour, bool hidden)
     {
         Begin(type, DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, layer);

@@ -3,12 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes texts so that they read back with the same content, position and form: characters that the reader treats as codes are written as codes.</summary>
+/// <summary>Writes texts so that they are read back with the same content, position and form: characters that the reader treats as codes are written as
+/// codes.</summary>
 internal static class DxfTextWriter
 {
     private const int Backward = 2;
 
-    /// <summary>Longest piece of an MTEXT in one pair.</summary>
+    /// <summary>Maximum length of one piece of an MTEXT in one pair.</summary>
     private const int PieceLength = 250;
 
     public static void Write(DxfTagWriter tags, in DxfSheetText entity)
@@ -30,7 +31,7 @@ internal static class DxfTextWriter
         tags.Class("AcDbText").Integer(73, (int)text.Row);
     }
 
-    /// <summary>A mirrored text has the extrusion 0,0,-1; its position and direction are in world coordinates all the same.</summary>
+    /// <summary>A mirrored text has the extrusion 0,0,-1; its position and direction are nevertheless in world coordinates.</summary>
     private static void Paragraph(DxfTagWriter tags, PlacedText text)
     {
         tags.Class("AcDbMText").Point(10, text.Position).Real(40, text.Height).Real(41, text.FrameWidth);

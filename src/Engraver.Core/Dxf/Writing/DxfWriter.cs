@@ -13,7 +13,7 @@ public static class DxfWriter
     /// <summary>Codes of $INSUNITS for English units.</summary>
     private static readonly int[] s_english = [1, 2, 3, 8, 9, 10, 21, 22, 23, 24];
 
-    /// <summary>The same sheet gives the same text. LF line ends, ASCII.</summary>
+    /// <summary>Writes the sheet; the same sheet gives the same text. LF line ends, ASCII.</summary>
     /// <exception cref="UnwritableEntityException">A number of an entity is not finite; the text is not complete.</exception>
     public static void Write(DxfSheet sheet, TextWriter output)
     {

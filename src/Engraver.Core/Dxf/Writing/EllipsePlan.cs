@@ -12,13 +12,13 @@ internal readonly record struct EllipsePlan(Point2D Centre, Vector2D Major, doub
     /// <summary>Smallest ratio that AutoCAD accepts.</summary>
     private const double SmallestRatio = 1e-6;
 
-    /// <summary>What rounding makes of a start at 0, radians: just before it would be written as a whole turn.</summary>
+    /// <summary>Maximum rounding of a start at 0, radians: a start just below 0 that would be written as a whole turn.</summary>
     private const double Rounding = 1e-13;
 
     /// <summary>Largest distance of a point of the written ellipse from the curve, as a part of its size and place.</summary>
     private const double Faithful = 1e-10;
 
-    /// <summary>The ellipse of a curve; null where rounding leaves none that runs through the same points, as of an arc of a millionth of a turn.</summary>
+    /// <summary>The ellipse of a curve; null where, because of rounding, none runs through the same points, as for an arc of a millionth of a turn.</summary>
     public static EllipsePlan? From(RationalCurve curve)
     {
         var plan = Fit(curve);
@@ -27,7 +27,7 @@ internal readonly record struct EllipsePlan(Point2D Centre, Vector2D Major, doub
         var middle = curve.Spans.Length == 1 ? first.PointAt(0.5) : first.End;
         var share = curve.Spans.Length == 1 ? 0.5 : HalfAngle(first) / curve.Spans.ToArray().Sum(HalfAngle);
         var isFaithful = plan.IsNear(0.0, first.Start, Faithful * size) && plan.IsNear(share, middle, Faithful * size) && plan.IsNear(1.0, last.End, Faithful * size);
-        return isFaithful ? plan : null; // NaN is near nothing
+        return isFaithful ? plan : null; // comparisons with NaN are false
     }
 
     private bool IsNear(double share, Point2D place, double distance)

@@ -3,13 +3,14 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>An entity has a number that is not finite, so that no DXF can hold it: nothing of the drawing may be written. Its message is the reason, without a full stop.</summary>
+/// <summary>An entity has a number that is not finite and therefore cannot be stored in a DXF: no part of the drawing may be written. Its message is the
+/// reason, without a full stop.</summary>
 public sealed class UnwritableEntityException : IOException
 {
     public UnwritableEntityException(SourceRef source)
         : base(Wording.Get("DxfWriter.NotFinite", NameOf(source))) => Source = source;
 
-    /// <summary>The entity as it was read; default where it is a text or a point.</summary>
+    /// <summary>The entity as read; default where it is a text or a point.</summary>
     public new SourceRef Source { get; }
 
     /// <summary>Its handle, or its line where it has none.</summary>
