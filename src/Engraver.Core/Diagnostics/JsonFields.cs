@@ -104,7 +104,7 @@ public sealed class JsonFields
 
 /// <summary>A field of a JSON file.</summary>
 /// <param name="Owner">Path of the field that contains it; empty for the file itself.</param>
-/// <param name="Name">As it is written.</param>
+/// <param name="Name">As written in the file.</param>
 /// <param name="Line">From 1.</param>
 public readonly record struct JsonField(string Owner, string Name, long Line)
 {

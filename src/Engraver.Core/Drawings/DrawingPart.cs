@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Drawings;
 
 /// <summary>One line, arc, circle, ellipse or spline of a drawing, in drawing units and world coordinates (OCS applied).</summary>
-/// <remarks>Line: A,B,C = start x,y,z; D,E,F = end x,y,z. Arc and circle: A,B,C = centre x,y,z; D = radius; E = start angle and F = signed sweep, degrees, as seen from +z.
-/// Ellipse and spline: A = index into <see cref="Drawing.Curves"/>, the rest 0.</remarks>
+/// <remarks>Line: A,B,C = start x,y,z; D,E,F = end x,y,z. Arc and circle: A,B,C = centre x,y,z; D = radius; E = start angle and F = signed sweep, degrees, as
+/// seen from +z. Ellipse and spline: A = index into <see cref="Drawing.Curves"/>, the rest 0.</remarks>
 public struct DrawingPart
 {
     public double A;
@@ -54,7 +54,8 @@ public struct DrawingPart
         ? Segment.FromLine(new Point2D(A, B), new Point2D(D, E))
         : Segment.FromArc(new ArcSegment(new Point2D(A, B), D, Angle.FromDegrees(E), Angle.FromDegrees(F)));
 
-    /// <summary>A line, arc or circle under a similarity of the plane; heights are scaled with it, so it keeps its slope. (Ellipses and splines are in their own column.)</summary>
+    /// <summary>A line, arc or circle under a similarity of the plane; heights are scaled with it, so it keeps its slope. (Ellipses and splines are in their
+    /// own column.)</summary>
     public readonly DrawingPart Transformed(Transform2D map)
     {
         if (Kind != SegmentKind.Line) return Arc(Entity, map.Apply(InPlan().Arc), C * map.Scale);

@@ -5,7 +5,7 @@ namespace Engraver.Core.Drawings;
 /// <summary>Counts, lengths and extents of a drawing, in drawing units, over all layers, hidden curves included.</summary>
 /// <param name="Leaf">Curves after expansion by the type as which they were written; types that do not occur are missing. A curve without length
 /// counts.</param>
-/// <param name="Primitives">Lines, arcs and so on, parts of polylines included.</param>
+/// <param name="Primitives">Lines, arcs and other elements, parts of polylines included.</param>
 /// <param name="Length">Lengths by kind; a whole-turn ARC counts as arc, whatever a block's scale makes of a curve.</param>
 /// <param name="Bounds">Smallest box in plan (true extremes of every curve); null when no curve has an extent.</param>
 public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, PrimitiveCounts Primitives, CurveLengths Length, Bounds2D? Bounds)

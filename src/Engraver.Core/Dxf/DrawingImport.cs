@@ -138,7 +138,8 @@ internal sealed class DrawingImport
         else if (!_records.Truncated) _log.Add(DxfRules.SectionWithoutEnd, _records.NextLine, name, _log.Place(_records.NextLine));
     }
 
-    /// <summary>True when blocks or tables come after these entities (rare). Inserts need their blocks and the state of their layers, so the entities then wait for a second pass.</summary>
+    /// <summary>True when blocks or tables come after these entities (rare). Inserts need their blocks and the state of their layers, so the entities then wait
+    /// for a second pass.</summary>
     private bool IsAheadOfItsBlocks()
     {
         if (_readBlocks && _readTables) return false; // the usual order; no need to search the whole file
@@ -238,7 +239,8 @@ internal sealed class DrawingImport
 /// </summary>
 internal static class UnreadRest
 {
-    /// <summary>True when the file is complete (EOF is in it) and all its sections of entities and definitions come before the damage that stopped the reading.</summary>
+    /// <summary>True when the file is complete (EOF is in it) and all its sections of entities and definitions come before the damage that stopped the
+    /// reading.</summary>
     public static bool IsHarmless(DxfTagSource tags)
     {
         if (!tags.IsBinary || tags.DamageCount == 0 || tags.LastWord("EOF"u8) < tags.DamageLine) return false;

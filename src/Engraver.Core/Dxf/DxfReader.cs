@@ -22,8 +22,8 @@ public static class DxfReader
     private static readonly SearchValues<byte> VersionBytes = SearchValues.Create("0123456789."u8);
 
     /// <summary>
-    /// Every curve of model space, blocks expanded, in drawing units. It returns a drawing for any input; whatever could not be read is in its
-    /// balance and its diagnostics, each with type, handle and line. A bad entity is left out alone; all others are kept.
+    /// Every curve of model space, blocks expanded, in drawing units. It returns a drawing for any input; whatever could not be read is in its balance and its
+    /// diagnostics, each with type, handle and line. A bad entity is left out alone; all others are kept.
     /// </summary>
     /// <param name="file">The whole file.</param>
     /// <param name="fileName">Name for messages; no file is opened.</param>
@@ -31,7 +31,7 @@ public static class DxfReader
     /// <param name="cancellation">Ends reading with an <see cref="OperationCanceledException"/>.</param>
     public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation) => ReadWhole(new WholeBytes(file), fileName, options, cancellation);
 
-    /// <summary>The same for a file that is still being read: a text is parsed while it arrives, any other file when it is complete.</summary>
+    /// <summary>The same for a file that is still being read: a text is parsed while it is read, any other file when it is complete.</summary>
     /// <inheritdoc cref="Read(ReadOnlyMemory{byte}, string, DxfReadOptions, CancellationToken)"/>
     /// <exception cref="IOException">The file cannot be read to its end, or has become shorter.</exception>
     public static Drawing Read(IArrivingBytes file, string fileName, DxfReadOptions options, CancellationToken cancellation)
@@ -74,7 +74,8 @@ public static class DxfReader
     /// it.</summary>
     private static bool BeginsAsText(ReadOnlySpan<byte> bytes) => !bytes.Contains((byte)0) && bytes.TrimStart((byte)' ') is [(byte)'0' or (byte)'9', ..];
 
-    /// <summary>True for a DWG, which begins with AC and four digits or dots (the first releases: MC0.0), then binary; in a DXF no version is in the first line.</summary>
+    /// <summary>True for a DWG, which begins with AC and four digits or dots (the first releases: MC0.0), then binary; in a DXF no version is in the first
+    /// line.</summary>
     private static bool IsDwg(ReadOnlySpan<byte> bytes) =>
         bytes.Length > 6 && ((bytes.StartsWith("AC"u8) && bytes[2..6].IndexOfAnyExcept(VersionBytes) < 0) || bytes.StartsWith("MC0.0\0"u8));
 

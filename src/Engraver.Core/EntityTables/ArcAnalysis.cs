@@ -31,7 +31,8 @@ public static class ArcAnalysis
         return false;
     }
 
-    /// <summary>Rotation angle of a counter-clockwise arc, degrees in [0, 360): (end - start) mod 360 (paper 001, eq. 3, read so that it holds across 0 degrees).</summary>
+    /// <summary>Rotation angle of a counter-clockwise arc, degrees in [0, 360): (end - start) mod 360 (paper 001, eq. 3, read so that it holds across 0
+    /// degrees).</summary>
     public static double RotationDegrees(double startDegrees, double endDegrees) => Angle.FromDegrees(endDegrees - startDegrees).Positive().Degrees;
 
     private static void Complete(ref EntitySlots slots)

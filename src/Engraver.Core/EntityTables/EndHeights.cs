@@ -1,9 +1,9 @@
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The height (z, millimetres) at which each segment of a table begins and ends: slots 3 and 6. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
-/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) does not separate levels. A level is no
-/// higher than the tolerance: the small steps of a ramp do not
-/// make one of all depths. A drawing at one level, at any height, is flat.</remarks>
+/// <summary>The height (z, millimetres) at which each segment of a table begins and ends: slots 3 and 6. End number 2 x row is a segment's start, 2 x row + 1
+/// its end.</summary>
+/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) does not separate levels. The height of
+/// a level does not exceed the tolerance: the small steps of a ramp do not make one of all depths. A drawing at one level, at any height, is flat.</remarks>
 public sealed class EndHeights
 {
     /// <summary>Heights that differ by no more are at one place, and a level does not end between them, mm.</summary>
@@ -20,7 +20,8 @@ public sealed class EndHeights
     /// <summary>True when all ends are at one level.</summary>
     public bool AreFlat => _levels.Length == 0;
 
-    /// <summary>Heights nearer to each other than this are equal, mm: the join tolerance, but at least 0.01 mm, because a tolerance of 0 is meant for the plan.</summary>
+    /// <summary>Heights nearer to each other than this are equal, mm: the join tolerance, but at least 0.01 mm, because a tolerance of 0 is meant for the
+    /// plan.</summary>
     public static double ToleranceFor(double joinTolerance) => Math.Max(joinTolerance, 0.01);
 
     /// <summary>The heights of a table's rows.</summary>

@@ -6,7 +6,8 @@ public static class EntitySlot
     /// <summary>Number of slots in a row.</summary>
     public const int Count = 16;
 
-    /// <summary>Property mark: 1 line, 2 circle, 3 arc; beyond the paper 4 ellipse or elliptical arc, 5 spline, with slots 1 to 6 only and the curve in a side column.</summary>
+    /// <summary>Property mark: 1 line, 2 circle, 3 arc; beyond the paper 4 ellipse or elliptical arc, 5 spline, with slots 1 to 6 only and the curve in a side
+    /// column.</summary>
     public const int Kind = 0;
 
     public const int StartX = 1;

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The paper's table with fixed slots: any number of rows of 16 doubles in millimetres, one row per directed segment. Immutable outside this folder's stages.</summary>
+/// <summary>The paper's table with fixed slots: any number of rows of 16 doubles in millimetres, one row per directed segment. Immutable outside this folder's
+/// stages.</summary>
 /// <remarks>Paper 001 prints an array of 100 x 20; it is implemented as 16 slots without a limit of rows. Rows are stored in chunks: 8 bytes for each slot
 /// whose values differ within its chunk (a flat line has four, five when it is in sequence), plus 4 for the entity index; ellipses and splines (kinds 4 and 5)
 /// in a side column.</remarks>

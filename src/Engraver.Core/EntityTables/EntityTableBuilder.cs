@@ -6,9 +6,11 @@ namespace Engraver.Core.EntityTables;
 /// <summary>Converts a drawing to an entity table: the only place where drawing units become millimetres.</summary>
 public static class EntityTableBuilder
 {
-    /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are divided into their parts (paper 001, section 3.3).</summary>
-    /// <returns>Lines, ellipses and splines complete; arcs and circles with slots 7 to 12 only (analysis fills the rest). Slot 15 is already set for parts that have no drawn angles
-    /// of their own to compute it from (polyline bulges, ellipses that are circles) and for parts drawn clockwise (mirrored blocks).</returns>
+    /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are divided into their parts (paper 001, section
+    /// 3.3).</summary>
+    /// <returns>Lines, ellipses and splines complete; arcs and circles with slots 7 to 12 only (analysis fills the rest). Slot 15 is already set for parts that
+    /// have no drawn angles of their own to compute it from (polyline bulges, ellipses that are circles) and for parts drawn clockwise (mirrored
+    /// blocks).</returns>
     public static EntityTable Build(Drawing drawing, LayerSelection selection)
     {
         var taken = selection.Taken(drawing.Layers);

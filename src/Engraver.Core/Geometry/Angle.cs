@@ -4,7 +4,8 @@ namespace Engraver.Core.Geometry;
 
 /// <summary>A plane angle, counter-clockwise positive, stored in degrees (DXF gives degrees, the controller's CR takes degrees). <c>default</c> is
 /// zero.</summary>
-/// <remarks>Paper 001 takes the cosine of a number of degrees; this type makes that mistake impossible: only <see cref="Cos"/> and <see cref="Sin"/> convert.</remarks>
+/// <remarks>Paper 001 takes the cosine of a number of degrees; this type makes that mistake impossible: only <see cref="Cos"/> and <see cref="Sin"/>
+/// convert.</remarks>
 public readonly record struct Angle : IComparable<Angle>
 {
     private Angle(double degrees) => Degrees = degrees;

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Lengths of curves by adaptive Gauss quadrature of their speed: a part is halved until the sum of its halves agrees with the whole to a relative 1e-12.</summary>
+/// <summary>Lengths of curves by adaptive Gauss quadrature of their speed: a part is halved until the sum of its halves agrees with the whole to a relative
+/// 1e-12.</summary>
 public static class ArcLength
 {
     private const double RelativeTolerance = 1e-12;
@@ -34,7 +35,8 @@ public static class ArcLength
         return Refined(speed, from, to, whole, RelativeTolerance * whole, MostHalvings, ref parts);
     }
 
-    /// <summary>The span moved so that it starts at the origin: rounding of large coordinates would disturb the speed of a very short span, as between two knots 1e-8 apart.</summary>
+    /// <summary>The span moved so that it starts at the origin: rounding of large coordinates would disturb the speed of a very short span, as between two
+    /// knots 1e-8 apart.</summary>
     private static BezierSpan FromItsStart(BezierSpan span)
     {
         var points = span.Homogeneous.ToArray();

@@ -31,7 +31,8 @@ internal static class Bernstein
         for (var k = 0; k < degree; k++) derivative[k] = ((k + 1) * polynomial[k + 1]) - ((degree - k) * polynomial[k]);
     }
 
-    /// <summary>Number of sign changes along the coefficients, without zeros: at least the number of roots between 0 and 1 (Descartes' rule of signs).</summary>
+    /// <summary>Number of sign changes along the coefficients, without zeros: at least the number of roots between 0 and 1 (Descartes' rule of
+    /// signs).</summary>
     /// <param name="first">Sign of the first coefficient that is not zero; 0 when all are zero.</param>
     public static int SignChanges(ReadOnlySpan<double> polynomial, out int first)
     {

@@ -8,7 +8,8 @@ public sealed class BezierSpan
     /// <summary>Doubles for each control point.</summary>
     public const int Stride = 4;
 
-    /// <summary>A speed or a leg of the control polygon below this part of the span's size (largest distance of a control point from the first) is rounding and counts as zero.</summary>
+    /// <summary>A speed or a leg of the control polygon below this part of the span's size (largest distance of a control point from the first) is rounding and
+    /// counts as zero.</summary>
     private const double StandingStill = 1e-10;
 
     private readonly double[] _points;
@@ -49,7 +50,8 @@ public sealed class BezierSpan
         return new Point2D(place.X, place.Y);
     }
 
-    /// <summary>Direction of travel (length 1). Where the speed is zero, the direction in which the span continues; at its end, the one in which it arrives.</summary>
+    /// <summary>Direction of travel (length 1). Where the speed is zero, the direction in which the span continues; at its end, the one in which it
+    /// arrives.</summary>
     public Vector2D TangentAt(double parameter)
     {
         if (parameter <= 0.0) return StartTangent;

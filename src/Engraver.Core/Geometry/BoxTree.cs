@@ -2,7 +2,8 @@ namespace Engraver.Core.Geometry;
 
 /// <summary>Boxes sorted along a Hilbert curve under a tree of boxes with four children per node: nearest and overlap queries in logarithmic time, however
 /// unevenly the drawing is distributed.</summary>
-/// <remarks>Items can be hidden and shown again, for example strokes that have been cut. Not safe for use from several threads while items are hidden or shown.</remarks>
+/// <remarks>Items can be hidden and shown again, for example strokes that have been cut. Not safe for use from several threads while items are hidden or
+/// shown.</remarks>
 public sealed class BoxTree
 {
     private const int Fanout = 4;
@@ -58,7 +59,8 @@ public sealed class BoxTree
 
     public void Show(int item) => Set(item, item);
 
-    /// <summary>The nearest shown item by <paramref name="measure"/>, ties to the lower number; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
+    /// <summary>The nearest shown item by <paramref name="measure"/>, ties to the lower number; -1 when none is nearer than or as near as
+    /// <paramref name="within"/>.</summary>
     /// <param name="place">Point to measure from.</param>
     /// <param name="measure">Exact distance of an item.</param>
     /// <param name="within">Largest distance of interest; positive infinity for any.</param>
@@ -153,7 +155,7 @@ public sealed class BoxTree
         }
     }
 
-    /// <summary>Index of the smallest value; among equal values of the one with the lowest number, so that no other box at that distance must be
+    /// <summary>Index of the smallest value; among equal values of the one with the lowest number, so that other boxes at that distance need not be
     /// searched.</summary>
     private static int IndexOfSmallest(ReadOnlySpan<double> values, ReadOnlySpan<int> numbers)
     {

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Divides curves into pieces that are nearly straight, so that their boxes are small, and of nearly constant speed, so that equal steps of the parameter are nearly equal lengths.</summary>
+/// <summary>Divides curves into pieces that are nearly straight, so that their boxes are small, and of nearly constant speed, so that equal steps of the
+/// parameter are nearly equal lengths.</summary>
 public static class CurvePieces
 {
     /// <summary>Largest distance of a control point from the chord, as a part of the chord.</summary>

@@ -78,7 +78,7 @@ public static class FitPointSpline
             return rows;
         }
 
-        /// <summary>A row for zero curvature: 2 m0 + m1 = 3 s0/h0, divided by h so that the matrix stays symmetric.</summary>
+        /// <summary>A row for zero curvature: 2 m0 + m1 = 3 s0/h0, divided by h so that the matrix remains symmetric.</summary>
         public void SetNatural(int row, Vector3D step)
         {
             Middle[row] = 2.0 / step.Length;

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A non-uniform rational B-spline as stored: degree, knots and control points. Its domain is knot[degree] to knot[count]; knots outside only shape the ends.</summary>
+/// <summary>A non-uniform rational B-spline as stored: degree, knots and control points. Its domain is knot[degree] to knot[count]; knots outside only shape
+/// the ends.</summary>
 public sealed class NurbsCurve
 {
     /// <summary>A knot lower than the one before it by no more than this part of the whole range was rounded, and is taken as equal.</summary>
@@ -57,7 +58,8 @@ public sealed class NurbsCurve
         return knots;
     }
 
-    /// <summary>The same curve as Bezier spans, one for each knot interval with a length; spans that are a point are left out. Null when none is left.</summary>
+    /// <summary>The same curve as Bezier spans, one for each knot interval with a length; spans that are a point are left out. Null when none is
+    /// left.</summary>
     public RationalCurve? ToCurve()
     {
         var spans = new List<BezierSpan>(PointCount - Degree);
@@ -82,7 +84,8 @@ public sealed class NurbsCurve
         return result;
     }
 
-    /// <summary>Control points of the interval from knot i to the next: the knots a = u(i) and b = u(i+1) are inserted until each occurs degree times (blossoms f(a.., b..)).</summary>
+    /// <summary>Control points of the interval from knot i to the next: the knots a = u(i) and b = u(i+1) are inserted until each occurs degree times (blossoms
+    /// f(a.., b..)).</summary>
     private double[] SpanAt(int i)
     {
         var (p, a, b) = (Degree, _knots[i], _knots[i + 1]);

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Divides oriented boxes in two so that the boxes around both halves are small: by position along their common direction, by position across it, or by direction (a hatch is two families of lines).</summary>
+/// <summary>Divides oriented boxes in two so that the boxes around both halves are small: by position along their common direction, by position across it, or
+/// by direction (a hatch is two families of lines).</summary>
 internal sealed class OrientedBoxDivision
 {
     /// <summary>Below this depth halves get equal numbers of items, so that the depth of the tree is limited for every drawing.</summary>
@@ -181,7 +182,8 @@ internal sealed class OrientedBoxDivision
         public OrientedExtent OtherExtent;
     }
 
-    /// <summary>Sums over boxes that give their common direction (angles doubled, so that a line and its reverse are the same) and the direction in which their centres are spread most.</summary>
+    /// <summary>Sums over boxes that give their common direction (angles doubled, so that a line and its reverse are the same) and the direction in which their
+    /// centres are spread most.</summary>
     private struct CommonCourse
     {
         private Point2D _origin;
@@ -230,7 +232,8 @@ internal sealed class OrientedBoxDivision
         }
     }
 
-    /// <summary>Criteria by which the boxes of a node are divided: position along and across their common direction, and the signed angle to it; without a common direction, the angle to that of the longest box.</summary>
+    /// <summary>Criteria by which the boxes of a node are divided: position along and across their common direction, and the signed angle to it; without a
+    /// common direction, the angle to that of the longest box.</summary>
     private readonly record struct CourseFrame(Point2D Origin, Vector2D Along, bool IsCommon)
     {
         public double Key(Criterion criterion, in OrientedBox box)

@@ -24,7 +24,8 @@ public sealed class OrientedBoxTree
         return new OrientedBoxTree(boxes, order, nodes);
     }
 
-    /// <summary>The nearest item by <paramref name="measure"/>, ties to the lower number, or the first found that is near enough; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
+    /// <summary>The nearest item by <paramref name="measure"/>, ties to the lower number, or the first found that is near enough; -1 when none is nearer than
+    /// or as near as <paramref name="within"/>.</summary>
     /// <param name="place">Point to measure from.</param>
     /// <param name="measure">Exact distance of an item, which is nowhere nearer than its box. Several items may be pieces of one object and measure the
     /// whole.</param>

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>An ellipse, an elliptical arc or a spline, exact: rational Bezier spans joined end to start, with a direction. Rows of kinds 4 and 5 of the entity table have one in a side column.</summary>
+/// <summary>An ellipse, an elliptical arc or a spline, exact: rational Bezier spans joined end to start, with a direction. Rows of kinds 4 and 5 of the entity
+/// table have one in a side column.</summary>
 /// <remarks>Compared by reference. Immutable; lengths and box are computed on first use.</remarks>
 public sealed class RationalCurve
 {
@@ -60,7 +61,7 @@ public sealed class RationalCurve
     /// <summary>The same curve under a similarity of the plane; heights are scaled with it.</summary>
     public RationalCurve Mapped(Transform2D map) => With([.. _spans.Select(span => span.Mapped(map))]);
 
-    /// <summary>The same kind of curve with other spans, one for one. A closed curve stays exactly closed.</summary>
+    /// <summary>The same kind of curve with other spans, one for one. A closed curve remains exactly closed.</summary>
     public RationalCurve With(BezierSpan[] spans)
     {
         if (IsClosed) CloseExactly(spans);

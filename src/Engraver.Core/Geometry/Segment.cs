@@ -2,7 +2,8 @@ namespace Engraver.Core.Geometry;
 
 /// <summary>A line, an arc, a whole circle, an ellipse or a spline with a direction: the elements of contours (in toolpaths: lines, arcs and circles
 /// only).</summary>
-/// <remarks><see cref="Start"/> and <see cref="End"/> are stored, not computed, so that chained ends can be compared exactly; a circle starts and ends at its start angle.</remarks>
+/// <remarks><see cref="Start"/> and <see cref="End"/> are stored, not computed, so that chained ends can be compared exactly; a circle starts and ends at its
+/// start angle.</remarks>
 public readonly record struct Segment
 {
     private readonly ArcSegment _arc;

@@ -2,9 +2,10 @@ namespace Engraver.Core.Geometry;
 
 /// <summary>Shortest distance from a point to a span of any shape: control points may coincide, reverse, or form a cusp.</summary>
 /// <remarks>
-/// With N the vector from the point to the span times the weight w, the squared distance is N.N / w^2, and its slope has the sign of (N.N)' w - 2 N.N w'. Both are polynomials whose Bernstein
-/// coefficients bound them: where no coefficient of N.N - d^2 w^2 is below zero, nothing is nearer than d; where the slope changes its sign once, there is one nearest point, and Newton's
-/// steps between two parameters on either side find it. Parts that neither test decides are halved. No test checks whether a derivative is zero.
+/// With N the vector from the point to the span times the weight w, the squared distance is N.N / w^2, and its slope has the sign of (N.N)' w - 2 N.N w'. Both
+/// are polynomials whose Bernstein coefficients bound them: where no coefficient of N.N - d^2 w^2 is below zero, nothing is nearer than d; where the slope
+/// changes its sign once, there is one nearest point, and Newton's steps between two parameters on either side find it. Parts that neither test decides are
+/// halved. No test checks whether a derivative is zero.
 /// </remarks>
 internal static class SpanDistance
 {

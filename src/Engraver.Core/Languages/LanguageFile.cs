@@ -7,9 +7,8 @@ namespace Engraver.Core.Languages;
 
 /// <summary>
 /// The texts of a language other than English, from one file: <c>Languages/Texts/de.json</c> is German. It is a JSON object, <c>"PROJECT/NAME": "text"</c>,
-/// with the names of each project's <c>Texts.resx</c>;
-/// <c>Keyword/NAME</c> is an option of a prompt, whose capitals are its short form; <c>Language/Name</c> is the language's English name. Texts that a file
-/// lacks are English.
+/// with the names of each project's <c>Texts.resx</c>; <c>Keyword/NAME</c> is an option of a prompt, whose capitals are its short form; <c>Language/Name</c> is
+/// the language's English name. Texts that a file lacks are English.
 /// </summary>
 public sealed class LanguageFile
 {

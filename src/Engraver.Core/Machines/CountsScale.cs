@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>Converts millimetres to counts: the only place where the unit changes. End points are rounded, never increments, so errors cannot accumulate (galil-dmc.md J.2).</summary>
+/// <summary>Converts millimetres to counts: the only place where the unit changes. End points are rounded, never increments, so errors cannot accumulate
+/// (galil-dmc.md J.2).</summary>
 /// <remarks>"Exact" values are counts that are not rounded yet; they are carried in the geometry types of Core, whose unit is then the count.</remarks>
 /// <param name="X">Counts per millimetre of the drawing's X; negative mirrors.</param>
 /// <param name="Y">Counts per millimetre of the drawing's Y; negative mirrors.</param>

@@ -53,7 +53,7 @@ public sealed record Spindle
     /// <summary>The spindle is switched off while a job is held, after the tool has left the work; otherwise it continues to turn.</summary>
     public bool StopsInHold { get; init; }
 
-    /// <summary>Letter of an axis that moves nothing and whose analog output sets the speed; null where the speed is set by hand.</summary>
+    /// <summary>Letter of an axis that does not move and whose analog output sets the speed; null where the speed is set manually.</summary>
     public char? SpeedAxis { get; init; }
 
     /// <summary>Volts of that output while the spindle turns (galil-dmc.md C, OF: -9.9982 to 9.9982).</summary>

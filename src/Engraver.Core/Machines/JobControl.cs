@@ -86,13 +86,13 @@ public sealed class JobControl
         }
     }
 
-    /// <summary>The job brakes at the next point where it can, and the tool goes off or up at standstill.</summary>
+    /// <summary>The job brakes at the next point where it can, and the tool is switched off or raised at standstill.</summary>
     public void Hold()
     {
         lock (_guard) _isHoldWanted = true;
     }
 
-    /// <summary>Cancels a hold: the machine returns to where it was held, the tool goes on again, and the job continues there.</summary>
+    /// <summary>Cancels a hold: the machine returns to where it was held, the tool is switched on or lowered again, and the job continues there.</summary>
     public void Resume()
     {
         lock (_guard) _isHoldWanted = false;
@@ -107,7 +107,7 @@ public sealed class JobControl
         }
     }
 
-    /// <summary>Moves the machine of a held job by hand, tool off or up; a resume goes back to where the job was held.</summary>
+    /// <summary>Moves the machine of a held job by hand, tool off or raised; a resume returns to where the job was held.</summary>
     /// <returns>How the move ended; refused where the job is not held at standstill, or another move is in progress.</returns>
     public Task<JobResult> MoveAsync(HeldMove move)
     {
@@ -155,9 +155,9 @@ public enum JobPhase : byte
     /// <summary>A hold was requested; the machine still moves, or the tool is still on.</summary>
     Holding,
 
-    /// <summary>At standstill with the tool off or up, waiting for the operator, who may move the machine by hand.</summary>
+    /// <summary>At standstill with the tool off or raised, waiting for the operator, who may move the machine by hand.</summary>
     Held,
 
-    /// <summary>The machine returns to its path, and the tool goes on again.</summary>
+    /// <summary>The machine returns to its path, and the tool is switched on or lowered again.</summary>
     Resuming,
 }

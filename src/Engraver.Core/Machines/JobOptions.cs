@@ -75,7 +75,7 @@ public sealed record JobOptions
 
 /// <summary>First line of a job in the journal.</summary>
 /// <param name="StartX">_RPA when the job began.</param>
-/// <param name="FrameX">Job frame: what is added to drawing counts to get the controller's.</param>
+/// <param name="FrameX">Job frame: added to drawing counts to get the controller's counts.</param>
 public sealed record JournalHeader(string Drawing, string Controller, JobMode Mode, int SegmentCount, long StartX, long StartY, long FrameX, long FrameY, DateTimeOffset StartedAt)
 {
     public string Kind { get; } = "job";
@@ -89,7 +89,8 @@ public sealed record JournalHeader(string Drawing, string Controller, JobMode Mo
     /// <summary>Counts that are added to heights of the drawing; 0 where an output is the tool.</summary>
     public int FrameZ { get; init; }
 
-    /// <summary>Where an output is the tool of a machine with a Z axis: the height at which the job is cut, the controller's own counts; null elsewhere.</summary>
+    /// <summary>Where an output is the tool of a machine with a Z axis: the height at which the job is cut, the controller's own counts; null
+    /// elsewhere.</summary>
     public int? HeightOfCut { get; init; }
 
     /// <summary>Identifies the motion program; empty in journals of an older version.</summary>

@@ -38,7 +38,8 @@ public sealed record JobResult
     /// <summary>Controller counts at the drawing's zero: what was added to the job frame. Null when the job ended before the frame was taken.</summary>
     public required CountsPoint? FrameOrigin { get; init; }
 
-    /// <summary>False when the link was lost before the controller reported where it came to rest: it continued with its stored segments until the watchdog tripped, and may have cut more than is counted here.</summary>
+    /// <summary>False when the link was lost before the controller reported where it came to rest: it continued with its stored segments until the watchdog
+    /// tripped, and may have cut more than is counted here.</summary>
     public bool IsEndKnown { get; init; } = true;
 
     /// <summary>Everything before it was certainly cut, by the last position that was polled with the tool on: another job continues from here.</summary>

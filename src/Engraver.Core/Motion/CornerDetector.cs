@@ -6,9 +6,8 @@ namespace Engraver.Core.Motion;
 /// <summary>Detects where the path turns too sharply to be cut without a stop. It uses the drawn tangents: rounded counts would show corners in any run of
 /// short pieces.</summary>
 /// <remarks>Moves shorter than a count are included, so that a bend of many such moves is smooth, and a tiny move of another direction inside a straight is not
-/// a corner.
-/// A bend so small that the controller would pass it between two of its samples is also a corner, however smooth it was drawn; near a standstill the tool is
-/// slow, and it is not one.</remarks>
+/// a corner. A bend so small that the controller would pass it between two of its samples is also a corner, however smooth it was drawn; near a standstill the
+/// tool is slow, and it is not one.</remarks>
 /// <param name="vectorSpeed">Counts/s along the path, as the controller accepts it.</param>
 public sealed class CornerDetector(MachineProfile profile, double vectorSpeed)
 {

@@ -42,7 +42,7 @@ public static class MotionTime
         return new MotionTimes(moving, 0.0, commands.Sequence(sequence, moving, program));
     }
 
-    /// <summary>The tool goes on or off; the moves of a tool axis count as rapids.</summary>
+    /// <summary>The tool is switched on or off; the moves of a tool axis count as rapids.</summary>
     internal static MotionTimes ToolAt(CountsPoint at, bool on, MotionProgram program, CommandTimes commands)
     {
         var moving = program.Profile.Axes.Z is { } z && program.Profile.Height is not null ? HeightSeconds(at.Z, on, program.Profile, z, commands) : 0.0;

@@ -177,8 +177,8 @@ public static class PlaceOnProgram
     /// <param name="segments">Segments that were done when the position was read, or a few fewer.</param>
     /// <param name="at">Position, job frame.</param>
     /// <param name="tolerance">A position further from a segment than this is not on it, counts.</param>
-    /// <returns>The first matching place from there on; the beginning of the segment where none matches, so that no part is left out. Heights count where an
-    /// axis is the tool drive.</returns>
+    /// <returns>The first matching place from there on; the beginning of the segment where none matches, so that all parts are cut. Heights count where an axis
+    /// is the tool drive.</returns>
     public static JobPlace Find(MotionProgram program, int segments, CountsPoint at, double tolerance)
     {
         ArgumentNullException.ThrowIfNull(program);

@@ -7,7 +7,7 @@ namespace Engraver.Core.Motion;
 /// the program on access.</summary>
 internal sealed class SpanColumn(MotionProgram program, int[] firstSequences) : IReadOnlyList<MotionSpan>
 {
-    /// <summary>The start time of every span at this interval is stored; those between are added up again, by the same sums.</summary>
+    /// <summary>Interval, in spans, at which start times are stored; those between are added up again, by the same sums.</summary>
     private const int Stride = 16;
 
     private const int PartBits = 3;

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Motion;
 
-/// <summary>Speed over time for a distance from rest to rest with the same acceleration and deceleration; a triangle when the distance is short. Any unit of length.</summary>
+/// <summary>Speed over time for a distance from rest to rest with the same acceleration and deceleration; a triangle when the distance is short. Any unit of
+/// length.</summary>
 public readonly record struct SpeedTrapezoid(double Distance, double TopSpeed, double Acceleration)
 {
     /// <summary>The speed that is reached.</summary>

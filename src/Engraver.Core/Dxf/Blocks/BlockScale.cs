@@ -2,7 +2,8 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Computes the weight of blocks before anything is expanded: how many curves, and which nested inserts cannot be followed. Linear in the number of inserts.</summary>
+/// <summary>Computes the weight of blocks before anything is expanded: how many curves, and which nested inserts cannot be followed. Linear in the number of
+/// inserts.</summary>
 internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> blocks)
 {
     private readonly HashSet<BlockDefinition> _open = [];
@@ -78,7 +79,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
     }
 }
 
-/// <summary>Content and cost of one copy of a block. Sums are limited to <see cref="Most"/>, so that no nesting can overflow them.</summary>
+/// <summary>Content and cost of one copy of a block. Sums are limited to <see cref="Most"/>, so that nesting cannot overflow them.</summary>
 /// <param name="Curves">Curves after full expansion.</param>
 /// <param name="Steps">Curves and inserts that an expansion visits; an insert without curves counts, but its content does not.</param>
 /// <param name="Loses">True when something in it was refused.</param>

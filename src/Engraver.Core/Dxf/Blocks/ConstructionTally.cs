@@ -6,7 +6,8 @@ using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Counts visible construction by type and layer; in blocks once for every copy, up to the limit. Texts are not counted here: they are kept (<see cref="TextExpander"/>).</summary>
+/// <summary>Counts visible construction by type and layer; in blocks once for every copy, up to the limit. Texts are not counted here: they are kept
+/// (<see cref="TextExpander"/>).</summary>
 internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
     /// <summary>Maximum number of counts and inserts that are visited. In a larger drawing the reported numbers are too small, but never zero.</summary>

@@ -6,9 +6,8 @@ using Engraver.Core.Dxf.Records;
 namespace Engraver.Core.Dxf.Lengths;
 
 /// <summary>
-/// Compares the length of every curve that was read with the length that its numbers describe: a curve that became almost empty is an error that names it,
-/// whatever the cause.
-/// Shares no code with the mapping, which it checks. Faces and multilines are left out: their lines join written points.
+/// Compares the length of every curve that was read with the length that its numbers describe: a curve that has lost almost all its length is an error that
+/// names it, whatever the cause. Shares no code with the mapping, which it checks. Faces and multilines are left out: their lines join written points.
 /// </summary>
 internal sealed class LengthCheck(LayerTable layers)
 {

@@ -8,8 +8,7 @@ internal static class WrittenSpan
 
     /// <summary>
     /// End minus start where it is positive. Where it is negative, a curve between usual angles (0 to a turn, or half a turn to each side) crosses the angle at
-    /// which these begin again;
-    /// between others it is taken as clockwise, as written.
+    /// which these begin again; between others it is taken as clockwise, as written.
     /// </summary>
     public static double Of(double start, double end, double turn)
     {

@@ -25,7 +25,8 @@ internal sealed class CurveShape
 
     public Span<DrawingPart> MutableParts => _parts.AsSpan(0, _count);
 
-    /// <summary>False when a factor (a ratio, a bulge, a weight) made a value too large to compute with, though every number in the record was usable.</summary>
+    /// <summary>False when a factor (a ratio, a bulge, a weight) made a value too large to compute with, though every number in the record was
+    /// usable.</summary>
     public bool IsInRange
     {
         get

@@ -4,7 +4,8 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The boundaries of a HATCH (DXF reference, "Boundary Path Data"): each loop a curve, empty where it has no length. Announced numbers (91, 93) are not relied on.</summary>
+/// <summary>The boundaries of a HATCH (DXF reference, "Boundary Path Data"): each loop a curve, empty where it has no length. Announced numbers (91, 93) are
+/// not relied on.</summary>
 internal sealed class HatchMapper
 {
     private const int LoopStart = 92;

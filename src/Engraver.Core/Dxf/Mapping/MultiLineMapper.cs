@@ -5,7 +5,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The lines of an MLINE (DXF reference): element n passes through vertex + mitre direction times its first parameter at every vertex, which includes scale, justification and mitres. Breaks are ignored.</summary>
+/// <summary>The lines of an MLINE (DXF reference): element n passes through vertex + mitre direction times its first parameter at every vertex, which includes
+/// scale, justification and mitres. Breaks are ignored.</summary>
 internal static class MultiLineMapper
 {
     private const int ClosedFlag = 2;

@@ -7,12 +7,13 @@ namespace Engraver.Core.Dxf.Mapping;
 internal static class PolylineParts
 {
     /// <summary>
-    /// Below this bulge a straight part is more exact: its distance from the arc is bulge/2 of the chord, while the arc's centre is 1/(4 bulge) chords away
-    /// and rounded to 1e-16 of that. The two errors are equal near 1e-8.
+    /// Below this bulge a straight part is more exact: its distance from the arc is bulge/2 of the chord, while the arc's centre is 1/(4 bulge) chords away and
+    /// rounded to 1e-16 of that. The two errors are equal near 1e-8.
     /// </summary>
     private const double StraightBulge = 1e-8;
 
-    /// <summary>Adds the parts to the shape; two vertices at one point have no part between them. The last bulge counts only when the polyline is closed.</summary>
+    /// <summary>Adds the parts to the shape; two vertices at one point have no part between them. The last bulge counts only when the polyline is
+    /// closed.</summary>
     public static void Connect(ReadOnlySpan<PolylineVertex> vertices, bool closed, CurveShape shape)
     {
         for (var i = 1; i < vertices.Length; i++) Connect(vertices[i - 1], vertices[i], shape);

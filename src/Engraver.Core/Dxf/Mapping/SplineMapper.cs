@@ -15,8 +15,7 @@ internal sealed class SplineMapper
 
     /// <summary>
     /// Largest allowed ratio of weights. Near a much heavier point nearly the whole curve is in a tiny range of its parameter, which doubles cannot resolve:
-    /// from a ratio of 1e8 on
-    /// lengths were wrong, and at 1e17 the arc fit did not end.
+    /// from a ratio of 1e8 on lengths were wrong, and at 1e17 the arc fit did not end.
     /// </summary>
     private const double LargestRatio = 1e6 * (1.0 + 1e-12);
 
@@ -101,7 +100,8 @@ internal sealed class SplineMapper
         return record.Fault is null ? new NurbsCurve(_degree, knots, points).ToCurve() : null;
     }
 
-    /// <summary>The knots as written, or substitutes. OpenNURBS (Rhino) omits the first and the last knot, on which no point depends: with these two repeated its clamped curve is exact.</summary>
+    /// <summary>The knots as written, or substitutes. OpenNURBS (Rhino) omits the first and the last knot, on which no point depends: with these two repeated
+    /// its clamped curve is exact.</summary>
     private double[] Knots(EntityRecord record, CurveShape shape)
     {
         double[] knots = [.. _knots];

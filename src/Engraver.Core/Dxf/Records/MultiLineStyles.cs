@@ -3,7 +3,8 @@ using Engraver.Core.Dxf.Tags;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The flags of the MLINESTYLE objects of a file: which caps and joints its multilines have. They come after the entities, so they are looked up first.</summary>
+/// <summary>The flags of the MLINESTYLE objects of a file: which caps and joints its multilines have. They come after the entities, so they are looked up
+/// first.</summary>
 internal sealed class MultiLineStyles
 {
     private readonly Dictionary<string, int> _flags = new(StringComparer.OrdinalIgnoreCase);

@@ -53,7 +53,7 @@ internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
 
         public int GetHashCode([DisallowNull] byte[] obj) => GetHashCode(obj.AsSpan());
 
-        /// <summary>Seeded for each process, so that no file can be made to cause collisions.</summary>
+        /// <summary>Seeded for each process, so that a file cannot be made to cause collisions.</summary>
         public int GetHashCode(ReadOnlySpan<byte> alternate)
         {
             var hash = new HashCode();

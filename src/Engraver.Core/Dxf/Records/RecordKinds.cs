@@ -43,7 +43,8 @@ internal static class RecordKinds
     /// <summary>True for the other types of record in TABLES, which are not read.</summary>
     public static bool IsOfTables(string type) => TableTypes.Contains(type);
 
-    /// <summary>For a record without content (a frame such as ENDSEC): false for a group code that it cannot have, which then belongs to another record whose beginning is damaged. True for every other record.</summary>
+    /// <summary>For a record without content (a frame such as ENDSEC): false for a group code that it cannot have, which then belongs to another record whose
+    /// beginning is damaged. True for every other record.</summary>
     public static bool MayHold(RecordKind kind, string type, int code) => kind switch
     {
         RecordKind.Section or RecordKind.SectionEnd => false,

@@ -63,7 +63,8 @@ internal sealed class RecordReader
     /// <summary>The next record's type name, in capitals.</summary>
     public string NextType => _types[_nextType];
 
-    /// <summary>A position in the next record, after its type: <see cref="DxfTagSource.Return"/> goes back to it, and <see cref="PassOver()"/> then skips to the record after.</summary>
+    /// <summary>A position in the next record, after its type: <see cref="DxfTagSource.Return"/> goes back to it, and <see cref="PassOver()"/> then skips to
+    /// the record after.</summary>
     public (int Position, int Line) Bookmark() => _tags.Bookmark();
 
     /// <summary>Reads the whole next record, of any kind.</summary>
@@ -173,7 +174,8 @@ internal sealed class RecordReader
         if (Next == RecordKind.Section && !BeginsSection()) Next = RecordKind.Unknown;
     }
 
-    /// <summary>True for a section. The section plane of AutoCAD 2007 is an entity that is also called SECTION, but only a section is followed by its name.</summary>
+    /// <summary>True for a section. The section plane of AutoCAD 2007 is an entity that is also called SECTION, but only a section is followed by its
+    /// name.</summary>
     private bool BeginsSection()
     {
         var here = _tags.Bookmark();

@@ -5,7 +5,8 @@ using System.Text;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>Pairs of lines: a group code, then its value. Line ends may be LF, CR LF, CR CR LF, LF CR or CR, also mixed; codes may have blanks around them.</summary>
+/// <summary>Pairs of lines: a group code, then its value. Line ends may be LF, CR LF, CR CR LF, LF CR or CR, also mixed; codes may have blanks around
+/// them.</summary>
 internal sealed class AsciiTagSource : DxfTagSource
 {
     private const int ShownText = 40;

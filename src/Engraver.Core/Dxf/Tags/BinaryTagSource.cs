@@ -3,7 +3,8 @@ using System.Globalization;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>The binary form: sentinel, then group code and value without separators. R12 writes codes as one byte (255 announces two more), later releases as two.</summary>
+/// <summary>The binary form: sentinel, then group code and value without separators. R12 writes codes as one byte (255 announces two more), later releases as
+/// two.</summary>
 internal sealed class BinaryTagSource : DxfTagSource
 {
     private readonly bool _oneByteCodes;

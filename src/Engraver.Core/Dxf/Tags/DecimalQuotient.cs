@@ -4,8 +4,9 @@ namespace Engraver.Core.Dxf.Tags;
 
 /// <summary>The double nearest to a whole number over a power of ten, where neither fits a double exactly: coordinates written with 16 or 17 digits.</summary>
 /// <remarks>
-/// Multiplies by a reciprocal of 128 bits (Lemire, Number parsing at a gigabyte per second, 2021). The reciprocal is truncated, so the product may be one too small in its
-/// 128th bit; where that could matter (or the value is exactly between two doubles) there is no result, and the caller must use the library's parser.
+/// Multiplies by a reciprocal of 128 bits (Lemire, Number parsing at a gigabyte per second, 2021). The reciprocal is truncated, so the product may be one too
+/// small in its 128th bit; where that could matter (or the value is exactly between two doubles) there is no result, and the caller must use the library's
+/// parser.
 /// </remarks>
 internal static class DecimalQuotient
 {

@@ -25,7 +25,8 @@ internal static class TextContent
         return result.ToString();
     }
 
-    /// <summary>Handles the code whose letter is at <paramref name="at"/>; returns the index of its last character. No code ends after <paramref name="lastEnd"/>.</summary>
+    /// <summary>Handles the code whose letter is at <paramref name="at"/>; returns the index of its last character. No code ends after
+    /// <paramref name="lastEnd"/>.</summary>
     private static int Code(string text, int at, int lastEnd, StringBuilder result)
     {
         switch (text[at])

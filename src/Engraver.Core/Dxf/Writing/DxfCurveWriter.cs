@@ -39,7 +39,8 @@ internal static class DxfCurveWriter
         return true;
     }
 
-    /// <summary>An ELLIPSE always runs counter-clockwise about its extrusion, so a clockwise one is written with 0,0,-1. Its points are in world coordinates.</summary>
+    /// <summary>An ELLIPSE always runs counter-clockwise about its extrusion, so a clockwise one is written with 0,0,-1. Its points are in world
+    /// coordinates.</summary>
     private static void Ellipse(DxfTagWriter tags, EllipsePlan ellipse, double z)
     {
         tags.Class("AcDbEllipse").Point(10, ellipse.Centre, z).Point(11, Point2D.Origin + ellipse.Major);
@@ -64,7 +65,8 @@ internal static class DxfCurveWriter
         foreach (var point in points) tags.Point(10, point.Place, point.Z);
     }
 
-    /// <summary>Control points of all spans (of one degree), shared ones once. Weights of a span may be scaled by a common factor, so that neighbours agree in their shared point.</summary>
+    /// <summary>Control points of all spans (of one degree), shared ones once. Weights of a span may be scaled by a common factor, so that neighbours agree in
+    /// their shared point.</summary>
     private static List<(Point2D Place, double Z, double Weight)> Points(RationalCurve curve)
     {
         var points = new List<(Point2D Place, double Z, double Weight)>();

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes the OBJECTS section: the root dictionary with groups and the two layouts that belong to the two spaces (DXF reference, "OBJECTS Section").</summary>
+/// <summary>Writes the OBJECTS section: the root dictionary with groups and the two layouts that belong to the two spaces (DXF reference, "OBJECTS
+/// Section").</summary>
 internal static class DxfObjectWriter
 {
     /// <summary>Bit 1024 of a layout's plot flags: the layout is the model.</summary>

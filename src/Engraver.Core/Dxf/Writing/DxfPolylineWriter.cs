@@ -19,7 +19,8 @@ public static class DxfPolylineWriter
     /// <summary>Largest distance between joined ends, as a part of the coordinates and sizes.</summary>
     private const double Joint = 1e-11;
 
-    /// <summary>True when the segments are lines and arcs, each beginning where the one before ends, so that a polyline reads back as the same segments.</summary>
+    /// <summary>True when the segments are lines and arcs, each beginning where the one before ends, so that a polyline reads back as the same
+    /// segments.</summary>
     public static bool CanWrite(IReadOnlyList<Segment> segments, bool closed)
     {
         ArgumentNullException.ThrowIfNull(segments);

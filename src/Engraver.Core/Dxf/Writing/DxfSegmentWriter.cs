@@ -2,10 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes a directed segment as LINE, ARC, CIRCLE, ELLIPSE or SPLINE, a run of them as LWPOLYLINE, so that its direction can be read back from the geometry alone.</summary>
-/// <remarks>A DXF ARC always runs counter-clockwise in its own system. A clockwise one is therefore written under the extrusion 0,0,-1, whose system is the drawing seen
-/// from behind: x and angles are mirrored (x' = -x, angle' = 180 - angle; DXF reference, "Arbitrary Axis Algorithm"). A whole turn is
-/// always a CIRCLE, because other programs draw an ARC from 30 to 390 degrees as a point; its start angle is in its extended data, when it has some.</remarks>
+/// <summary>Writes a directed segment as LINE, ARC, CIRCLE, ELLIPSE or SPLINE, a run of them as LWPOLYLINE, so that its direction can be read back from the
+/// geometry alone.</summary>
+/// <remarks>A DXF ARC always runs counter-clockwise in its own system. A clockwise one is therefore written under the extrusion 0,0,-1, whose system is the
+/// drawing seen from behind: x and angles are mirrored (x' = -x, angle' = 180 - angle; DXF reference, "Arbitrary Axis Algorithm"). A whole turn is always a
+/// CIRCLE, because other programs draw an ARC from 30 to 390 degrees as a point; its start angle is in its extended data, when it has some.</remarks>
 internal static class DxfSegmentWriter
 {
     /// <summary>Degrees. Readers treat a smaller sweep as zero, so such an arc is written as the line between its ends.</summary>

@@ -2,9 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines, texts and points as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader requires.</summary>
-/// <remarks>Order and direction are kept: a clockwise arc is written with the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
-/// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each), and of a CIRCLE the angle at which it starts (1040, degrees, where it is not 0).</remarks>
+/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines, texts and points as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours)
+/// with every table, block and object that a strict reader requires.</summary>
+/// <remarks>Order and direction are kept: a clockwise arc is written with the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role
+/// carries extended data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each), and of a CIRCLE the angle
+/// at which it starts (1040, degrees, where it is not 0).</remarks>
 public static class DxfWriter
 {
     /// <summary>Name under which the extended data is registered.</summary>

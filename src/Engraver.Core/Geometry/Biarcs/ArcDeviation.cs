@@ -3,11 +3,10 @@ namespace Engraver.Core.Geometry.Biarcs;
 /// <summary>Decides whether a piece of a curve is within a distance of an arc (or line), rigorously: not at samples but by bounds that hold
 /// everywhere.</summary>
 /// <remarks>
-/// With Q the vector from the arc's start, n its left normal there and k its curvature, d = k|Q|^2 - 2 Q.n is 2 + k e times the distance e from the circle (k = 0: from the line).
-/// Times the squared weight it is a polynomial, which its Bernstein coefficients enclose, as are the distances by which the piece may extend beyond the arc's
-/// two ends.
-/// Pieces that the bounds do not decide are halved. Since piece and arc begin and end beside each other, every point of the arc has a point of the piece as
-/// near (continuity).
+/// With Q the vector from the arc's start, n its left normal there and k its curvature, d = k|Q|^2 - 2 Q.n is 2 + k e times the distance e from the circle (k =
+/// 0: from the line). Times the squared weight it is a polynomial, which its Bernstein coefficients enclose, as are the distances by which the piece may extend
+/// beyond the arc's two ends. Pieces that the bounds do not decide are halved. Since piece and arc begin and end beside each other, every point of the arc has
+/// a point of the piece as near (continuity).
 /// </remarks>
 internal static class ArcDeviation
 {

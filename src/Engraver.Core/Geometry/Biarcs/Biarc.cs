@@ -5,14 +5,16 @@ namespace Engraver.Core.Geometry.Biarcs;
 /// from the second.</remarks>
 public readonly record struct Biarc(TangentArc First, TangentArc Second)
 {
-    /// <summary>The pair with equal tangent lengths, whose curvatures differ least. Null when the directions lead away from the chord or either arc would sweep a half turn.</summary>
+    /// <summary>The pair with equal tangent lengths, whose curvatures differ least. Null when the directions lead away from the chord or either arc would sweep
+    /// a half turn.</summary>
     /// <param name="start">Start point.</param>
     /// <param name="startTangent">Direction there, length 1.</param>
     /// <param name="end">End point; not equal to the start.</param>
     /// <param name="endTangent">Direction of travel there, length 1.</param>
     public static Biarc? Between(Point2D start, Vector2D startTangent, Point2D end, Vector2D endTangent) => Between(start, startTangent, end, endTangent, 1.0);
 
-    /// <summary>The pair whose first tangent length is <paramref name="share"/> times that of the pair with equal ones: the larger, the nearer the joint to the end.</summary>
+    /// <summary>The pair whose first tangent length is <paramref name="share"/> times that of the pair with equal ones: the larger, the nearer the joint to the
+    /// end.</summary>
     public static Biarc? Between(Point2D start, Vector2D startTangent, Point2D end, Vector2D endTangent, double share)
     {
         var chord = end - start;

@@ -38,7 +38,8 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return null;
     }
 
-    /// <summary>The arc (or line) that leaves in a given direction, ends on the curve between two places and arrives in the curve's direction there; null where there is none within the tolerance.</summary>
+    /// <summary>The arc (or line) that leaves in a given direction, ends on the curve between two places and arrives in the curve's direction there; null where
+    /// there is none within the tolerance.</summary>
     public (double To, TangentArc Arc)? SingleBetween(double from, Vector2D leaving, double low, double high)
     {
         if (Single(from, leaving, high) is { } atOnce) return (high, atOnce);
@@ -54,11 +55,13 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return Single(from, leaving, high) is { } arc ? (high, arc) : null;
     }
 
-    /// <summary>The arc (or line) that leaves in a given direction and ends at a place of the curve in the curve's direction; null when the directions differ by more than a sine of <paramref name="sameDirection"/>, or it is not within the tolerance.</summary>
+    /// <summary>The arc (or line) that leaves in a given direction and ends at a place of the curve in the curve's direction; null when the directions differ
+    /// by more than a sine of <paramref name="sameDirection"/>, or it is not within the tolerance.</summary>
     public TangentArc? Single(double from, Vector2D leaving, double to, double sameDirection = SameDirection) =>
         Math.Abs(Mismatch(from, leaving, to)) <= sameDirection && TangentArc.From(run.PlaceAt(from), leaving, run.PlaceAt(to)) is var arc && IsWithin(from, to, arc) ? arc : null;
 
-    /// <summary>Sine of the signed angle from the end of the arc to the curve; NaN where the arc would sweep a half turn or the curve points backwards.</summary>
+    /// <summary>Sine of the signed angle from the end of the arc to the curve; NaN where the arc would sweep a half turn or the curve points
+    /// backwards.</summary>
     private double Mismatch(double from, Vector2D leaving, double to)
     {
         var (start, end) = (run.PlaceAt(from), run.PlaceAt(to));
@@ -98,7 +101,8 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
     private bool IsWithin(double from, double to, in Biarc pair) =>
         JointBetween(from, to, pair.First.End, pair.First.EndTangent) is { } joint && IsWithin(from, joint, pair.First) && IsWithin(joint, to, pair.Second);
 
-    /// <summary>Where the curve crosses the normal through the joint (false position, Illinois variant); null when both ends are on the same side of it.</summary>
+    /// <summary>Where the curve crosses the normal through the joint (false position, Illinois variant); null when both ends are on the same side of
+    /// it.</summary>
     private double? JointBetween(double from, double to, Point2D joint, Vector2D tangent)
     {
         var (low, high) = (from, to);

@@ -2,7 +2,8 @@ namespace Engraver.Core.Geometry.Biarcs;
 
 /// <summary>Approximates ellipses and splines by arcs and lines: pairs of arcs that take ends and end directions from the curve, so that the path has corners
 /// only where the curve has them.</summary>
-/// <remarks>Each pair is as long as the tolerance allows, found by galloping and bisection from the end of the last. A part of what fits also fits, so taking the longest gives the fewest (for nearly all curves).</remarks>
+/// <remarks>Each pair is as long as the tolerance allows, found by galloping and bisection from the end of the last. A part of what fits also fits, so taking
+/// the longest gives the fewest (for nearly all curves).</remarks>
 public static class BiarcFit
 {
     /// <summary>Finest tolerance as a part of the curve's size and distance from the origin; below it rounding dominates, and a curve of kilometres would
@@ -14,10 +15,12 @@ public static class BiarcFit
     /// <summary>Up to this number of arcs a second search for one arc fewer is made.</summary>
     private const int FewArcs = 64;
 
-    /// <summary>Arcs and lines that begin and end where the curve does. No point of them is farther than <paramref name="maxError"/> from the curve, nor any point of the curve from them (proved by bounds, not by samples).</summary>
+    /// <summary>Arcs and lines that begin and end where the curve does. No point of them is farther than <paramref name="maxError"/> from the curve, nor any
+    /// point of the curve from them (proved by bounds, not by samples).</summary>
     /// <param name="curve">The curve.</param>
     /// <param name="maxError">Millimetres (or the curve's unit), above 0; raised to 1e-9 of the curve's size.</param>
-    /// <returns>At least one segment. Within a smooth run neighbours share their tangent; only at a cusp inside a span a line shorter than the tolerance bridges it.</returns>
+    /// <returns>At least one segment. Within a smooth run neighbours share their tangent; only at a cusp inside a span a line shorter than the tolerance
+    /// bridges it.</returns>
     public static IReadOnlyList<Segment> Fit(RationalCurve curve, double maxError)
     {
         var box = curve.Bounds;

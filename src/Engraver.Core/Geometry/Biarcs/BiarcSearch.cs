@@ -102,7 +102,8 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
         return null;
     }
 
-    /// <summary>End places to try: evenly from a half to twice the reach of two arcs, each moved to a span's end near it (CAD writes circles as splines of four spans).</summary>
+    /// <summary>End places to try: evenly from a half to twice the reach of two arcs, each moved to a span's end near it (CAD writes circles as splines of four
+    /// spans).</summary>
     private double SinglePlace(double from, double reach, int step)
     {
         var place = from + ((reach - from) * 2.0 * step / SingleSteps);

@@ -1,6 +1,7 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Spans of a curve from one corner to the next. A place on it is the number of the span plus the parameter in it, from 0 to <see cref="End"/>.</summary>
+/// <summary>Spans of a curve from one corner to the next. A place on it is the number of the span plus the parameter in it, from 0 to
+/// <see cref="End"/>.</summary>
 internal sealed class SmoothRun(ArraySegment<BezierSpan> spans)
 {
     /// <summary>Sine of the turn above which a joint of spans is a corner; below it, coordinates rounded in the file may be the cause.</summary>

@@ -15,7 +15,7 @@ public sealed class HeldMove
     /// <summary>Where a move without a key ends: the controller's own counts.</summary>
     public Func<CountsPoint, CountsPoint> GoalFrom { get; private init; } = static here => here;
 
-    /// <summary>The height is part of the goal; otherwise it stays as it is.</summary>
+    /// <summary>The height is part of the goal; otherwise it does not change.</summary>
     public bool WithHeight { get; private init; }
 
     /// <summary>Speed of each axis, mm/min; null for the profile's rapid speed.</summary>

@@ -4,8 +4,10 @@ namespace Engraver.Core.Machines.Origins;
 /// <param name="Position">Counts from the controller's own zero.</param>
 /// <param name="Serial">The controller's own serial number; null where it has none.</param>
 /// <param name="Mark">The number that an earlier session stored in a variable of the controller, which loses it at power-off; null when there is none.</param>
-/// <param name="Clock">The controller's own clock since power-on, in its ticks; null where it has none. A smaller number than before means that it was switched off or reset.</param>
-/// <param name="Doubt">Why the position may be wrong although the controller was not switched off ("the stepper motor of axis A is off"); empty for no doubt.</param>
+/// <param name="Clock">The controller's own clock since power-on, in its ticks; null where it has none. A smaller number than before means that it was switched
+/// off or reset.</param>
+/// <param name="Doubt">Why the position may be wrong although the controller was not switched off ("the stepper motor of axis A is off"); empty for no
+/// doubt.</param>
 public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, int? Mark = null, double? Clock = null, string Doubt = "")
 {
     /// <summary>The controller's letters of the axes of <see cref="Position"/>, in its order.</summary>

@@ -6,7 +6,7 @@ public enum FinishPlace
     /// <summary>The drawing's start point.</summary>
     Origin,
 
-    /// <summary>It stays where the last stroke ended.</summary>
+    /// <summary>The end of the last stroke; the machine does not move.</summary>
     Stay,
 
     /// <summary>The park position of the machine profile.</summary>

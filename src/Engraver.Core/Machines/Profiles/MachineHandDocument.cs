@@ -46,7 +46,7 @@ internal sealed class HomingDocument
         return homed.Count == 0 ? null : [.. homed.Select(axis => From(axis.Homing!, axis.Name))];
     }
 
-    /// <summary>What the drawing calls the axes of <see cref="MachineAxes.All"/>.</summary>
+    /// <summary>The drawing's names of the axes of <see cref="MachineAxes.All"/>.</summary>
     internal const string AxisNames = "XYZ";
 
     /// <summary>Invalid text becomes a value that the check of the profile refuses.</summary>

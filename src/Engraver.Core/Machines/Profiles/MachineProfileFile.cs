@@ -5,7 +5,8 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines.Profiles;
 
-/// <summary>A machine profile as JSON: an object of the profile's properties in camel case; comments and trailing commas are allowed, fields that are missing (or null) keep their default.</summary>
+/// <summary>A machine profile as JSON: an object of the profile's properties in camel case; comments and trailing commas are allowed, fields that are missing
+/// (or null) keep their default.</summary>
 public static class MachineProfileFile
 {
     private const string Jog = "jogMmPerMinute";

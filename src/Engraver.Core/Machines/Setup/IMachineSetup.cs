@@ -19,12 +19,13 @@ public interface IMachineSetup
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<string?> SwitchMotorAsync(char axis, bool on, CancellationToken cancellation);
 
-    /// <summary>Switches the tool's output of the profile on for its settle time and off again, at standstill, under the watchdog and the stop of a job.</summary>
+    /// <summary>Switches the tool's output of the profile on for its settle time and off again, at standstill, under the watchdog and the stop of a
+    /// job.</summary>
     /// <param name="program">Has no strokes; supplies the machine.</param>
     /// <returns>As for a move by hand; refused while a motor is off.</returns>
     Task<JobResult> PulseAsync(MotionProgram program, JobOptions options, CancellationToken stop);
 
-    /// <summary>Writes the settings of the controller as they are now into the memory that survives power-off.</summary>
+    /// <summary>Writes the present settings of the controller to the memory that survives power-off.</summary>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<string?> BurnAsync(CancellationToken cancellation);
