@@ -4,10 +4,11 @@ using Engraver.Core.Sequencing.Nesting;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>Closed contours as the border of material: what lies inside an odd number of them.</summary>
+/// <summary>Closed contours as the boundary of material: the area inside an odd number of them.</summary>
 internal static class ContourDepth
 {
-    /// <summary>The contours with their material on the left: outer ones counter-clockwise, holes clockwise. Only for contours that neither cross nor touch.</summary>
+    /// <summary>The contours with their material on the left: outer ones counter-clockwise, holes clockwise. Only for contours that neither cross nor
+    /// touch.</summary>
     public static List<SourceChain> WithMaterialOnLeft(IReadOnlyList<SourceChain> closed)
     {
         var regions = new ContourRegion[closed.Count];
@@ -27,13 +28,13 @@ internal static class ContourDepth
         return oriented;
     }
 
-    /// <summary>What lies inside an odd number of contours, crossing ones too.</summary>
+    /// <summary>The area inside an odd number of contours, including contours that cross.</summary>
     public static ContourRegion RegionOf(IEnumerable<SourceChain> closed) => new([.. closed.SelectMany(chain => chain.Pieces).Select(piece => piece.ToSegment())]);
 
-    /// <summary>True when any two pieces have a point in common besides that of neighbours on a contour.</summary>
-    /// <param name="tree">Of the pieces of all contours, one after the other.</param>
+    /// <summary>True when any two pieces have a common point other than the joint of neighbours on a contour.</summary>
+    /// <param name="tree">Tree of the pieces of all contours, in sequence.</param>
     /// <param name="closed">The contours.</param>
-    /// <param name="tolerance">Distance that counts as none.</param>
+    /// <param name="tolerance">Distance that counts as zero.</param>
     public static bool TouchEachOther(PieceTree tree, IReadOnlyList<SourceChain> closed, double tolerance)
     {
         if (closed.Any(chain => IsThereAndBack(chain, tolerance))) return true;
@@ -52,7 +53,7 @@ internal static class ContourDepth
         return false;
     }
 
-    /// <summary>Two pieces that cover each other from end to end meet in their joints alone, and yet enclose nothing.</summary>
+    /// <summary>Two pieces that cover each other from end to end meet only at their joints and enclose no area.</summary>
     private static bool IsThereAndBack(SourceChain chain, double tolerance) =>
         chain.Pieces.Length == 2 && chain.Pieces[0].At(0.5).IsNear(chain.Pieces[1].At(0.5), tolerance);
 
@@ -69,7 +70,7 @@ internal static class ContourDepth
         return next;
     }
 
-    /// <summary>The point at which neighbours meet; where they meet nearly without a corner it may be found a little beside it.</summary>
+    /// <summary>The point at which neighbours meet; where they are almost tangent, the computed point can be slightly away from it.</summary>
     private static bool IsJoint(in PathPiece before, in PathPiece after, bool areNeighbours, in Crossing found)
     {
         if (!areNeighbours) return false;

@@ -3,28 +3,30 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>Offsets of contours of lines and arcs that stay lines and arcs (after Liu, Yong, Zheng and Sun 2007, with the result found from the border of what is free).</summary>
+/// <summary>Offsets of contours of lines and arcs that stay lines and arcs (after Liu, Yong, Zheng and Sun 2007, with the result derived from the boundary of
+/// the free area).</summary>
 /// <remarks>
-/// A point belongs to the offset when it lies on the raw offset (<see cref="RawOffset"/>) and nothing drawn is nearer to it than the distance. The raw offset is cut at all its crossings
-/// (<see cref="RawGraph"/>), each run between crossings is judged by one point (<see cref="OffsetReach"/>), and edges are joined by the numbers of their nodes (<see cref="FreeBoundary"/>), so that no loop stays open.
+/// A point belongs to the offset when it is on the raw offset (<see cref="RawOffset"/>) and no drawn segment is nearer to it than the distance. The raw offset
+/// is cut at all its crossings (<see cref="RawGraph"/>), each run between crossings is tested at one point (<see cref="OffsetReach"/>), and edges are joined by
+/// the numbers of their nodes (<see cref="FreeBoundary"/>), so that no loop stays open.
 /// </remarks>
 public static class ContourOffset
 {
-    /// <summary>Length that counts as none, millimetres, and what the size of coordinates adds to it (their rounding).</summary>
+    /// <summary>Length that counts as zero, millimetres, and the share that the size of the coordinates adds to it (rounding).</summary>
     private const double LeastTolerance = 1e-10;
 
     private const double SizeTolerance = 1e-14;
 
-    /// <summary>What the largest radius adds: the rounding of a distance from its centre.</summary>
+    /// <summary>The share that the largest radius adds: the rounding of a distance from its centre.</summary>
     private const double RadiusTolerance = 3e-16;
 
-    /// <summary>Distance from the origin, in sizes of the drawing, from which on it is computed about its middle.</summary>
+    /// <summary>Distance from the origin, in sizes of the drawing, beyond which it is computed relative to its centre.</summary>
     private const double FarAway = 100.0;
 
-    /// <summary>Width of a loop below which it counts as nothing, in tolerances.</summary>
+    /// <summary>Width below which a loop is ignored, in tolerances.</summary>
     private const double SliverTolerances = 8.0;
 
-    /// <param name="contours">What was drawn.</param>
+    /// <param name="contours">The drawn contours.</param>
     /// <param name="distance">Millimetres, above 0.</param>
     /// <param name="side">See <see cref="OffsetSide"/>.</param>
     /// <param name="options">Join and tolerances.</param>
@@ -45,7 +47,8 @@ public static class ContourOffset
         return new OffsetResult(work.Loops, OffsetCheck.MaxDeviation(contours, work.Loops, distance, side, options), withoutInside, work.Unresolved);
     }
 
-    /// <summary>Where to compute from: the origin, or the middle of a drawing that lies far from it, so that its coordinates lose no digits; and the largest coordinate then.</summary>
+    /// <summary>Reference point of the computation: the origin, or the centre of a drawing far from it, so that its coordinates lose no digits; and the largest
+    /// coordinate relative to it.</summary>
     private static (Vector2D Origin, double Extent) Place(IReadOnlyList<OffsetContour> contours)
     {
         var box = Bounds2D.Empty;
@@ -80,7 +83,7 @@ public static class ContourOffset
 
         public List<Point2D> Unresolved { get; } = [];
 
-        /// <summary>In or out of the material that all closed contours enclose together; of a flat curve clockwise where it was drawn so.</summary>
+        /// <summary>In or out of the material that all closed contours enclose together; of a flat curve clockwise if it is drawn clockwise.</summary>
         public void AddRegion(IReadOnlyList<SourceChain> closed, bool inside, bool clockwise = false)
         {
             var tree = new PieceTree([.. closed.SelectMany(chain => chain.Pieces)]);
@@ -94,7 +97,7 @@ public static class ContourOffset
             foreach (var loop in pass.Loops) AddClosed(pass.Graph, loop, reversed: !inside);
         }
 
-        /// <summary>The left or right side, or both, of one contour by itself.</summary>
+        /// <summary>The left or right side, or both, of a single contour.</summary>
         public void AddSide(SourceChain chain, OffsetSide side)
         {
             if (chain.FlatTurn != 0)
@@ -114,7 +117,7 @@ public static class ContourOffset
             }
         }
 
-        /// <summary>Contours that cross or touch: both sides of all, of which the loops in (or out of) the material are taken.</summary>
+        /// <summary>Contours that cross or touch: offsets both sides of all contours and keeps the loops inside (or outside) the material.</summary>
         private void AddCrossing(PieceTree tree, IReadOnlyList<SourceChain> closed, bool inside, bool clockwise)
         {
             var material = ContourDepth.RegionOf(closed);
@@ -133,7 +136,8 @@ public static class ContourOffset
             return pass;
         }
 
-        /// <summary>What of a loop lies on one side of the drawn contour: all of it, or the parts between the ends of open contours and what trims it.</summary>
+        /// <summary>The part of a loop on one side of the drawn contour: the whole loop, or the parts between the ends of open contours and the segments that
+        /// trim it.</summary>
         private void AddOn(RawGraph graph, List<int> loop, RawSides side)
         {
             if (loop.TrueForAll(edge => graph.SidesOf(edge).HasFlag(side)))

@@ -3,23 +3,27 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>Takes away what hangs loose of a raw offset: where a chain breaks off its end lies nearer to the drawing than the distance, and from there on everything does up to the border of what is free.</summary>
-/// <remarks>Where the distance is large against the teeth of a contour nearly all of the raw offset hangs loose, and would cross itself in a number of points that grows with the square.
-/// What is taken away is certainly too near; what is left is judged later, so that it does not matter how much is left.</remarks>
+/// <summary>Removes the loose ends of a raw offset: where a chain is interrupted, its end is nearer to the drawing than the distance, and so are all following
+/// pieces up to the boundary of the free area.</summary>
+/// <remarks>Where the distance is large compared with the teeth of a contour, nearly the whole raw offset is loose, and the number of its self-intersections
+/// would grow with the square. The removed parts are certainly too near; the remaining parts are tested later, so that their amount does not affect the
+/// result.</remarks>
 internal sealed class CoveredEnds
 {
-    /// <summary>Part of the distance, and tolerances, by which what is taken away must be nearer; and what smooth joints allow besides.</summary>
+    /// <summary>Fraction of the distance, and number of tolerances, by which removed parts must be nearer; and the additional allowance of smooth
+    /// joints.</summary>
     private const double Depth = 1e-6;
 
     private const double DepthTolerances = 16.0;
 
-    /// <summary>Part of the distance: nearer to the border than this no further step is worth its search.</summary>
+    /// <summary>Fraction of the distance: closer to the boundary than this, a further step is not worth the search.</summary>
     private const double LeastStep = 1e-3;
 
-    /// <summary>Places at which one end of a piece is measured at most.</summary>
+    /// <summary>Maximum number of points at which one end of a piece is measured.</summary>
     private const int MostSteps = 40;
 
-    /// <summary>Pieces ahead and behind that are looked at before any other is searched: between narrow teeth they cover nearly all that is covered.</summary>
+    /// <summary>Number of pieces before and after that are checked before all others are searched: between narrow teeth they cover nearly the whole covered
+    /// part.</summary>
     private const int Neighbours = 4;
 
     private readonly PieceTree? _source;
@@ -45,7 +49,7 @@ internal sealed class CoveredEnds
         foreach (var (one, other) in raw.Same) _goesOn[one] = _goesOn[other] = true;
     }
 
-    /// <summary>What is left, in the same order.</summary>
+    /// <summary>The remaining pieces, in the same order.</summary>
     public IReadOnlyList<RawPiece> Pieces
     {
         get
@@ -59,7 +63,7 @@ internal sealed class CoveredEnds
     public IReadOnlyList<Point2D> Nodes => _nodes;
 
     /// <param name="raw">The raw offset.</param>
-    /// <param name="source">Everything that was drawn; null leaves the raw offset as it is.</param>
+    /// <param name="source">All drawn segments; null leaves the raw offset unchanged.</param>
     public static CoveredEnds TakenFrom(RawOffset raw, PieceTree? source)
     {
         var ends = new CoveredEnds(raw, source);
@@ -76,10 +80,10 @@ internal sealed class CoveredEnds
         }
     }
 
-    /// <summary>True for an end of the raw offset, unless it goes on in another node; false for one that was made here.</summary>
+    /// <summary>True for an end of the raw offset, unless it continues at another node; false for an end created here.</summary>
     private bool IsLoose(int node, int[] pieces) => node < pieces.Length && pieces[node] < 0 && !_goesOn[node];
 
-    /// <summary>From a loose start over as many pieces as are covered whole.</summary>
+    /// <summary>Advances from a loose start over all pieces that are completely covered.</summary>
     private void Forwards(int piece)
     {
         while (piece >= 0 && !_gone[piece])
@@ -135,7 +139,8 @@ internal sealed class CoveredEnds
         return _nodes.Count - 1;
     }
 
-    /// <summary>The fraction up to which a piece is certainly covered from its start on: each place reaches as far as it is too near, or as far as the line that it is near to.</summary>
+    /// <summary>The fraction up to which a piece is certainly covered from its start on: each point covers as far as it is too near, or as far as the line near
+    /// it extends.</summary>
     private double Covered(in PathPiece piece, int place)
     {
         var at = CoveredByNeighbours(piece, place);

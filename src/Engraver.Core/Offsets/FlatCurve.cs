@@ -2,18 +2,19 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>A closed curve that is no wider than its tolerance, as an ellipse of ratio 1e-9: a line there and back, which encloses nothing.</summary>
+/// <summary>A closed curve that is not wider than its tolerance, for example an ellipse of ratio 1e-9: a line there and back, which encloses no area.</summary>
 internal static class FlatCurve
 {
-    /// <summary>Part of the tolerance of a curve's arcs up to which half its width counts as none.</summary>
+    /// <summary>Part of the tolerance of a curve's arcs up to which half its width counts as zero.</summary>
     private const double WidthShare = 0.1;
 
     private const int FewSamples = 8;
     private const int ManySamples = 512;
 
-    /// <summary>The ends of the lines that stand for the curve, the first and the last its start, and which way it turns (1 counter-clockwise, -1 clockwise); null for a curve that has a width.</summary>
+    /// <summary>The ends of the lines that represent the curve, the first and the last being its start, and its direction of rotation (1 counter-clockwise, -1
+    /// clockwise); null for a curve that has a width.</summary>
     /// <param name="curve">Closed.</param>
-    /// <param name="maxErrorMm">Largest distance of the arcs that would stand for it.</param>
+    /// <param name="maxErrorMm">Largest distance of the arcs that would approximate it.</param>
     public static (IReadOnlyList<Point2D> Places, int Turn)? From(RationalCurve curve, double maxErrorMm)
     {
         var width = WidthShare * maxErrorMm;
@@ -40,7 +41,8 @@ internal static class FlatCurve
         return Array.TrueForAll(places, place => Math.Abs(along.Cross(place - places[0])) <= width * along.Length);
     }
 
-    /// <summary>Fraction of the curve at which it is farthest from a place: the best sample, and thirds of what lies round it until nothing changes.</summary>
+    /// <summary>Fraction of the curve at which it is farthest from a point: the best sample, refined by thirds of the interval around it until nothing
+    /// changes.</summary>
     private static double FarthestFrom(RationalCurve curve, Point2D place)
     {
         double Away(double fraction) => (curve.PointAt(Math.Clamp(fraction, 0.0, 1.0)) - place).LengthSquared;

@@ -2,9 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>Which edges of the raw graph are the border of what is free, and the loops that they form.</summary>
-/// <remarks>Between two crossings a raw offset is either free all along or nowhere, so that its longest edge decides a whole run. Around every node as many border edges must arrive as leave:
-/// where they do not, a crossing at nearly no angle was judged in two ways, and the caller tries again with a distance that differs by less than the tolerance.</remarks>
+/// <summary>The edges of the raw graph that bound the free area, and the loops that they form.</summary>
+/// <remarks>Between two crossings a raw offset is either completely free or not free at all, so that its longest edge decides a whole run. At every node the
+/// numbers of arriving and leaving boundary edges must be equal: where they are not, a crossing at a very small angle was evaluated in two ways, and the caller
+/// retries with a distance that differs by less than the tolerance.</remarks>
 internal sealed class FreeBoundary
 {
     private readonly RawGraph _graph;
@@ -27,7 +28,7 @@ internal sealed class FreeBoundary
     /// <summary>Nodes at which edges were left over.</summary>
     public List<int> Unbalanced { get; } = [];
 
-    /// <summary>Loops of edges, each with what is free on its left.</summary>
+    /// <summary>Loops of edges, each with the free area on its left.</summary>
     public List<List<int>> Loops()
     {
         var next = Next();
@@ -62,7 +63,8 @@ internal sealed class FreeBoundary
         }
     }
 
-    /// <summary>A run goes on through every node at which nothing else meets; what remains after the runs between such nodes are whole loops.</summary>
+    /// <summary>A run continues through every node at which no other edge meets; the edges that remain after the runs between branching nodes are whole
+    /// loops.</summary>
     private void JudgeRun(int first, bool[] seen)
     {
         var run = _run;
@@ -81,7 +83,7 @@ internal sealed class FreeBoundary
         foreach (var edge in run) _kept[edge] = true;
     }
 
-    /// <summary>Three points, because what touches from inside in a tangent point does so in the middle of a symmetrical drawing.</summary>
+    /// <summary>Three points, because in a symmetrical drawing an inside tangent point is at the middle.</summary>
     private bool IsFree(int edge) => _reach.IsFree(_graph.PointOn(edge, 0.5)) && _reach.IsFree(_graph.PointOn(edge, 0.29)) && _reach.IsFree(_graph.PointOn(edge, 0.73));
 
     private bool IsPlain(int node) => _arriving[node] == 1 && _leaving[node] == 1;
@@ -100,7 +102,7 @@ internal sealed class FreeBoundary
         }
     }
 
-    /// <summary>Takes out what leads nowhere, so that the rest closes whatever happened.</summary>
+    /// <summary>Removes dead ends, so that the remaining edges close in every case.</summary>
     private void RemoveUnbalanced()
     {
         Count(edge => _kept[edge]);
@@ -147,7 +149,8 @@ internal sealed class FreeBoundary
         return crowded[node] = ([], []);
     }
 
-    /// <summary>Where several loops touch in a node, each goes on along the border of the free sector that it arrived at: the first edge clockwise. Loops touch there and do not cross.</summary>
+    /// <summary>Where several loops touch in a node, each continues along the boundary of the free sector at which it arrived: the first edge clockwise. Loops
+    /// touch there and do not cross.</summary>
     private void Pair(int node, List<int> arriving, List<int> leaving, int[] next)
     {
         var shortest = double.PositiveInfinity;

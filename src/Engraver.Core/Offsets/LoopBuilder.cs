@@ -3,7 +3,7 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>Makes segments of a run of edges: parts of one raw piece that follow each other become one segment again.</summary>
+/// <summary>Converts a run of edges to segments: consecutive parts of one raw piece become one segment again.</summary>
 internal static class LoopBuilder
 {
     /// <summary>A closed loop, moved; no segment begins within a raw piece.</summary>
@@ -38,7 +38,7 @@ internal static class LoopBuilder
         return new OffsetLoop(segments, closed) { Sources = sources };
     }
 
-    /// <summary>True when the second edge is the next part of the same raw piece; a whole circle also goes on from its end to its start.</summary>
+    /// <summary>True when the second edge is the next part of the same raw piece; a full circle also continues from its end to its start.</summary>
     private static bool Continues(RawGraph graph, int edge, int next)
     {
         var (before, after) = (graph.Edges[edge], graph.Edges[next]);

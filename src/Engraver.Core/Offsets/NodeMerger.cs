@@ -3,10 +3,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>Gives points numbers: the same number to points that lie within a tolerance of each other.</summary>
+/// <summary>Numbers points: points within a tolerance of each other get the same number.</summary>
 internal sealed class NodeMerger
 {
-    /// <summary>Size of a grid cell in tolerances: large, so that hardly a point lies near the border of its cell and more than one cell is hardly ever looked into.</summary>
+    /// <summary>Size of a grid cell in tolerances: large, so that few points are near the border of their cell and more than one cell is rarely
+    /// searched.</summary>
     private const double CellTolerances = 1000.0;
 
     private readonly List<Point2D> _places;
@@ -27,7 +28,7 @@ internal sealed class NodeMerger
 
     public int Count => _places.Count;
 
-    /// <summary>The number that stands for a node and all that are one with it.</summary>
+    /// <summary>The number that represents a node and all nodes merged with it.</summary>
     public int Of(int node)
     {
         while (_leader[node] != node) node = _leader[node] = _leader[_leader[node]];
@@ -36,10 +37,10 @@ internal sealed class NodeMerger
 
     public Point2D PlaceOf(int node) => _places[Of(node)];
 
-    /// <summary>The node at a place, which is also the node of the piece ends that lie there.</summary>
-    /// <param name="place">Where two pieces cross.</param>
-    /// <param name="first">Node of an end that lies there, -1 for none.</param>
-    /// <param name="second">Another.</param>
+    /// <summary>The node at a point, which is also the node of the piece ends at this point.</summary>
+    /// <param name="place">Crossing point of two pieces.</param>
+    /// <param name="first">Node of an end at this point, -1 for none.</param>
+    /// <param name="second">Node of another end, -1 for none.</param>
     public int NodeAt(Point2D place, int first, int second)
     {
         if (first >= 0) Place(first);
@@ -53,7 +54,7 @@ internal sealed class NodeMerger
         return Of(_places.Count - 1);
     }
 
-    /// <summary>Enters an end node into the grid, where it may turn out to be one with others.</summary>
+    /// <summary>Enters an end node into the grid, where it can be merged with other nodes.</summary>
     private void Place(int node)
     {
         if (!_placed.Add(node)) return;

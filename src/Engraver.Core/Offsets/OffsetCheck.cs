@@ -3,17 +3,19 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>Measures the distance of an offset from what was drawn, ellipses and splines as they were drawn.</summary>
+/// <summary>Measures the distance of an offset from the drawn contours, with ellipses and splines as drawn.</summary>
 internal static class OffsetCheck
 {
-    /// <summary>Radius of the first search, in distances: nearly always the nearest piece lies at the distance.</summary>
+    /// <summary>Radius of the first search, in distances: the nearest piece is almost always at the distance.</summary>
     private const double NearEnough = 1.0001;
 
-    /// <summary>Segments that are measured at most, evenly spread.</summary>
+    /// <summary>Maximum number of segments that are measured, evenly spread.</summary>
     private const int MostMeasured = 20_000;
 
-    /// <summary>Largest difference from the distance, millimetres, at the middle of each segment or of that part which runs beside its source; mitres and bevels have another distance and are not measured.</summary>
-    /// <remarks>A loop is held against what it was made from: in and out of closed contours against all of these together, left and right against its own contour alone.</remarks>
+    /// <summary>Largest difference from the distance, millimetres, at the middle of each segment or of the part that is next to its source; mitres and bevels
+    /// have a different distance and are not measured.</summary>
+    /// <remarks>A loop is compared with its sources: in and out of closed contours with all of these together, left and right only with its own
+    /// contour.</remarks>
     public static double MaxDeviation(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, double distance, OffsetSide side, OffsetOptions options)
     {
         var step = 1 + (loops.Sum(loop => loop.Segments.Count) / MostMeasured);
@@ -21,7 +23,7 @@ internal static class OffsetCheck
             Largest(drawn, together.Key < 0 ? [.. drawn.Where(contour => contour.Closed)] : [drawn[together.Key]], together, distance, step, options)).DefaultIfEmpty().Max();
     }
 
-    /// <summary>The contour of which a loop was made alone; -1 where all closed ones took part.</summary>
+    /// <summary>The single source contour of a loop; -1 when all closed contours contributed.</summary>
     private static int OwnContourOf(OffsetLoop loop, IReadOnlyList<OffsetContour> drawn, OffsetSide side)
     {
         var source = loop.Sources[0].Contour;
@@ -69,7 +71,8 @@ internal static class OffsetCheck
         }
     }
 
-    /// <summary>The middle of what lies beside the source: a mitre lengthens lines beyond it. Null where nothing does, or where the source is a curve of which the line stands for a part.</summary>
+    /// <summary>The middle of the part next to the source: a mitre lengthens lines beyond it. Null when there is no such part, or when the source is a curve
+    /// that the line approximates in part.</summary>
     private static Point2D? Beside(in Segment found, in Segment source)
     {
         if (found.Kind != SegmentKind.Line) return found.PointAt(0.5);

@@ -3,30 +3,31 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>One computation from closed chains to the loops around what is free.</summary>
+/// <summary>One computation from closed chains to the loops around the free area.</summary>
 internal sealed class OffsetPass
 {
-    /// <summary>Distances to try, as differences from the one asked for in tolerances. Where a contour touches itself in so many places that a crossing is judged in two ways, one a little larger or smaller is not.</summary>
+    /// <summary>Distances to try, as differences from the requested distance in tolerances. Where a contour touches itself at so many points that a crossing is
+    /// evaluated in two ways, a slightly larger or smaller distance avoids this.</summary>
     private static readonly double[] Attempts = [0.0, 3.0, -3.0, 7.0, -7.0];
 
-    /// <summary>Coarser tolerances for a drawing that coincides with itself nearly but not quite, as multiples.</summary>
+    /// <summary>Coarser tolerances for a drawing that almost coincides with itself, as multiples.</summary>
     private static readonly double[] Coarser = [1.0, 30.0, 1_000.0];
 
     private OffsetPass(RawGraph graph, FreeBoundary boundary) => (Graph, Loops, Unresolved) = (graph, boundary.Loops(), [.. boundary.Unbalanced.Select(graph.PlaceOf)]);
 
     public RawGraph Graph { get; }
 
-    /// <summary>Numbers of edges, with what is free on their left.</summary>
+    /// <summary>Numbers of edges, with the free area on their left.</summary>
     public List<List<int>> Loops { get; }
 
-    /// <summary>Where the loops could not be closed, and something was left out.</summary>
+    /// <summary>Points where the loops could not be closed and a part was left out.</summary>
     public IReadOnlyList<Point2D> Unresolved { get; }
 
-    /// <param name="source">Everything that was drawn and must be kept clear of.</param>
-    /// <param name="chains">Whose left sides are offset.</param>
+    /// <param name="source">All drawn segments that must be kept clear.</param>
+    /// <param name="chains">Chains whose left sides are offset.</param>
     /// <param name="distance">Millimetres, above 0.</param>
     /// <param name="options">The join.</param>
-    /// <param name="tolerance">Length that counts as none.</param>
+    /// <param name="tolerance">Length that counts as zero.</param>
     public static OffsetPass Run(PieceTree source, IReadOnlyList<RawChain> chains, double distance, OffsetOptions options, double tolerance)
     {
         OffsetPass? best = null;

@@ -3,7 +3,8 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>What an offset must keep clear of: everything nearer to the drawing than the distance, with the corners in the shape of their joins.</summary>
+/// <summary>The area that an offset must keep clear of: all points nearer to the drawing than the distance, with the corners in the shape of their
+/// joins.</summary>
 internal sealed class OffsetReach
 {
     private readonly PieceTree _source;
@@ -12,11 +13,11 @@ internal sealed class OffsetReach
     private readonly double _tolerance;
     private readonly CornerReach? _corners;
 
-    /// <param name="source">Everything that was drawn.</param>
+    /// <param name="source">All drawn segments.</param>
     /// <param name="chains">The closed chains whose left side is offset.</param>
     /// <param name="distance">Millimetres.</param>
     /// <param name="options">The join.</param>
-    /// <param name="tolerance">Depth that does not count.</param>
+    /// <param name="tolerance">Depth that is ignored.</param>
     public OffsetReach(PieceTree source, IReadOnlyList<RawChain> chains, double distance, OffsetOptions options, double tolerance)
     {
         (_source, _distance, _options, _tolerance) = (source, distance, options, tolerance);
@@ -29,7 +30,7 @@ internal sealed class OffsetReach
     public bool IsFree(Point2D place) => _corners?.IsFree(place) ?? !_source.IsAnyWithin(place, _distance - _tolerance);
 }
 
-/// <summary>The same with mitres or bevels: the strips beside the pieces, and the shape of every corner on its outside.</summary>
+/// <summary>The same with mitres or bevels: the strips along the pieces, and the shape of every corner on its outside.</summary>
 internal sealed class CornerReach
 {
     private readonly PieceTree _tree;
@@ -69,7 +70,7 @@ internal sealed class CornerReach
         return true;
     }
 
-    /// <summary>Between the piece and either of its parallels. The strip on the hollow side of an arc goes on beyond the centre.</summary>
+    /// <summary>Between the piece and either of its parallels. The strip on the concave side of an arc continues beyond the centre.</summary>
     private bool IsInStrip(in PathPiece piece, Point2D place)
     {
         if (!piece.IsArc)
@@ -92,8 +93,8 @@ internal sealed class CornerReach
         if (_isCap[piece]) return PathPiece.Norm(way) < _distance - _tolerance;
         if (leaving.Cross(arriving) > 0.0 || way.Dot(leaving) < 0.0 || way.Dot(arriving) > 0.0) return false;
         var (before, after) = (leaving.Cross(way), arriving.Cross(way)); // heights above both sides
-        if (CornerShape.Mitre(_pieces[piece].End, leaving, arriving, _distance, _options) is not null) return Math.Max(before, after) is > 0.0 and var height && height < _distance - _tolerance; // where nothing turns, what is behind the corner has its place on its line too
-        var cosine = Math.Sqrt(Math.Max(0.0, (1.0 + leaving.Dot(arriving)) / 2.0)); // of half the turn
+        if (CornerShape.Mitre(_pieces[piece].End, leaving, arriving, _distance, _options) is not null) return Math.Max(before, after) is > 0.0 and var height && height < _distance - _tolerance; // without a turn, the part after the corner is also on its line
+        var cosine = Math.Sqrt(Math.Max(0.0, (1.0 + leaving.Dot(arriving)) / 2.0)); // cosine of half the turn
         return cosine > 0.0 && (before + after) / (2.0 * cosine) < (_distance * cosine) - _tolerance && before > 0.0 && after > 0.0;
     }
 }

@@ -3,9 +3,9 @@ using Engraver.Core.Offsets.Pieces;
 namespace Engraver.Core.Offsets;
 
 /// <summary>A closed chain whose left side is offset: a side of a closed contour, or both sides of an open one, there and back.</summary>
-/// <param name="Pieces">Each begins where the one before ends, the first at the end of the last.</param>
-/// <param name="Sources">The segment that each piece is a part of.</param>
-/// <param name="Forwards">Pieces in the drawn direction; the others run back.</param>
+/// <param name="Pieces">Each starts where the previous one ends, the first at the end of the last.</param>
+/// <param name="Sources">The source segment of each piece.</param>
+/// <param name="Forwards">Number of pieces in the drawn direction; the others run back.</param>
 /// <param name="IsOpen">An open contour, which turns back at its two ends.</param>
 internal sealed record RawChain(PathPiece[] Pieces, OffsetSource[] Sources, int Forwards, bool IsOpen, double Smoothness)
 {
@@ -28,6 +28,6 @@ internal sealed record RawChain(PathPiece[] Pieces, OffsetSource[] Sources, int 
 
     public RawSides SideOf(int piece) => piece < Forwards ? RawSides.Left : RawSides.Right;
 
-    /// <summary>True where an open contour ends: the offset goes round there.</summary>
+    /// <summary>True where an open contour ends: the offset runs around this end.</summary>
     public bool IsCapBehind(int piece) => IsOpen && (piece == Forwards - 1 || piece == Pieces.Length - 1);
 }

@@ -12,11 +12,13 @@ namespace Engraver.Core.Offsets;
 /// <param name="End">Node at its end; for a whole circle the same.</param>
 internal readonly record struct RawEdge(int Raw, double From, double To, int Start, int End);
 
-/// <summary>The raw offset cut at every point where it crosses itself: nodes and edges. Points that coincide within the tolerance are one node, so that edges meet by number and never by nearness.</summary>
-/// <remarks>Two edges that coincide in opposite directions vanish: between them lies nothing that is free (walls exactly two distances apart). Two in the same direction are one.</remarks>
+/// <summary>The raw offset cut at every point where it crosses itself: nodes and edges. Points that coincide within the tolerance are one node, so that edges
+/// are joined by number and never by distance.</summary>
+/// <remarks>Two edges that coincide in opposite directions cancel: there is no free area between them (walls exactly two distances apart). Two edges in the
+/// same direction count as one.</remarks>
 internal sealed class RawGraph
 {
-    /// <summary>Nodes nearer to each other than this many tolerances are one: a crossing at a small angle is not found more exactly.</summary>
+    /// <summary>Nodes nearer to each other than this many tolerances are merged: a crossing at a small angle is not found more exactly.</summary>
     private const double NodeTolerances = 4.0;
 
     private readonly IReadOnlyList<RawPiece> _raw;
@@ -33,7 +35,7 @@ internal sealed class RawGraph
         _nodes = new NodeMerger(ends.Nodes, raw.Same, NodeTolerances * raw.Tolerance);
     }
 
-    /// <summary>Length that counted as none.</summary>
+    /// <summary>Length that counts as zero.</summary>
     public double Tolerance => _tolerance;
 
     public IReadOnlyList<RawEdge> Edges => _edges;
@@ -41,7 +43,7 @@ internal sealed class RawGraph
     public int NodeCount => _nodes.Count;
 
     /// <param name="raw">The raw offset.</param>
-    /// <param name="source">What was drawn, when everything nearer to it than the distance is covered; null when corners have another shape.</param>
+    /// <param name="source">The drawn segments, when all points nearer to them than the distance are covered; null when corners have another shape.</param>
     public static RawGraph From(RawOffset raw, PieceTree? source)
     {
         var graph = new RawGraph(raw, CoveredEnds.TakenFrom(raw, source));
@@ -58,7 +60,7 @@ internal sealed class RawGraph
     /// <summary>The part of the raw piece between the edge's nodes.</summary>
     public PathPiece PieceOf(in RawEdge part) => _raw[part.Raw].Piece.Part(part.From, PlaceOf(part.Start), part.To, PlaceOf(part.End));
 
-    /// <summary>What an edge is the offset of.</summary>
+    /// <summary>The source of an edge.</summary>
     public OffsetSource SourceOf(in RawEdge edge) => _raw[edge.Raw].Source;
 
     /// <summary>The sides of all edges that coincide with it in its direction.</summary>
@@ -86,7 +88,7 @@ internal sealed class RawGraph
         return cuts;
     }
 
-    /// <summary>True for the point at which two neighbours are joined. Where they meet nearly without a corner the computed point may lie beside their node.</summary>
+    /// <summary>True for the point at which two neighbours are joined. Where they are almost tangent, the computed point can be away from their node.</summary>
     private bool IsJoint(int first, int second, Point2D place)
     {
         var (a, b) = (_raw[first], _raw[second]);

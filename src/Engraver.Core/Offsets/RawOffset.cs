@@ -3,7 +3,7 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>On which side of a contour as it was drawn a piece of its raw offset lies; where a contour covers itself, on both.</summary>
+/// <summary>Side of a drawn contour on which a piece of its raw offset is; both sides where a contour covers itself.</summary>
 [Flags]
 internal enum RawSides : byte
 {
@@ -11,19 +11,21 @@ internal enum RawSides : byte
     Left = 1,
     Right = 2,
 
-    /// <summary>Round the end of an open contour: it trims others but is no part of an offset.</summary>
+    /// <summary>Around the end of an open contour: it trims other pieces but is not part of an offset.</summary>
     Cap = 4,
 }
 
-/// <summary>A piece of the raw offset and the nodes that it begins and ends at.</summary>
-/// <param name="Place">Number among <see cref="RawOffset.Drawn"/> of the piece that it lies beside, or that ends at the corner.</param>
-/// <param name="Source">The segment that it is the offset of, or that it joins to the next one.</param>
+/// <summary>A piece of the raw offset, with its start and end nodes.</summary>
+/// <param name="Place">Number among <see cref="RawOffset.Drawn"/> of the piece that it is parallel to, or that ends at the corner.</param>
+/// <param name="Source">The source segment, or the segment that it joins to the next one.</param>
 internal readonly record struct RawPiece(PathPiece Piece, int Start, int End, RawSides Side, int Place, OffsetSource Source);
 
-/// <summary>The raw offset to the left of closed chains: every piece shifted, corners joined on their outside and trimmed on their inside. It still crosses itself; what is left of it lies at least the distance from all that was drawn.</summary>
+/// <summary>The raw offset to the left of closed chains: every piece shifted, corners joined on their outside and trimmed on their inside. It still crosses
+/// itself; the parts that remain later are at least the distance away from all drawn segments.</summary>
 /// <remarks>
-/// What was drawn always lies on the right of a raw piece, what is free on its left. On the inside of a corner whose pieces are too short to meet, and where an arc is smaller than the
-/// distance, the chain breaks off: its ends there lie nearer to the drawing than the distance, and what is connected to them is no part of the result.
+/// The drawn segments are always on the right of a raw piece, the free area is on its left. On the inside of a corner whose pieces are too short to meet, and
+/// where an arc is smaller than the distance, the chain is interrupted: its ends there are nearer to the drawing than the distance, and the parts connected to
+/// them do not belong to the result.
 /// </remarks>
 internal sealed class RawOffset(double distance, OffsetOptions options, double tolerance)
 {
@@ -39,15 +41,15 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
 
     public double Tolerance => tolerance;
 
-    /// <summary>Millimetres by which a piece may be nearer to what was drawn because a joint that was meant smooth has one node.</summary>
+    /// <summary>Millimetres by which a piece may be nearer to the drawn segments because a joint that is meant to be smooth has one node.</summary>
     public double Smoothness { get; private set; }
 
     public IReadOnlyList<RawPiece> Pieces => _pieces;
 
-    /// <summary>Places that pieces begin and end at, by their numbers.</summary>
+    /// <summary>Start and end points of pieces, by their numbers.</summary>
     public IReadOnlyList<Point2D> Nodes => _nodes;
 
-    /// <summary>Nodes that are one because the piece between them has no length.</summary>
+    /// <summary>Nodes that are merged because the piece between them has no length.</summary>
     public IReadOnlyList<(int One, int Other)> Same => _same;
 
     /// <summary>Adds the left side of a chain.</summary>
@@ -90,7 +92,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         return _nodes.Count - 1;
     }
 
-    /// <summary>Decides what stands between two neighbours: a common node, a trimmed corner, a gap, or two nodes with a join between them.</summary>
+    /// <summary>Decides what is between two neighbours: a common node, a trimmed corner, a gap, or two nodes with a join between them.</summary>
     private void Meet(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, double smoothness, bool isCap, out (int From, int To) join)
     {
         join = (-1, -1);
@@ -111,7 +113,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         else join = (before.EndNode, after.StartNode);
     }
 
-    /// <summary>Lines go on to the tip themselves; behind or before an arc stands a line of the join.</summary>
+    /// <summary>Lines are extended to the tip; after or before an arc the join has a separate line.</summary>
     private void MeetInTip(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, Point2D tip)
     {
         var node = NewNode(tip);
@@ -121,7 +123,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         else after.StartNode = node;
     }
 
-    /// <summary>On the inside of a corner: both pieces end where they meet. What is cut off lies nearer than the distance to the other piece.</summary>
+    /// <summary>On the inside of a corner: both pieces end where they meet. The part that is cut off is nearer to the other piece than the distance.</summary>
     private bool Trim(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, double sin, double cos)
     {
         if (!before.Exists || !after.Exists) return false;
@@ -142,7 +144,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         return true;
     }
 
-    /// <summary>True when the middle and the outer end of what is cut off are nearer to the other source piece than the distance.</summary>
+    /// <summary>True when the middle and the outer end of the part that is cut off are nearer to the other source piece than the distance.</summary>
     private bool IsCovered(in PathPiece piece, double from, double to, in PathPiece other)
     {
         var outer = from == 0.0 ? piece.Start : piece.End;

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>How far a place is from a segment.</summary>
+/// <summary>Distance of a point from a segment.</summary>
 public static class SegmentDistance
 {
     /// <summary>The distance in the unit of the coordinates; an ellipse or spline is measured as the curve itself.</summary>

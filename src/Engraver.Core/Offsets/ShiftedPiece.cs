@@ -3,7 +3,7 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>A source piece moved to its left by the distance, and what is used of it.</summary>
+/// <summary>A source piece moved to its left by the distance, and the used part of it.</summary>
 internal struct ShiftedPiece
 {
     public ShiftedPiece()
@@ -12,7 +12,8 @@ internal struct ShiftedPiece
 
     public PathPiece Piece { get; private init; }
 
-    /// <summary>False for an arc whose radius is not larger than the distance: the points on the far side of its centre are all nearer to it than the distance.</summary>
+    /// <summary>False for an arc whose radius is not larger than the distance: the points on the far side of its centre are all nearer to it than the
+    /// distance.</summary>
     public bool Exists { get; private init; }
 
     /// <summary>True for an arc whose radius is the distance: its offset is its centre, where its neighbours meet.</summary>
@@ -25,7 +26,7 @@ internal struct ShiftedPiece
     /// <summary>Node of the tip of a mitre before an arc; -1 for none.</summary>
     public int TipAhead { get; set; } = -1;
 
-    /// <summary>The same behind it.</summary>
+    /// <summary>The same after the arc.</summary>
     public int TipBehind { get; set; } = -1;
 
     /// <summary>Fractions of the piece between which it is used.</summary>
@@ -42,7 +43,7 @@ internal struct ShiftedPiece
         return new ShiftedPiece { Piece = PathPiece.Arc(source.Centre, radius, source.From, source.Sweep, start, source.IsWholeTurn ? start : end), Exists = true, To = 1.0 };
     }
 
-    /// <summary>False when the nodes at its ends have passed each other, which leaves nothing of it.</summary>
+    /// <summary>False when the nodes at its ends have passed each other, so that no part of it remains.</summary>
     public readonly bool KeepsDirection(Point2D start, Point2D end)
     {
         if (Piece.IsArc) return Piece.IsWholeTurn || Math.Abs(Piece.Sweep) - CutAhead(start) - CutBehind(end) > 0.0;
@@ -58,7 +59,7 @@ internal struct ShiftedPiece
         return PathPiece.Arc(Piece.Centre, Piece.Radius, Piece.From + (direction * ahead), direction * (Math.Abs(Piece.Sweep) - ahead - CutBehind(end)), start, end);
     }
 
-    /// <summary>Radians cut off at the start of an arc; a node that only smooths a joint may also lie a little before it (negative).</summary>
+    /// <summary>Radians cut off at the start of an arc; a node that only smooths a joint can also be slightly before it (negative).</summary>
     private readonly double CutAhead(Point2D start) => From > 0.0 ? From * Math.Abs(Piece.Sweep) : Turn(Piece.Start, start);
 
     private readonly double CutBehind(Point2D end) => To < 1.0 ? (1.0 - To) * Math.Abs(Piece.Sweep) : Turn(end, Piece.End);

@@ -4,32 +4,33 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Offsets;
 
-/// <summary>A contour made fit for its offset: lines and arcs only, none without length, every piece beginning exactly where the one before ends.</summary>
+/// <summary>A contour prepared for its offset: only lines and arcs, none without length, every piece starting exactly where the previous one ends.</summary>
 internal sealed class SourceChain
 {
-    /// <summary>Part of the tolerance of an ellipse's or spline's arcs by which a corner between two of them may be cut: a joint that was meant smooth stays smooth.</summary>
+    /// <summary>Part of the tolerance of an ellipse's or spline's arcs by which a corner between two of them may be cut: a joint that is meant to be smooth
+    /// stays smooth.</summary>
     private const double CurveJointShare = 0.01;
 
     private SourceChain(PathPiece[] pieces, OffsetSource[] sources, bool closed, double smoothness) => (Pieces, Sources, Closed, Smoothness) = (pieces, sources, closed, smoothness);
 
     public PathPiece[] Pieces { get; }
 
-    /// <summary>The segment that each piece is a part of.</summary>
+    /// <summary>The source segment of each piece.</summary>
     public OffsetSource[] Sources { get; }
 
     public bool Closed { get; }
 
-    /// <summary>Millimetres by which the offset may leave the exact one where two pieces meet nearly without a corner.</summary>
+    /// <summary>Millimetres by which the offset may differ from the exact offset where two pieces are almost tangent.</summary>
     public double Smoothness { get; }
 
-    /// <summary>Of a closed curve without width, which is a line there and back: the side on which its inside would be, 1 left, -1 right; 0 for all others.</summary>
+    /// <summary>For a closed curve without width, which is a line there and back: the side of its inside, 1 left, -1 right; 0 for all other contours.</summary>
     public int FlatTurn { get; private init; }
 
-    /// <param name="contour">As drawn.</param>
-    /// <param name="number">Of the contour among all that are offset.</param>
+    /// <param name="contour">The contour as drawn.</param>
+    /// <param name="number">Number of the contour among all contours that are offset.</param>
     /// <param name="options">Tolerances.</param>
-    /// <param name="tolerance">Length that counts as none, millimetres.</param>
-    /// <returns>Null when nothing with a length is in it.</returns>
+    /// <param name="tolerance">Length that counts as zero, millimetres.</param>
+    /// <returns>Null when no segment has a length.</returns>
     public static SourceChain? From(OffsetContour contour, int number, OffsetOptions options, double tolerance)
     {
         if (contour is { Closed: true, Segments: [{ IsFreeCurve: true } only] } && FlatCurve.From(only.Curve, options.MaxErrorMm) is { } flat) return Flat(flat.Places, flat.Turn, number, tolerance);
@@ -73,7 +74,7 @@ internal sealed class SourceChain
         if (piece.Length > tolerance && (piece.IsArc || piece.Start != piece.End)) pieces.Add(piece);
     }
 
-    /// <summary>Closes the gaps: both ends move to the middle. An arc keeps its sweep and is bent to its new ends.</summary>
+    /// <summary>Closes the gaps: both ends move to the middle. An arc keeps its sweep and is adapted to its new ends.</summary>
     private static PathPiece[] Joined(List<PathPiece> pieces, List<OffsetSource> sources, bool closed, double tolerance)
     {
         var count = pieces.Count;

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>Keeps numbers and arrows from overlapping: an area is given only once, and a label that finds none free is left out.</summary>
+/// <summary>Keeps numbers and arrows from overlapping: an area is used only once, and a label without a free area is left out.</summary>
 internal sealed class LabelField(double cell)
 {
     private readonly HashSet<(int X, int Y)> _given = [];

@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>Converts millimetres to picture units: the longer side of the drawing fills the picture, y points up in the drawing and down in the picture.</summary>
+/// <summary>Converts millimetres to picture units: the longer side of the drawing fills the picture, y points up in the drawing and down in the
+/// picture.</summary>
 internal sealed class PlotFrame
 {
     public const double CaptionHeight = 54.0;

@@ -4,10 +4,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>Lines of one colour at a resolution, as the d attribute of an SVG path: a line that would ink no cell of the picture anew is left out, and so are vertices nearer to each other than half a cell.</summary>
-/// <remarks>Whatever was to be drawn lies within one and a half diagonals of a cell of something that is, and what is drawn within half a cell of what was to be.</remarks>
-/// <param name="width">Of the picture, in its units.</param>
-/// <param name="height">The same.</param>
+/// <summary>Lines of one colour at a resolution, as the d attribute of an SVG path: a line that would ink no new cell of the picture is left out, as are
+/// vertices nearer to each other than half a cell.</summary>
+/// <remarks>Every omitted line is within one and a half cell diagonals of a drawn line, and every drawn line is within half a cell of the original.</remarks>
+/// <param name="width">Width of the picture, in its units.</param>
+/// <param name="height">Height of the picture, in its units.</param>
 /// <param name="cell">The resolution, in its units.</param>
 internal sealed class PlotInk(double width, double height, double cell)
 {
@@ -23,7 +24,7 @@ internal sealed class PlotInk(double width, double height, double cell)
     /// <summary>The path so far.</summary>
     public override string ToString() => _path.ToString();
 
-    /// <summary>A curve that goes through these places of the picture.</summary>
+    /// <summary>Adds a curve through these points of the picture.</summary>
     public void Add(IEnumerable<Point2D> places)
     {
         Point2D? last = null;

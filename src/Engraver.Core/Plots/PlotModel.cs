@@ -4,9 +4,9 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>What a picture of a drawing or a path shows, in millimetres and independent of any picture format.</summary>
-/// <param name="Title">Caption: usually the file's name.</param>
-/// <param name="Strokes">Curves, in the order of cutting where there is one.</param>
+/// <summary>Content of a picture of a drawing or a path, in millimetres and independent of the picture format.</summary>
+/// <param name="Title">Caption: usually the file name.</param>
+/// <param name="Strokes">Curves, in the order of cutting if there is one.</param>
 /// <param name="Rapids">Travel with the tool off, in order.</param>
 /// <param name="ToolStart">Position of the tool at the start; null in a picture of the drawing alone.</param>
 public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, IReadOnlyList<LineSegment> Rapids, Point2D? ToolStart)
@@ -14,10 +14,10 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
     /// <summary>Smallest box of the curves, without travel; empty when nothing is drawn.</summary>
     public Bounds2D Drawn => Strokes.SelectMany(stroke => stroke.Segments).Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
 
-    /// <summary>Box of everything shown, the tool's start included.</summary>
+    /// <summary>Box of all shown elements, including the tool's start.</summary>
     public Bounds2D Seen => ToolStart is { } start ? Drawn.Including(start) : Drawn;
 
-    /// <summary>What the colours of a run mean; null in a picture of a drawing or a path.</summary>
+    /// <summary>Meaning of the colours of a run; null in a picture of a drawing or a path.</summary>
     public PlotHeat? Heat { get; init; }
 
     /// <summary>Points and corners of trajectories; none in other pictures.</summary>
@@ -60,23 +60,23 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
 }
 
 /// <summary>One curve of a picture.</summary>
-/// <param name="Segments">At least one; each starts where the one before ends, or nearly.</param>
-/// <param name="Closed">Decides the colour.</param>
+/// <param name="Segments">At least one; each starts at or near the end of the previous one.</param>
+/// <param name="Closed">Determines the colour.</param>
 /// <param name="Number">Place in the order of cutting as shown to people (1 is first); null where there is no order.</param>
 public sealed record PlotStroke(IReadOnlyList<Segment> Segments, bool Closed, int? Number)
 {
     public double Length => Segments.Sum(segment => segment.Length);
 
-    /// <summary>Step of the colours of a run, or <see cref="RunPlot.Beneath"/>; null where the colour says closed or open.</summary>
+    /// <summary>Step of the colours of a run, or <see cref="RunPlot.Beneath"/>; null where the colour shows closed or open.</summary>
     public int? Heat { get; init; }
 }
 
 /// <summary>A place of a trajectory.</summary>
-/// <param name="IsCorner">Where what it follows turns sharply; otherwise a point that it visits.</param>
+/// <param name="IsCorner">True for a sharp turn of the contour that it follows; otherwise a point that it visits.</param>
 public readonly record struct PlotMark(Point2D Place, bool IsCorner);
 
-/// <summary>What the colours of a run mean, in words.</summary>
-/// <param name="Caption">What is shown and where it comes from.</param>
+/// <summary>Meaning of the colours of a run, in words.</summary>
+/// <param name="Caption">The quantity shown and its source.</param>
 /// <param name="Least">The value of the first colour.</param>
 /// <param name="Most">The value of the last colour.</param>
 public sealed record PlotHeat(string Caption, string Least, string Most);

@@ -5,30 +5,30 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>What a picture of a run shows as colour.</summary>
+/// <summary>The quantity that a picture of a run shows as colour.</summary>
 public enum RunMeasure
 {
     /// <summary>Distance from the drawing.</summary>
     Deviation,
 
-    /// <summary>Following error: how far the motors were from their command.</summary>
+    /// <summary>Following error: distance of the motors from their commanded positions.</summary>
     Following,
 
     /// <summary>Speed along the path.</summary>
     Speed,
 }
 
-/// <summary>The picture of a run: where the tool was, over the drawing, coloured by a measure from its least to its most.</summary>
+/// <summary>The picture of a run: the tool positions over the drawing, coloured by a measure from its minimum to its maximum.</summary>
 public static class RunPlot
 {
-    /// <summary>Steps of the colours.</summary>
+    /// <summary>Number of colour steps.</summary>
     public const int Steps = 16;
 
     /// <summary>The drawing under the run has no measure.</summary>
     public const int Beneath = -1;
 
     /// <param name="analysed">The drawing as it is cut.</param>
-    /// <param name="trace">Only where the tool was on is shown.</param>
+    /// <param name="trace">Only positions with the tool on are shown.</param>
     public static PlotModel Create(EntityTable analysed, RunTrace trace, RunMeasure measure, string title)
     {
         ArgumentNullException.ThrowIfNull(trace);
@@ -38,7 +38,7 @@ public static class RunPlot
         return new PlotModel(title, [.. drawn, .. Run(trace, values, most)], [], null) { Heat = new PlotHeat(Caption(trace, measure), "0", Number(most)) };
     }
 
-    /// <summary>What the colour tells, and its largest value while the tool was on.</summary>
+    /// <summary>Meaning of the colour, and its largest value while the tool was on.</summary>
     public static string Caption(RunTrace trace, RunMeasure measure)
     {
         ArgumentNullException.ThrowIfNull(trace);
@@ -47,7 +47,7 @@ public static class RunPlot
         return Wording.Get(measure switch { RunMeasure.Deviation => "Plot.Deviation", RunMeasure.Following => "Plot.Following", _ => "Plot.Speed" }, Number(most), trace.Source, trace.Places.Count(place => place.ToolOn));
     }
 
-    /// <summary>One for each place: millimetres, of the speed mm/min. What is not known is 0.</summary>
+    /// <summary>One value for each place: millimetres, for the speed mm/min. An unknown value is 0.</summary>
     public static double[] Values(RunTrace trace, RunMeasure measure)
     {
         ArgumentNullException.ThrowIfNull(trace);

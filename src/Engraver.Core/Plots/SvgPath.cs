@@ -36,7 +36,8 @@ internal static class SvgPath
 
     public static string Pair(Point2D place) => $"{Number(place.X)},{Number(place.Y)}";
 
-    /// <summary>Writes an arc in two halves, because SVG cannot draw a whole turn and nearly whole ones lose their direction by rounding. Counter-clockwise is sweep flag 0 with y down.</summary>
+    /// <summary>Writes an arc in two halves, because SVG cannot draw a full turn, and nearly full turns lose their direction by rounding. Counter-clockwise is
+    /// sweep flag 0 with y down.</summary>
     private static void AppendArc(StringBuilder path, Segment segment, PlotFrame frame)
     {
         var radius = Number(segment.Arc.Radius * frame.Scale);

@@ -24,9 +24,9 @@ public static class SvgPlotWriter
     /// <summary>Writes the picture; LF line ends, numbers invariant.</summary>
     public static void Write(PlotModel plot, TextWriter output) => Write(plot, new PlotFrame(plot.Seen), thinned: null, output);
 
-    /// <summary>Writes the picture for a page that is to stay small: where its lines take more than that, at the finest resolution at which they do not.</summary>
-    /// <param name="most">Characters of its lines.</param>
-    /// <returns>The resolution in millimetres of the drawing; null for a picture that is whole.</returns>
+    /// <summary>Writes the picture for a page of limited size: when its lines need more characters, at the finest resolution at which they fit.</summary>
+    /// <param name="most">Maximum number of characters of its lines.</param>
+    /// <returns>The resolution in millimetres of the drawing; null for a complete picture.</returns>
     public static double? WriteWithin(PlotModel plot, int most, TextWriter output)
     {
         ArgumentNullException.ThrowIfNull(plot);
@@ -86,7 +86,7 @@ public static class SvgPlotWriter
     private static void WriteToolStart(Point2D place, TextWriter output) =>
         Line(output, $"<path class=\"start\" d=\"M{Number(place.X - 9.0)},{Number(place.Y)}h18M{Number(place.X)},{Number(place.Y - 9.0)}v18\"/><circle class=\"start\" cx=\"{Number(place.X)}\" cy=\"{Number(place.Y)}\" r=\"5\"/>");
 
-    /// <summary>Draws a dot where cutting begins and its number beside it (four positions are tried; when all are taken, the number is left out).</summary>
+    /// <summary>Draws a dot where cutting starts and its number next to it (four positions are tried; when all are taken, the number is left out).</summary>
     private static void WriteNumber(PlotStroke stroke, PlotFrame frame, LabelField labels, TextWriter output)
     {
         var text = stroke.Number?.ToString(CultureInfo.InvariantCulture) ?? string.Empty;
@@ -137,7 +137,7 @@ public static class SvgPlotWriter
 
     private static string HeatClass(int step) => step < 0 ? "base" : string.Create(CultureInfo.InvariantCulture, $"heat{step}");
 
-    /// <summary>From green by yellow to red, and grey for what lies beneath.</summary>
+    /// <summary>From green through yellow to red, and grey for the drawing beneath.</summary>
     private static string HeatStyle() =>
         $"<style>.base{{stroke:#4a5460}}{string.Concat(Enumerable.Range(0, RunPlot.Steps).Select(step => $".{HeatClass(step)}{{stroke:{HeatColour((double)step / (RunPlot.Steps - 1))}}}"))}</style>";
 

@@ -2,10 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>The lines of a picture that has more of them than a page can hold, drawn at the finest resolution at which they fit: one path for each colour.</summary>
+/// <summary>The lines of a picture that has more of them than a page can hold, drawn at the finest resolution at which they fit: one path for each
+/// colour.</summary>
 internal sealed class ThinnedPlot
 {
-    /// <summary>Finest resolution, picture units: half of what a page on paper shows of a picture 1200 units wide.</summary>
+    /// <summary>Finest resolution, picture units: half of the resolution of a printed picture 1200 units wide.</summary>
     private const double Finest = 0.5;
 
     private readonly SortedDictionary<int, (string Colour, PlotInk Ink)> _strokes = [];
@@ -23,12 +24,13 @@ internal sealed class ThinnedPlot
     /// <summary>The class and the path of each colour, from the lowest to the topmost: of a run's measure the largest.</summary>
     public IEnumerable<(string Colour, string Path)> Strokes => _strokes.Values.Select(one => (one.Colour, one.Ink.ToString()));
 
-    /// <summary>Characters that the picture takes with every line, about: a curve with its class, its lines, its arcs in two halves, its ellipses and splines as several arcs.</summary>
+    /// <summary>Approximate number of characters of the picture with every line: a curve with its class, its lines, its arcs in two halves, its ellipses and
+    /// splines as several arcs.</summary>
     public static long WholeLength(PlotModel plot) =>
         (plot.Rapids.Count * 36L) + plot.Strokes.Sum(stroke => 45L + stroke.Segments.Sum(segment => segment.Kind == SegmentKind.Line ? 17L : segment.IsFreeCurve ? 360L : 90L));
 
-    /// <summary>Tries coarser and coarser resolutions: each line inks a cell of its own, and of these there are four times fewer each time.</summary>
-    /// <param name="most">Characters of all paths together.</param>
+    /// <summary>Tries increasingly coarse resolutions: each line inks its own cell, and each step has four times fewer cells.</summary>
+    /// <param name="most">Maximum number of characters of all paths together.</param>
     /// <param name="colour">The class of a curve.</param>
     public static ThinnedPlot Of(PlotModel plot, PlotFrame frame, int most, Func<PlotStroke, string> colour)
     {
@@ -39,7 +41,7 @@ internal sealed class ThinnedPlot
         }
     }
 
-    /// <returns>False when that is too much.</returns>
+    /// <returns>False when this is too many.</returns>
     private bool Draw(PlotModel plot, int most, Func<PlotStroke, string> colour)
     {
         foreach (var rapid in plot.Rapids) _rapids.Add([_frame.Place(rapid.Start), _frame.Place(rapid.End)]);
@@ -58,7 +60,8 @@ internal sealed class ThinnedPlot
         return found.Ink;
     }
 
-    /// <summary>The ends of segments that are joined, and between those of an arc so many places that no chord leaves it by more than a quarter of the resolution.</summary>
+    /// <summary>The ends of segments that are joined, and between those of an arc as many points as needed for all chords to stay within a quarter of the
+    /// resolution of it.</summary>
     private IEnumerable<Point2D> Places(IReadOnlyList<Segment> segments)
     {
         yield return _frame.Place(segments[0].Start);

@@ -5,13 +5,14 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>The picture of trajectories: the curve that a controller really runs through their points, coloured by its deviation, over the drawing, with points and corners.</summary>
+/// <summary>The picture of trajectories: the curve that a controller actually runs through their points, coloured by its deviation, over the drawing, with
+/// points and corners.</summary>
 public static class TrajectoryPlot
 {
-    /// <summary>Parts of each step with a colour of their own.</summary>
+    /// <summary>Number of separately coloured parts of each step.</summary>
     private const int Parts = 16;
 
-    /// <summary>Points that are drawn in all; of more only the curve is.</summary>
+    /// <summary>Maximum number of points drawn; with more points only the curve is drawn.</summary>
     private const int MostMarks = 20_000;
 
     /// <param name="analysed">The drawing as it is cut.</param>

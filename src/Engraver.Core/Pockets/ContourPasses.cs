@@ -3,11 +3,13 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>Passes parallel to the walls of a region, and those between them that take the slivers which passes farther apart than the radius leave (reference section 5.2).</summary>
+/// <summary>Passes parallel to the walls of a region, and additional passes that clear the slivers left between passes farther apart than the radius (reference
+/// section 5.2).</summary>
 /// <remarks>
-/// Let C be what is enclosed by a pass and C' by the next one, at the stepover S further in. A point of C is missed only when it lies deeper than R in C and farther than R from C'. Every such
-/// point is nearer than S - R to the loop at depth R in C, so that a pass along parts of that loop takes it: along the parts that are themselves missed, and, where that should leave anything,
-/// along all that are farther than 2 R - S from C', which certainly suffice.
+/// Let C be the area enclosed by a pass and C' the area enclosed by the next one, at the stepover S further in. A point of C is missed only when it is deeper
+/// than R in C and farther than R from C'. Every such point is nearer than S - R to the loop at depth R in C, so that a pass along parts of that loop clears
+/// it: along the parts that are themselves missed, and, if that leaves any material, along all parts that are farther than 2 R - S from C', which always
+/// suffice.
 /// </remarks>
 internal sealed class ContourPasses
 {
@@ -20,7 +22,7 @@ internal sealed class ContourPasses
     /// <summary>From the wall inwards: the loops of each level.</summary>
     public List<List<PassChain>> Levels { get; } = [];
 
-    /// <param name="depths">Of the region.</param>
+    /// <param name="depths">Depths of the region.</param>
     /// <param name="wall">Loops of the first level.</param>
     /// <param name="options">Tool and stepover.</param>
     public static ContourPasses Of(RegionDepths depths, List<PathPiece[]> wall, PocketOptions options)
@@ -37,8 +39,8 @@ internal sealed class ContourPasses
         return passes;
     }
 
-    /// <summary>What takes the slivers between the levels.</summary>
-    /// <param name="generous">All that can be needed; otherwise what nearly always suffices.</param>
+    /// <summary>The passes that clear the slivers between the levels.</summary>
+    /// <param name="generous">True for all passes that can be needed; otherwise those that almost always suffice.</param>
     public List<PassChain> Slivers(bool generous)
     {
         var slivers = new List<PassChain>();
@@ -54,7 +56,7 @@ internal sealed class ContourPasses
         return slivers;
     }
 
-    /// <summary>The parts of a loop that the next level does not reach, joined where they follow each other.</summary>
+    /// <summary>The parts of a loop that the next level does not reach, joined where they are consecutive.</summary>
     private static void AddMissed(PathPiece[] loop, SweptReach? reach, int level, List<PassChain> slivers)
     {
         var parts = new List<(int Piece, PiecePart Part)>();

@@ -2,8 +2,10 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>Strings the contour-parallel passes of a region together: from the wall inwards, a branch on the way and back to where it left, so that the tool is lifted only where no step leads.</summary>
-/// <remarks>Along the main branch a pass is cut all the way round before the next one; what lies beside it (slivers in corners, other lobes) is cut when the tool comes past. Nothing is walked twice.</remarks>
+/// <summary>Connects the contour-parallel passes of a region: from the wall inwards, along each branch and back to its start, so that the tool is lifted only
+/// where there is no step to the next pass.</summary>
+/// <remarks>Along the main branch a pass is cut completely before the next one; adjacent passes (slivers in corners, other lobes) are cut when the tool reaches
+/// them. No pass is cut twice.</remarks>
 internal sealed class ContourTour
 {
     private readonly IReadOnlyList<PassChain> _chains;
@@ -23,8 +25,8 @@ internal sealed class ContourTour
 
     /// <summary>Strokes with their moves; every pass is in one of them.</summary>
     /// <param name="chains">All passes of the region.</param>
-    /// <param name="check">Of its links.</param>
-    /// <param name="fromCentre">The other way about: the last pass is that along the wall.</param>
+    /// <param name="check">Check of its links.</param>
+    /// <param name="fromCentre">Reverse order: the last pass is the one along the wall.</param>
     public static List<List<(PathPiece Piece, bool IsLink)>> Strokes(IReadOnlyList<PassChain> chains, LinkCheck check, bool fromCentre)
     {
         var tour = new ContourTour(fromCentre ? [.. chains.Select(chain => chain.Reversed())] : chains, check, fromCentre);
@@ -74,7 +76,8 @@ internal sealed class ContourTour
 
     private static double Ahead(PassChain chain, PassPlace from, PassPlace to) => to.Along - from.Along is var ahead && ahead < -PassChain.Joint ? ahead + chain.Length : ahead;
 
-    /// <summary>The step onwards from where the pass was begun, when the next one lies straight beside it; otherwise from where they lie beside each other.</summary>
+    /// <summary>The step to the next pass from the start of this pass when the next one is directly adjacent; otherwise from the point where they are
+    /// adjacent.</summary>
     private PassLink Straight(PassLink main, PassPlace arrived)
     {
         var link = main with { At = arrived, Arrives = _chains[main.To].Nearest(arrived.Place) };
@@ -91,7 +94,7 @@ internal sealed class ContourTour
         else ThereAndBack(chain, branch);
     }
 
-    /// <summary>Along a sliver's pass, and straight back where that leads through what is cut; otherwise the same way.</summary>
+    /// <summary>Along a sliver's pass, and straight back if the return is through the cut area; otherwise along the same path.</summary>
     private void ThereAndBack(PassChain chain, PassLink branch)
     {
         _moves.AddRange(chain.Pieces.Select(piece => (piece, false)));
@@ -162,15 +165,15 @@ internal sealed class ContourTour
 
         public PassPlace Arrived { get; } = arrived;
 
-        /// <summary>How far it is cut.</summary>
+        /// <summary>The length cut so far.</summary>
         public PassPlace At { get; set; } = arrived;
 
         public PassLink? Back { get; } = back;
 
-        /// <summary>What lies beside it, in the order in which the tool comes past.</summary>
+        /// <summary>Adjacent passes, in the order in which the tool reaches them.</summary>
         public Queue<PassLink> Branches { get; } = new();
 
-        /// <summary>Where it goes on behind.</summary>
+        /// <summary>The position at which it continues afterwards.</summary>
         public PassLink? Main { get; set; }
     }
 }

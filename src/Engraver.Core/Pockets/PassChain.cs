@@ -6,7 +6,7 @@ namespace Engraver.Core.Pockets;
 /// <summary>A pass as it is planned: a closed loop with the pocket on its left, or an open run.</summary>
 internal sealed class PassChain
 {
-    /// <summary>Millimetres from the end of a piece at which a place on it is that end: shorter moves are none.</summary>
+    /// <summary>Millimetres from the end of a piece within which a point on it counts as that end: shorter moves are ignored.</summary>
     public const double Joint = 1e-6;
 
     private BoxTree? _tree;
@@ -26,7 +26,7 @@ internal sealed class PassChain
 
     public int Level { get; }
 
-    /// <summary>Length up to the start of each piece, and of all.</summary>
+    /// <summary>Length up to the start of each piece, and total length.</summary>
     public double[] Along { get; }
 
     public double Length => Along[^1];
@@ -35,7 +35,7 @@ internal sealed class PassChain
 
     public PassPlace End => new(Pieces.Length - 1, 1.0, Pieces[^1].End, Length);
 
-    /// <summary>In the middle of the longest piece: far from corners.</summary>
+    /// <summary>The middle of the longest piece: far from corners.</summary>
     public PassPlace Middle
     {
         get
@@ -48,7 +48,7 @@ internal sealed class PassChain
 
     public PassPlace At(int piece, double fraction) => new(piece, fraction, fraction == 0.0 ? Pieces[piece].Start : fraction == 1.0 ? Pieces[piece].End : Pieces[piece].At(fraction), Along[piece] + (fraction * Pieces[piece].Length));
 
-    /// <summary>The place on it that is nearest to a point.</summary>
+    /// <summary>The point of the pass that is nearest to a given point.</summary>
     public PassPlace Nearest(Point2D place)
     {
         _tree ??= BoxTree.Build([.. Pieces.Select(piece => piece.Box())]);
@@ -63,7 +63,7 @@ internal sealed class PassChain
         return At(piece, fraction * length < Joint ? 0.0 : (1.0 - fraction) * length < Joint ? 1.0 : fraction);
     }
 
-    /// <summary>Adds the pieces from one place forwards to another; on a closed one, a place at or behind the first means once round.</summary>
+    /// <summary>Adds the pieces from one place forwards to another; on a closed pass, a place at or before the first means one full round.</summary>
     public void AddForwards(PassPlace from, PassPlace to, List<PathPiece> pieces)
     {
         if (from.Along < to.Along)
@@ -76,7 +76,7 @@ internal sealed class PassChain
         AddStraight(Start, to, pieces);
     }
 
-    /// <summary>Adds the shorter way round a closed one, or the way along an open one.</summary>
+    /// <summary>Adds the shorter path around a closed pass, or the path along an open one.</summary>
     public void AddShorter(PassPlace from, PassPlace to, List<PathPiece> pieces)
     {
         var ahead = to.Along - from.Along;
@@ -93,7 +93,7 @@ internal sealed class PassChain
         for (var i = back.Count - 1; i >= 0; i--) pieces.Add(back[i].Reversed());
     }
 
-    /// <summary>Length of the way that <see cref="AddShorter"/> takes.</summary>
+    /// <summary>Length of the path that <see cref="AddShorter"/> takes.</summary>
     public double ShorterLength(PassPlace from, PassPlace to)
     {
         var way = Math.Abs(to.Along - from.Along);
@@ -121,7 +121,7 @@ internal sealed class PassChain
 
 /// <summary>A place on a pass.</summary>
 /// <param name="Piece">Number of the piece.</param>
-/// <param name="Fraction">Of its length.</param>
+/// <param name="Fraction">Fraction of its length.</param>
 /// <param name="Place">The point.</param>
 /// <param name="Along">Length from the start of the pass.</param>
 internal readonly record struct PassPlace(int Piece, double Fraction, Point2D Place, double Along);

@@ -3,11 +3,11 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>A step between two passes that lie beside each other.</summary>
+/// <summary>A step between two adjacent passes.</summary>
 /// <param name="From">Number of one pass.</param>
 /// <param name="At">Place on it.</param>
 /// <param name="To">Number of the other.</param>
-/// <param name="Arrives">Place on that.</param>
+/// <param name="Arrives">Place on the other pass.</param>
 internal readonly record struct PassLink(int From, PassPlace At, int To, PassPlace Arrives)
 {
     public PassLink Reversed() => new(To, Arrives, From, At);
@@ -15,8 +15,9 @@ internal readonly record struct PassLink(int From, PassPlace At, int To, PassPla
     public PathPiece Way => PathPiece.Line(At.Place, Arrives.Place);
 }
 
-/// <summary>Which passes of a region lie beside each other, so that the tool can step from one to the other.</summary>
-/// <remarks>Every point of a pass lies at the stepover from the level before, every point of a sliver's pass at the radius from its level. What is then still apart, for example both walls of a narrow ring, is tied where it is near enough.</remarks>
+/// <summary>The adjacent passes of a region between which the tool can step.</summary>
+/// <remarks>Every point of a pass is at the stepover from the previous level, every point of a sliver's pass at the radius from its level. Passes that are then
+/// still unconnected, for example both walls of a narrow ring, are connected if they are near enough.</remarks>
 internal sealed class PassGraph
 {
     private readonly IReadOnlyList<PassChain> _chains;
@@ -61,7 +62,7 @@ internal sealed class PassGraph
         }
     }
 
-    /// <summary>A loop and every loop of the level before that one of its pieces is parallel to, in the middle of the longest of those.</summary>
+    /// <summary>Connects a loop with every loop of the previous level that one of its pieces is parallel to, in the middle of the longest of those.</summary>
     private void LinkLoop(int inner, BoxTree tree, int[] items)
     {
         var longest = new Dictionary<int, int>();
@@ -99,7 +100,7 @@ internal sealed class PassGraph
         return chain;
     }
 
-    /// <summary>Ties what no level ties.</summary>
+    /// <summary>Connects the passes that no level connects.</summary>
     private void LinkGroups()
     {
         int[] loops = [.. Enumerable.Range(0, _chains.Count).Where(chain => _chains[chain].Closed)];

@@ -2,37 +2,37 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>How the tool comes down to the depth of a stroke.</summary>
+/// <summary>Entry of the tool to the depth of a stroke.</summary>
 public enum PocketEntry
 {
     /// <summary>Straight down.</summary>
     Plunge,
 
-    /// <summary>Down along the first pass: round it when it is closed, there and back when it is not.</summary>
+    /// <summary>Down along the first pass: around it when it is closed, back and forth when it is open.</summary>
     Ramp,
 
-    /// <summary>Down on a screw line beside the start of the first pass; where there is no room for one, as <see cref="Ramp"/>.</summary>
+    /// <summary>Down on a helix next to the start of the first pass; without room for a helix, as <see cref="Ramp"/>.</summary>
     Helix,
 }
 
 /// <summary>Depths of a pocket. Lengths in millimetres.</summary>
 public sealed record PocketDepths
 {
-    /// <summary>All at height 0, with no entry: the machine profile says how deep it cuts.</summary>
+    /// <summary>All at height 0, with no entry: the machine profile sets the cutting depth.</summary>
     public static PocketDepths Flat { get; } = new();
 
-    /// <summary>Below the top of the work (height 0), 0 or more.</summary>
+    /// <summary>Depth below the top of the work (height 0), 0 or more.</summary>
     public double Depth { get; init; }
 
-    /// <summary>Most that one level takes off; the levels divide the depth evenly. 0 for one level.</summary>
+    /// <summary>Maximum depth of one level; the levels divide the depth evenly. 0 for one level.</summary>
     public double Step { get; init; }
 
     public PocketEntry Entry { get; init; } = PocketEntry.Plunge;
 
-    /// <summary>How steeply a ramp or screw line goes down, above 0 and below 90 degrees.</summary>
+    /// <summary>Angle of descent of a ramp or helix, above 0 and below 90 degrees.</summary>
     public Angle RampAngle { get; init; } = Angle.FromDegrees(3.0);
 
-    /// <summary>Heights of the levels, from the top down; 0 alone for a flat one.</summary>
+    /// <summary>Heights of the levels, from the top down; only 0 for a flat pocket.</summary>
     public IReadOnlyList<double> Heights
     {
         get
@@ -43,9 +43,9 @@ public sealed record PocketDepths
     }
 }
 
-/// <summary>A stroke at its height, and the way down to it.</summary>
+/// <summary>A stroke at its height, and the descent to it.</summary>
 /// <param name="Stroke">Level, at <paramref name="Z"/>.</param>
 /// <param name="Z">Height, 0 at the top of the work, negative into it.</param>
-/// <param name="Way">Points of the way down with their heights, ending at the start of the stroke; empty for straight down.</param>
-/// <param name="Entry">What the way is: a ramp where a screw line has no room.</param>
+/// <param name="Way">Points of the descent with their heights, ending at the start of the stroke; empty for straight down.</param>
+/// <param name="Entry">Type of the descent: a ramp where a helix has no room.</param>
 public sealed record PocketCut(PocketStroke Stroke, double Z, IReadOnlyList<(Point2D Place, double Z)> Way, PocketEntry Entry);

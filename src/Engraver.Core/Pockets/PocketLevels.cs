@@ -3,11 +3,11 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>The strokes of a pocket at its depths, each region from the top down before the next, with ramps and screw lines as chords.</summary>
+/// <summary>The strokes of a pocket at its depths, each region from the top down before the next, with ramps and helices as chords.</summary>
 public static class PocketLevels
 {
     /// <param name="pocket">Planned passes.</param>
-    /// <param name="options">With which it was planned.</param>
+    /// <param name="options">Options with which the pocket was planned.</param>
     /// <param name="depths">Levels and entry.</param>
     public static IReadOnlyList<PocketCut> Of(PocketResult pocket, PocketOptions options, PocketDepths depths)
     {
@@ -27,18 +27,18 @@ public static class PocketLevels
     }
 }
 
-/// <summary>Ways down to the strokes of one region.</summary>
+/// <summary>Descents to the strokes of one region.</summary>
 internal sealed class PocketDescent
 {
-    /// <summary>Radii of a screw line, in tool radii: the largest leaves no core standing.</summary>
+    /// <summary>Radii of a helix, in tool radii: the largest leaves no core.</summary>
     private const double LargestScrew = 0.9;
 
     private const double SmallestScrew = 0.1;
 
-    /// <summary>Length of a ramp there and back, in tool radii: on a shorter one the tool would stand and turn.</summary>
+    /// <summary>Length of a back-and-forth ramp, in tool radii: on a shorter ramp the tool would rotate in place.</summary>
     private const double ShortestRamp = 0.1;
 
-    /// <summary>Millimetres by which a screw line may come nearer to a wall than the radius.</summary>
+    /// <summary>Millimetres by which a helix may be nearer to a wall than the radius.</summary>
     private const double Rounding = 1e-6;
 
     private readonly SweptReach _walls;
@@ -56,7 +56,8 @@ internal sealed class PocketDescent
         return Ramp(stroke, length) is { } ramp ? new PocketCut(stroke, z, WithHeights(ramp, top, z), PocketEntry.Ramp) : new PocketCut(stroke, z, [], PocketEntry.Plunge);
     }
 
-    /// <summary>Turns about a centre on the pocket's side of the start, ending in the direction of the first pass; null where no circle of a useful size keeps clear of the walls.</summary>
+    /// <summary>Turns about a centre on the pocket's side of the start, ending in the direction of the first pass; null when no circle of a useful size is
+    /// clear of the walls.</summary>
     private List<Point2D>? Screw(PocketStroke stroke, double length)
     {
         var tangent = stroke.Moves[0].Segment.StartTangent;
@@ -75,7 +76,8 @@ internal sealed class PocketDescent
         return null;
     }
 
-    /// <summary>Along the moves before the first link: round and round when they close, there and back when not; null where they are too short to go down on.</summary>
+    /// <summary>Along the moves before the first link: repeatedly around when they are closed, back and forth when they are open; null when they are too short
+    /// for a descent.</summary>
     private List<Point2D>? Ramp(PocketStroke stroke, double length)
     {
         List<PathPiece> first = [.. stroke.Moves.TakeWhile(move => !move.IsLink).Select(move => PathPiece.FromSegment(move.Segment))];
@@ -95,7 +97,7 @@ internal sealed class PocketDescent
         return [there[0], .. Enumerable.Range(0, trips).SelectMany(_ => there.Skip(1).Concat(back.Skip(1)))];
     }
 
-    /// <summary>Chords that lie on the pocket's side of every arc: within one that turns left, round one that turns right.</summary>
+    /// <summary>Chords on the pocket's side of every arc: inside an arc that turns left, around an arc that turns right.</summary>
     private List<Point2D> Points(List<PathPiece> pieces)
     {
         List<Point2D> points = [pieces[0].Start];
@@ -141,7 +143,7 @@ internal sealed class PocketDescent
         return last;
     }
 
-    /// <summary>Down evenly along the way.</summary>
+    /// <summary>Descends evenly along the path.</summary>
     private static List<(Point2D, double)> WithHeights(List<Point2D> points, double top, double z)
     {
         var total = 0.0;

@@ -2,13 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>How the inside of a pocket is cut.</summary>
+/// <summary>Strategy for cutting the inside of a pocket.</summary>
 public enum PocketStrategy
 {
     /// <summary>Passes parallel to the walls.</summary>
     Contour,
 
-    /// <summary>Straight rows there and back, and a pass along the walls.</summary>
+    /// <summary>Straight rows back and forth, and a pass along the walls.</summary>
     Zigzag,
 }
 
@@ -18,7 +18,7 @@ public sealed record PocketOptions
     /// <summary>Radius of the tool, above 0.</summary>
     public required double ToolRadius { get; init; }
 
-    /// <summary>Distance of neighbouring passes as a part of the tool's diameter (F), above 0 and below 1.</summary>
+    /// <summary>Distance of neighbouring passes as a fraction of the tool's diameter (F), above 0 and below 1.</summary>
     public double Stepover { get; init; } = 0.5;
 
     public PocketStrategy Strategy { get; init; } = PocketStrategy.Contour;
@@ -26,13 +26,13 @@ public sealed record PocketOptions
     /// <summary>Direction of the rows of <see cref="PocketStrategy.Zigzag"/>, counter-clockwise from the X axis.</summary>
     public Angle Angle { get; init; }
 
-    /// <summary>Contour-parallel passes begin in the middle and end at the wall; otherwise they begin at the wall.</summary>
+    /// <summary>True when contour-parallel passes start in the middle and end at the wall; otherwise they start at the wall.</summary>
     public bool FromCentre { get; init; }
 
-    /// <summary>What the passes leave standing at the walls, for a last pass along them; 0 to the radius, 0 for no such pass.</summary>
+    /// <summary>Allowance that the passes leave at the walls, for a last pass along them; 0 to the radius, 0 for no such pass.</summary>
     public double Allowance { get; init; }
 
-    /// <summary>Largest distance of the arcs that stand for an ellipse or spline.</summary>
+    /// <summary>Largest distance of the arcs that approximate an ellipse or spline.</summary>
     public double MaxErrorMm { get; init; } = 0.001;
 
     /// <summary>Distance of neighbouring passes: 2 R F.</summary>

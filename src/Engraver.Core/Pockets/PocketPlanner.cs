@@ -4,19 +4,21 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>Closed contours with islands to the passes that clear what is inside them.</summary>
-/// <remarks>Passes are exact lines and arcs. What they cover is computed again from the passes themselves (<see cref="SweptArea"/>), not from how they were made.</remarks>
+/// <summary>Plans the passes that clear the inside of closed contours with islands.</summary>
+/// <remarks>Passes are exact lines and arcs. The covered area is computed again from the passes themselves (<see cref="SweptArea"/>), independently of how they
+/// were planned.</remarks>
 public static class PocketPlanner
 {
-    /// <summary>Part of the reachable area up to which a difference is rounding.</summary>
+    /// <summary>Fraction of the reachable area up to which a difference counts as rounding.</summary>
     private const double AreaRounding = 1e-7;
 
-    /// <summary>Millimetres from the border of what can be reached from which on something is left standing.</summary>
+    /// <summary>Distance from the boundary of the reachable area beyond which material counts as left, millimetres.</summary>
     private const double WorthTelling = 1e-5;
 
-    /// <param name="contours">What was drawn; open contours have no inside and are counted.</param>
+    /// <param name="contours">The drawn contours; open contours have no inside and are only counted.</param>
     /// <param name="options">Tool and strategy.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The radius is not above 0, the stepover not between 0 and 1, the allowance not between 0 and the radius.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The radius is not above 0, the stepover not between 0 and 1, the allowance not between 0 and the
+    /// radius.</exception>
     public static PocketResult Plan(IReadOnlyList<OffsetContour> contours, PocketOptions options)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.ToolRadius);
@@ -116,7 +118,8 @@ public static class PocketPlanner
 
         private SweptArea Sweep() => SweptArea.Of([.. _chains.Concat(_finish).Select(chain => chain.Pieces)], options.ToolRadius);
 
-        /// <summary>Area and, where something is left, its border: what of the border of the swept area is not the border of what can be reached.</summary>
+        /// <summary>Area and, when material is left, its boundary: the part of the boundary of the swept area that is not the boundary of the reachable
+        /// area.</summary>
         private void Measure(IReadOnlyList<OffsetLoop> reached)
         {
             var swept = Sweep();

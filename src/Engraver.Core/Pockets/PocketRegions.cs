@@ -8,26 +8,27 @@ namespace Engraver.Core.Pockets;
 
 /// <summary>An outer contour and the islands directly in it.</summary>
 /// <param name="Contours">As drawn, the outer one first.</param>
-/// <param name="Inset">Distance by which these lie inside what was drawn: 0, or nearly nothing where drawn contours cross.</param>
+/// <param name="Inset">Distance of these inside the drawn contours: 0, or almost 0 where drawn contours cross.</param>
 /// <param name="Walls">The same as lines and arcs, with the material on the left.</param>
 internal sealed record PocketRegion(IReadOnlyList<OffsetContour> Contours, double Inset, IReadOnlyList<PathPiece[]> Walls)
 {
-    /// <summary>mm2.</summary>
+    /// <summary>Area, mm2.</summary>
     public double Area => Walls.Sum(wall => ChainArea.Of([.. wall.Select(piece => piece.ToSegment())]));
 }
 
-/// <summary>Closed contours to regions by nesting: what lies inside an odd number of them.</summary>
+/// <summary>Converts closed contours to regions by nesting: the area inside an odd number of them.</summary>
 internal static class PocketRegions
 {
-    /// <summary>Millimetres by which contours that cross or touch are drawn in, which parts them; the least at which the offset closes.</summary>
+    /// <summary>Millimetres by which contours that cross or touch are moved inwards to separate them; the smallest distance at which the offset
+    /// closes.</summary>
     private static readonly double[] s_insets = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3];
 
     private const double Tolerance = 1e-10;
 
-    /// <summary>Within which drawn ends are joined, millimetres.</summary>
+    /// <summary>Distance within which drawn ends are joined, millimetres.</summary>
     private const double JoinTolerance = 0.01;
 
-    /// <summary>The regions in the order of their outer contours, and where contours that cross could not be parted.</summary>
+    /// <summary>The regions in the order of their outer contours, and the points where crossing contours could not be separated.</summary>
     public static (List<PocketRegion> Regions, IReadOnlyList<Point2D> Unresolved) Of(IReadOnlyList<OffsetContour> contours, OffsetOptions options)
     {
         List<OffsetContour> closed = [.. contours.Where(contour => contour.Closed && contour.Segments.Any(segment => segment.Length > 0.0))];
@@ -43,7 +44,7 @@ internal static class PocketRegions
         return (Split([.. parted!.Loops.Select(loop => new OffsetContour(loop.Segments, true))], inset, options), parted.Unresolved);
     }
 
-    /// <summary>True when any two pieces have a point in common besides that of neighbours. Where that is in doubt it is true, which only costs the inset.</summary>
+    /// <summary>True when any two pieces have a common point other than the joint of neighbours. True in case of doubt, which only causes the inset.</summary>
     private static bool TouchEachOther(List<OffsetContour> closed, OffsetOptions options)
     {
         PathPiece[][] walls = [.. closed.Select(contour => Pieces(Arcs(contour, options)))];
@@ -86,7 +87,7 @@ internal static class PocketRegions
         return regions;
     }
 
-    /// <summary>For each contour the ones that it lies in.</summary>
+    /// <summary>For each contour, the contours that contain it.</summary>
     private static List<int>[] Around(Segment[][] arcs, ContourRegion[] insides)
     {
         var tree = BoxTree.Build([.. insides.Select(inside => inside.Bounds)]);

@@ -4,7 +4,8 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>The loops of a region at a distance from its walls, always from the walls themselves and never from another loop, so that no error grows.</summary>
+/// <summary>The loops of a region at a distance from its walls, always from the walls themselves and never from another loop, so that errors do not
+/// accumulate.</summary>
 internal sealed class RegionDepths(PocketRegion region, OffsetOptions options)
 {
     /// <summary>Millimetres by which a channel may be narrower than the tool and still be cut: the last digit of a drawing with six decimals.</summary>
@@ -17,7 +18,7 @@ internal sealed class RegionDepths(PocketRegion region, OffsetOptions options)
 
     public double MaxDeviation { get; private set; }
 
-    /// <summary>Closed loops with what is deeper on their left; none where nothing is as deep.</summary>
+    /// <summary>Closed loops with the deeper area on their left; empty when no point is as deep.</summary>
     public List<PathPiece[]> At(double distance)
     {
         var result = ContourOffset.Offset(region.Contours, distance - region.Inset, OffsetSide.In, options);
@@ -27,14 +28,14 @@ internal sealed class RegionDepths(PocketRegion region, OffsetOptions options)
     }
 
     /// <summary>The same at the tool's radius, with the channels that are exactly as wide as the tool.</summary>
-    /// <returns>The loops around where the tool's centre may be, and the passes along them: round a channel once and not there and back.</returns>
+    /// <returns>The loops around the area of the tool's centre, and the passes along them: once along a channel and not there and back.</returns>
     public (List<PathPiece[]> Loops, List<PathPiece[]> Passes) AtRadius(double radius)
     {
         var (exact, wider) = (At(radius), At(radius - Rounding));
         return exact.Count == 0 || LengthOf(wider) > LengthOf(exact) + WorthACut ? (wider, WithoutReturns(wider)) : (exact, exact);
     }
 
-    /// <summary>Where a region is widest, and how wide, for one in which nothing is as deep as the radius.</summary>
+    /// <summary>The widest point of a region, and its width, for a region in which no point is as deep as the radius.</summary>
     public NarrowRegion Widest(double radius)
     {
         var (low, high, place) = (0.0, radius, region.Walls[0][0].Start);
@@ -49,7 +50,7 @@ internal sealed class RegionDepths(PocketRegion region, OffsetOptions options)
         return new NarrowRegion(place, 2.0 * low);
     }
 
-    /// <summary>A loop there and back along a channel becomes the way there, two loops round a ring become one.</summary>
+    /// <summary>A loop there and back along a channel becomes a single path, two loops around a ring become one.</summary>
     private static List<PathPiece[]> WithoutReturns(List<PathPiece[]> loops)
     {
         var kept = new List<PathPiece[]>();
@@ -66,7 +67,7 @@ internal sealed class RegionDepths(PocketRegion region, OffsetOptions options)
         Math.Abs(loop.Sum(piece => piece.Length) - other.Sum(piece => piece.Length)) < 100.0 * Rounding
         && loop.All(piece => other.Any(beside => beside.DistanceTo(piece.At(0.5)) < 4.0 * Rounding));
 
-    /// <summary>One side of a loop that encloses nothing; null for every other loop, also for one with branches.</summary>
+    /// <summary>One side of a loop that encloses no area; null for every other loop, also for a loop with branches.</summary>
     private static PathPiece[]? OneWay(PathPiece[] loop)
     {
         int[] ends = [.. Enumerable.Range(0, loop.Length).Where(i => loop[i].Length < 10.0 * Rounding)];

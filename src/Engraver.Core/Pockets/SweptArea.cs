@@ -4,12 +4,14 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>The area that a round tool sweeps along chains of lines and arcs: the union of all its places, from its border alone (Green's theorem).</summary>
-/// <remarks>Shares nothing with how offsets are computed, so that it can judge them. Every piece is bounded by its two parallels and by circles about its ends; a part of those belongs to the border
-/// when no piece is nearer to it than the radius. Parts that coincide count once when the tool lies on the same side of them, and not at all when it lies on both.</remarks>
+/// <summary>The area that a round tool sweeps along chains of lines and arcs: the union of all its positions, computed from its boundary alone (Green's
+/// theorem).</summary>
+/// <remarks>Independent of the offset computation, so that it can verify it. Every piece is bounded by its two parallels and by circles about its ends; a part
+/// of those belongs to the boundary when no piece is nearer to it than the radius. Parts that coincide count once when the tool is on the same side of them,
+/// and not at all when it is on both sides.</remarks>
 internal sealed class SweptArea
 {
-    /// <summary>Difference from the radius by which two borders still coincide, millimetres.</summary>
+    /// <summary>Difference from the radius by which two boundaries still coincide, millimetres.</summary>
     private const double Coincident = 1e-9;
 
     private readonly SweptReach _reach;
@@ -19,14 +21,14 @@ internal sealed class SweptArea
 
     private SweptArea(IReadOnlyList<PathPiece> pieces, double radius) => _reach = new SweptReach(pieces, radius);
 
-    /// <summary>mm2.</summary>
+    /// <summary>Area, mm2.</summary>
     public double Area => _area;
 
-    /// <summary>Its border, each part with the swept area on its left, in no order.</summary>
+    /// <summary>Its boundary, each part with the swept area on its left, in no particular order.</summary>
     public IReadOnlyList<Segment> Border => _border;
 
-    /// <param name="chains">Each piece begins where the one before ends; a closed chain ends at its start.</param>
-    /// <param name="radius">Of the tool, above 0.</param>
+    /// <param name="chains">Each piece starts where the previous one ends; a closed chain ends at its start.</param>
+    /// <param name="radius">Radius of the tool, above 0.</param>
     public static SweptArea Of(IReadOnlyList<IReadOnlyList<PathPiece>> chains, double radius)
     {
         List<PathPiece> pieces = [.. chains.SelectMany(chain => chain)];
@@ -58,7 +60,8 @@ internal sealed class SweptArea
         }
     }
 
-    /// <summary>The circle about an end, in quarters from where it touches the parallels, so that no part has such a point in its middle.</summary>
+    /// <summary>The circle about an end, in quarters from the points where it touches the parallels, so that these points are not in the middle of a
+    /// part.</summary>
     private void AddCap(Point2D corner, Vector2D arriving, Vector2D leaving, int owner)
     {
         Span<double> turns = [Direction(arriving) + (Math.PI / 2.0), Direction(arriving) - (Math.PI / 2.0), Direction(leaving) + (Math.PI / 2.0), Direction(leaving) - (Math.PI / 2.0)];

@@ -4,13 +4,14 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>What lies within a distance of some pieces: what a round tool sweeps that runs along them. Exact, from the circles and parallels that bound it.</summary>
+/// <summary>The area within a distance of some pieces: the area that a round tool sweeps along them. Exact, from the circles and parallels that bound
+/// it.</summary>
 internal sealed class SweptReach
 {
-    /// <summary>Longest stretch that is looked at in one, in radii: a long one would have all pieces for neighbours.</summary>
+    /// <summary>Longest stretch that is evaluated at once, in radii: a longer stretch would have all pieces as neighbours.</summary>
     private const double StretchRadii = 8.0;
 
-    /// <summary>Distance that counts as none, millimetres.</summary>
+    /// <summary>Distance that counts as zero, millimetres.</summary>
     private const double Tolerance = 1e-10;
 
     private readonly PathPiece[] _pieces;
@@ -31,7 +32,8 @@ internal sealed class SweptReach
 
     public IReadOnlyList<PathPiece> Pieces => _pieces;
 
-    /// <summary>Calls back with the fractions of every stretch of a piece between two places where it could enter or leave what is reached, and with the pieces near it.</summary>
+    /// <summary>Calls back with the fractions of every stretch of a piece between two places where it could enter or leave the reached area, and with the
+    /// pieces near it.</summary>
     public void Divide(in PathPiece piece, Action<double, double, IReadOnlyList<int>> stretch)
     {
         var count = 1 + (int)(piece.Length / (StretchRadii * Radius));
@@ -51,7 +53,7 @@ internal sealed class SweptReach
         }
     }
 
-    /// <summary>Parts of a piece, as fractions, that are farther than the radius from every one.</summary>
+    /// <summary>Parts of a piece, as fractions, that are farther than the radius from every piece.</summary>
     public List<PiecePart> PartsOutside(in PathPiece piece)
     {
         var (parts, whole) = (new List<PiecePart>(), piece);
@@ -64,7 +66,7 @@ internal sealed class SweptReach
         return parts;
     }
 
-    /// <summary>The smallest distance at three points of a stretch: what touches in a tangent point often does so in the middle.</summary>
+    /// <summary>The smallest distance at three points of a stretch: tangent points are often at the middle.</summary>
     private double DistanceAt(in PathPiece piece, double from, double to, IReadOnlyList<int> near)
     {
         var least = double.PositiveInfinity;

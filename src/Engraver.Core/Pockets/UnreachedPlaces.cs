@@ -7,13 +7,13 @@ namespace Engraver.Core.Pockets;
 /// <summary>The corners and necks of a region that the round tool cannot reach.</summary>
 internal static class UnreachedPlaces
 {
-    /// <summary>Millimetres from what is reached from which on a wall counts as not reached.</summary>
+    /// <summary>Distance from the reached area beyond which a wall counts as not reached, millimetres.</summary>
     private const double Worth = 2e-6;
 
-    /// <param name="walls">Of the region, material on the left.</param>
-    /// <param name="centres">Loops around where the tool's centre may be.</param>
-    /// <param name="reached">What the tool reaches: the loops at the radius around those.</param>
-    /// <param name="radius">Of the tool.</param>
+    /// <param name="walls">Walls of the region, material on the left.</param>
+    /// <param name="centres">Loops around the area of the tool's centre.</param>
+    /// <param name="reached">The area that the tool reaches: the loops at the radius around those.</param>
+    /// <param name="radius">Radius of the tool.</param>
     public static List<UnreachedPlace> Find(IReadOnlyList<PathPiece[]> walls, IReadOnlyList<PathPiece[]> centres, IReadOnlyList<OffsetLoop> reached, double radius)
     {
         var reach = new SweptReach([.. centres.SelectMany(loop => loop)], radius + Worth);
@@ -25,7 +25,7 @@ internal static class UnreachedPlaces
         return places;
     }
 
-    /// <summary>Walks round one unreached piece: along the wall, back along what is reached, until it is closed.</summary>
+    /// <summary>Follows the boundary of one unreached piece: along the wall, back along the reached area, until it is closed.</summary>
     private static UnreachedPlace Take(List<Stretch> stretches, List<Stretch> arcs, SweptReach reach, double radius)
     {
         var (border, farthest, depth) = (new List<Segment>(), stretches[0].Pieces[0].At(0.5), 0.0);
@@ -56,7 +56,7 @@ internal static class UnreachedPlaces
     private static Stretch? Nearest(List<Stretch> stretches, Func<Stretch, Point2D> end, Point2D place, double radius) =>
         stretches.Where(stretch => end(stretch).DistanceTo(place) <= Near(radius)).MinBy(stretch => end(stretch).DistanceTo(place));
 
-    /// <summary>With lines across the gaps where the wall leaves what is reached at no angle.</summary>
+    /// <summary>With lines across the gaps where the wall leaves the reached area tangentially.</summary>
     private static List<Segment> Closed(List<Segment> border)
     {
         var closed = new List<Segment>(2 * border.Count);
@@ -70,7 +70,7 @@ internal static class UnreachedPlaces
         return closed;
     }
 
-    /// <summary>Parts of a closed chain that follow each other, broken where a joint touches what they are taken from.</summary>
+    /// <summary>Consecutive parts of a closed chain, interrupted where a joint touches the source of the parts.</summary>
     private static List<Stretch> Stretches(PathPiece[] chain, Func<PathPiece, IReadOnlyList<PiecePart>> partsOf, Func<Point2D, bool> breaksAt)
     {
         var runs = new List<List<PathPiece>>();

@@ -8,9 +8,10 @@ namespace Engraver.Core.Pockets;
 /// <param name="Piece">In the rows' direction.</param>
 internal readonly record struct ZigzagRow(int Row, PathPiece Piece);
 
-/// <summary>Parallel rows across a region, so that together with the pass along the walls they leave nothing.</summary>
-/// <remarks>What the wall pass leaves lies deeper than the radius inside it. The rows divide that evenly, at most the stepover apart; a point of it lies within half a stepover of a row, and where it is
-/// nearest to the row the row is deeper than the radius less half a stepover. So the rows may end a little less deep than that, where the wall pass has cut.</remarks>
+/// <summary>Parallel rows across a region, which together with the pass along the walls leave no material.</summary>
+/// <remarks>The material left by the wall pass is deeper than the radius inside it. The rows divide it evenly, at most the stepover apart; each of its points
+/// is within half a stepover of a row, and where it is nearest to the row the row is deeper than the radius less half a stepover. The rows can therefore end at
+/// a slightly smaller depth, where the wall pass has cut.</remarks>
 internal sealed class ZigzagRows
 {
     /// <summary>Shortest row, millimetres.</summary>
@@ -27,7 +28,7 @@ internal sealed class ZigzagRows
 
     public List<ZigzagRow> Rows { get; } = [];
 
-    /// <summary>The loops that the rows end at.</summary>
+    /// <summary>The loops at which the rows end.</summary>
     public required IReadOnlyList<PassChain> Ends { get; init; }
 
     public static ZigzagRows Of(RegionDepths depths, PocketOptions options)
@@ -50,7 +51,7 @@ internal sealed class ZigzagRows
 
     private double Across(Point2D place) => _across.Dot(place - Point2D.Origin);
 
-    /// <summary>An arc cut where it runs along the rows, so that a row crosses each part once at most.</summary>
+    /// <summary>An arc cut where it runs along the rows, so that a row crosses each part at most once.</summary>
     private IEnumerable<PathPiece> Monotone(PathPiece piece)
     {
         if (!piece.IsArc) return [piece];
@@ -65,7 +66,7 @@ internal sealed class ZigzagRows
         return Enumerable.Range(0, cuts.Count - 1).Select(i => piece.Part(cuts[i], cuts[i] == 0.0 ? piece.Start : piece.At(cuts[i]), cuts[i + 1], cuts[i + 1] == 1.0 ? piece.End : piece.At(cuts[i + 1])));
     }
 
-    /// <summary>All rows in one go from low to high, each with the pieces that reach over it.</summary>
+    /// <summary>All rows in one sweep from low to high, each with the pieces that extend over it.</summary>
     private void Sweep(List<PathPiece> pieces, double low, double step, int count)
     {
         var crossings = new List<double>[count];

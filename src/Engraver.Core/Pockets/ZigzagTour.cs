@@ -3,10 +3,11 @@ using Engraver.Core.Offsets.Pieces;
 
 namespace Engraver.Core.Pockets;
 
-/// <summary>Strings the rows of a zigzag together: there and back through neighbouring rows, round a wall when the tool first comes to it, and lifted only where neither a straight step nor a short way along a wall leads on.</summary>
+/// <summary>Connects the rows of a zigzag: back and forth through neighbouring rows, around a wall when the tool first reaches it, and with a lift only where
+/// neither a straight step nor a short path along a wall leads to the next row.</summary>
 internal sealed class ZigzagTour
 {
-    /// <summary>Longest way along a wall to the next row, in stepovers and tool radii together.</summary>
+    /// <summary>Longest path along a wall to the next row, in stepovers and tool radii together.</summary>
     private const double LongestWay = 6.0;
 
     private readonly IReadOnlyList<PassChain> _walls;
@@ -22,7 +23,7 @@ internal sealed class ZigzagTour
     private readonly PassFinder _endFinder;
     private List<(PathPiece Piece, bool IsLink)> _moves = [];
 
-    /// <summary>What the walls that were cut so far have swept; null before it is asked for again.</summary>
+    /// <summary>The area swept along the walls cut so far; null until it is requested again.</summary>
     private SweptReach? _cut;
 
     private ZigzagTour(IReadOnlyList<PassChain> walls, ZigzagRows rows, LinkCheck check, PocketOptions options)
@@ -70,7 +71,7 @@ internal sealed class ZigzagTour
         }
     }
 
-    /// <summary>Round the wall that a row ends at, unless it was cut before. At the beginning the tool goes down on the wall.</summary>
+    /// <summary>Cuts around the wall at the end of a row, unless it was cut earlier. At the start the tool descends on the wall.</summary>
     private void CutWallAt(Point2D end, bool isEntry)
     {
         var (wall, place) = _wallFinder.Nearest(end);
@@ -96,7 +97,7 @@ internal sealed class ZigzagTour
         if (way.Length > 0.0) _moves.Add((way, true));
     }
 
-    /// <summary>The neighbouring stretch that is reached on the shortest way, and whether it is then cut forwards; -1 for none. The way is added.</summary>
+    /// <summary>The neighbouring stretch with the shortest connection, and whether it is then cut forwards; -1 for none. The connection is added.</summary>
     private (int Row, bool Forwards) Next(int row, Point2D tool)
     {
         var number = _rows.Rows[row].Row;
@@ -121,14 +122,14 @@ internal sealed class ZigzagTour
         return (-1, false);
     }
 
-    /// <summary>Length of a way that leads through what no pass along a wall has cut yet.</summary>
+    /// <summary>Length of a path through material that no pass along a wall has cut yet.</summary>
     private double Uncut(IEnumerable<PathPiece> ways)
     {
         _cut ??= new SweptReach([.. _walls.Where((_, wall) => _wallDone[wall]).SelectMany(wall => wall.Pieces)], _radius);
         return ways.Sum(way => LinkCheck.Uncut(way, _cut));
     }
 
-    /// <summary>Along the loop at which both rows end, which lies in what the pass along the wall cuts.</summary>
+    /// <summary>Along the loop at which both rows end, which is in the area cut by the pass along the wall.</summary>
     private List<PathPiece>? WayAlong(Point2D from, Point2D to)
     {
         var (first, start) = _endFinder.Nearest(from);

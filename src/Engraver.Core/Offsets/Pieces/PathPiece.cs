@@ -2,22 +2,22 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets.Pieces;
 
-/// <summary>A line or an arc with a direction, held so that distances and crossings need no angles: what an offset computes with by the hundred thousand.</summary>
-/// <remarks>Start and end are stored: neighbours share them exactly. An arc of a whole turn ends at its start.</remarks>
+/// <summary>A line or an arc with a direction, stored so that distances and crossings need no angles: an offset uses hundreds of thousands of them.</summary>
+/// <remarks>Start and end are stored: neighbours share them exactly. An arc of a full turn ends at its start.</remarks>
 internal readonly struct PathPiece
 {
     private const double WholeTurn = 2.0 * Math.PI;
 
-    /// <summary>Radians by which a sweep may miss a whole turn and still be one.</summary>
+    /// <summary>Radians by which a sweep may differ from a full turn and still count as one.</summary>
     private const double TurnRounding = 1e-12;
 
     /// <summary>Rounding of a distance from the centre of an arc, in radii.</summary>
     private const double RadiusRounding = 1e-15;
 
-    /// <summary>Millimetres, from which on an arc must have a height to be one.</summary>
+    /// <summary>Radius from which an arc must have a minimum height, millimetres.</summary>
     private const double LargestRadius = 1e9;
 
-    /// <summary>That height, millimetres.</summary>
+    /// <summary>Minimum height of such an arc, millimetres.</summary>
     private const double LowestArc = 1e-4;
 
     private PathPiece(Point2D start, Point2D end, Point2D centre, double radius, double from, double sweep, double length) =>
@@ -27,7 +27,7 @@ internal readonly struct PathPiece
 
     public Point2D End { get; }
 
-    /// <summary>Of an arc.</summary>
+    /// <summary>Centre of an arc.</summary>
     public Point2D Centre { get; }
 
     /// <summary>0 for a line.</summary>
@@ -51,7 +51,7 @@ internal readonly struct PathPiece
 
     public static PathPiece Line(Point2D start, Point2D end) => new(start, end, default, 0.0, 0.0, 0.0, start.DistanceTo(end));
 
-    /// <param name="centre">Of the circle.</param>
+    /// <param name="centre">Centre of the circle.</param>
     /// <param name="radius">Above 0.</param>
     /// <param name="from">Direction of the start, radians.</param>
     /// <param name="sweep">Radians, counter-clockwise positive, not 0.</param>
@@ -60,7 +60,8 @@ internal readonly struct PathPiece
     public static PathPiece Arc(Point2D centre, double radius, double from, double sweep, Point2D start, Point2D end) =>
         new(start, end, centre, radius, from, sweep, radius * Math.Abs(sweep));
 
-    /// <summary>A line or an arc; an arc so flat that rounding of its radius moves it farther than its chord would, or a hair's breadth high with a radius of more than a thousand kilometres, is its chord.</summary>
+    /// <summary>A line or an arc; an arc is replaced by its chord when rounding of its radius moves it farther than the chord would, or when it is very flat
+    /// with a radius of more than a thousand kilometres.</summary>
     public static PathPiece FromSegment(in Segment segment)
     {
         if (segment.Kind == SegmentKind.Line) return Line(segment.Start, segment.End);
@@ -89,7 +90,7 @@ internal readonly struct PathPiece
         return Centre + new Vector2D(Radius * cos, Radius * sin);
     }
 
-    /// <summary>Between two fractions, with ends that are known more exactly.</summary>
+    /// <summary>Between two fractions, with ends that are given more exactly.</summary>
     public PathPiece Part(double from, Point2D start, double to, Point2D end)
     {
         if (!IsArc) return Line(start, end);
@@ -128,7 +129,8 @@ internal readonly struct PathPiece
         return Math.Abs(Sweep) <= Math.PI ? afterFirst >= 0.0 && beforeLast >= 0.0 : afterFirst >= 0.0 || beforeLast >= 0.0;
     }
 
-    /// <summary>The fraction of the length at which a point of the line or circle lies; outside 0 to 1 when it lies beyond an end (of an arc: the nearer one).</summary>
+    /// <summary>The fraction of the length of a point on the line or circle; outside 0 to 1 when the point is beyond an end (of an arc: the nearer
+    /// end).</summary>
     public double FractionOf(Point2D place)
     {
         if (!IsArc) return (place - Start).Dot(End - Start) / (Length * Length);

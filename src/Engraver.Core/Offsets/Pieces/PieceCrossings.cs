@@ -2,17 +2,18 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets.Pieces;
 
-/// <summary>Where two pieces cross. Pieces on one line or circle give the ends of what they share; pieces that only touch, in a tangent point, do not cross.</summary>
+/// <summary>Crossings of two pieces. Pieces on one line or circle give the ends of their common part; pieces that only touch, in a tangent point, do not
+/// cross.</summary>
 internal static class PieceCrossings
 {
-    /// <summary>Most points that two pieces can give.</summary>
+    /// <summary>Maximum number of points that two pieces can give.</summary>
     public const int Most = 4;
 
     /// <param name="first">One piece.</param>
     /// <param name="second">The other.</param>
-    /// <param name="tolerance">Distance that counts as none: beyond an end, between two lines, between tangent circles.</param>
+    /// <param name="tolerance">Distance that counts as zero: beyond an end, between two lines, between tangent circles.</param>
     /// <param name="found">Room for <see cref="Most"/>.</param>
-    /// <returns>How many were found.</returns>
+    /// <returns>Number of points found.</returns>
     public static int Between(in PathPiece first, in PathPiece second, double tolerance, Span<Crossing> found)
     {
         var into = new CommonPoints(first, second, tolerance, found);
@@ -62,7 +63,8 @@ internal static class PieceCrossings
         into.Offer(line.Start + (direction * (foot + half)));
     }
 
-    /// <summary>Reckoned from the centre of the smaller circle: from that of one of 30 m, which is nearly a line, half the chord would be wrong by 1e-8.</summary>
+    /// <summary>Computed from the centre of the smaller circle: from the centre of a circle of 30 m, which is nearly a line, half the chord would be wrong by
+    /// 1e-8.</summary>
     private static void OfCircles(ref CommonPoints into)
     {
         var (first, second, tolerance) = (into.First, into.Second, into.Tolerance);
@@ -84,7 +86,7 @@ internal static class PieceCrossings
         into.Offer(foot - across);
     }
 
-    /// <summary>Takes points that lie on both pieces and none twice.</summary>
+    /// <summary>Keeps points that are on both pieces, each once.</summary>
     private ref struct CommonPoints(in PathPiece first, in PathPiece second, double tolerance, Span<Crossing> found)
     {
         private readonly Span<Crossing> _found = found;
@@ -118,7 +120,7 @@ internal static class PieceCrossings
     }
 }
 
-/// <summary>A point that two pieces have in common.</summary>
+/// <summary>A common point of two pieces.</summary>
 /// <param name="OnFirst">Fraction of the first piece's length, 0 to 1; exactly 0 or 1 at an end.</param>
-/// <param name="OnSecond">The same of the second.</param>
+/// <param name="OnSecond">The same for the second piece.</param>
 internal readonly record struct Crossing(Point2D Place, double OnFirst, double OnSecond);

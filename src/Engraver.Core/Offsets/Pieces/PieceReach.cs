@@ -2,10 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets.Pieces;
 
-/// <summary>Which part of a raw piece lies within a radius of a source piece.</summary>
+/// <summary>The part of a raw piece within a radius of a source piece.</summary>
 internal static class PieceReach
 {
-    /// <summary>Cuts off from either end of <paramref name="left"/> what lies nearer to a source piece than a radius; of an arc as source only what is near to its ends.</summary>
+    /// <summary>Cuts off from either end of <paramref name="left"/> the part nearer to a source piece than a radius; for an arc as source, only the part near
+    /// its ends.</summary>
     public static void Clip(in PathPiece piece, in PathPiece source, double radius, ref PiecePart left)
     {
         if (piece.IsArc)
@@ -27,7 +28,7 @@ internal static class PieceReach
         return left.IsEmpty ? 1.0 : left.From;
     }
 
-    /// <summary>A line within the reach of another line: what it has in common with the strip and the two circles, which together are convex.</summary>
+    /// <summary>A line within the reach of another line: its common part with the strip and the two circles, which together are convex.</summary>
     private static void ClipLine(in PathPiece line, in PathPiece source, double radius, ref PiecePart left)
     {
         var along = (line.End - line.Start) * (1.0 / line.Length);
@@ -61,7 +62,7 @@ internal static class PieceReach
         return beside.Common(Within(direction.Cross(way), direction.Cross(along), -radius, radius));
     }
 
-    /// <summary>Where at + slope * t lies between two values.</summary>
+    /// <summary>Where at + slope * t is between two values.</summary>
     private static PiecePart Within(double at, double slope, double low, double high)
     {
         if (Math.Abs(slope) < 1e-15) return at > low && at < high ? new PiecePart(double.NegativeInfinity, double.PositiveInfinity) : PiecePart.Empty;
@@ -69,7 +70,8 @@ internal static class PieceReach
         return new PiecePart(Math.Min(first, second), Math.Max(first, second));
     }
 
-    /// <summary>By the sine of a quarter of what is covered: its cosine is 1 within rounding on a circle of 300 m, which some curves are fitted with.</summary>
+    /// <summary>Uses the sine of a quarter of the covered angle: its cosine is 1 within rounding on a circle of 300 m, with which some curves are
+    /// approximated.</summary>
     private static void ClipArc(in PathPiece arc, Point2D corner, double radius, ref PiecePart left)
     {
         var spoke = corner - arc.Centre;
@@ -101,10 +103,10 @@ internal readonly record struct PiecePart(double From, double To)
     public PiecePart Scaled(double length) => new(From / length, To / length);
 }
 
-/// <summary>Shortening of what is left.</summary>
+/// <summary>Shortening of the remaining part.</summary>
 internal static class PartCut
 {
-    /// <summary>Takes away a covered part at either end; one in the middle is left where it is.</summary>
+    /// <summary>Removes a covered part at either end; a covered part in the middle is kept.</summary>
     public static void CutOff(ref this PiecePart left, PiecePart covered)
     {
         if (covered.IsEmpty) return;

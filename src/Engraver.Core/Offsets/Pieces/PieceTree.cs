@@ -2,8 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets.Pieces;
 
-/// <summary>Boxes over consecutive pieces. Neighbours on a chain are neighbours in the plane, so that the order of the chain is the order of the tree and nothing is sorted.</summary>
-/// <remarks>Beside <see cref="BoxTree"/>, which sorts and hides: this one finds every pair of overlapping pieces, and distances without a call through a delegate.</remarks>
+/// <summary>Boxes over consecutive pieces. Neighbours on a chain are neighbours in the plane, so that the order of the chain is the order of the tree and
+/// nothing is sorted.</summary>
+/// <remarks>In contrast to <see cref="BoxTree"/>, which sorts and hides, this tree finds every pair of overlapping pieces, and distances without a call through
+/// a delegate.</remarks>
 internal sealed class PieceTree
 {
     private const int Fanout = 4;
@@ -22,7 +24,8 @@ internal sealed class PieceTree
 
     public IReadOnlyList<PathPiece> Pieces => _pieces;
 
-    /// <summary>Every pair of pieces whose boxes are not parted by <paramref name="slack"/>, except lines that are clearly apart; the lower number first.</summary>
+    /// <summary>Every pair of pieces whose boxes are not separated by <paramref name="slack"/>, except lines that are clearly apart; the lower number
+    /// first.</summary>
     public List<(int First, int Second)> Pairs(double slack)
     {
         var pairs = new List<(int, int)>(_pieces.Length * 2);
@@ -61,7 +64,7 @@ internal sealed class PieceTree
         return above;
     }
 
-    /// <summary>True when the other piece, a line, lies clearly on one side of a line: boxes of long slanted lines overlap by the thousand.</summary>
+    /// <summary>True when the other piece, a line, is clearly on one side of a line: thousands of boxes of long slanted lines overlap.</summary>
     private static bool AreApart(in PathPiece line, in PathPiece other, double slack)
     {
         if (line.IsArc || other.IsArc) return false;

@@ -2,9 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Offsets.Pieces;
 
-/// <summary>A box that may stand at any angle: round a long slanted line it is as thin as the line, where an upright one would lie over a thousand neighbours.</summary>
-/// <remarks>Rounding may leave what it encloses outside by 1e-16 of the coordinates; who asks allows more (the tolerance of an offset is 1e-14 of them).</remarks>
-/// <param name="Middle">Of the box.</param>
+/// <summary>A box at any angle: around a long slanted line it is as thin as the line, while an upright box would overlap a thousand neighbours.</summary>
+/// <remarks>Rounding can leave the enclosed points outside by 1e-16 of the coordinates; the caller allows more (the tolerance of an offset is 1e-14 of
+/// them).</remarks>
+/// <param name="Middle">Centre of the box.</param>
 /// <param name="Along">Direction of its first side, length 1.</param>
 /// <param name="HalfLength">Half the side in that direction.</param>
 /// <param name="HalfWidth">Half the side across.</param>
@@ -16,7 +17,7 @@ internal readonly record struct SlantedBox(Point2D Middle, Vector2D Along, doubl
 
     private Vector2D Across => new(-Along.Y, Along.X);
 
-    /// <summary>Round a piece: along a line, or along the chord of an arc of up to half a turn; upright round a longer arc.</summary>
+    /// <summary>Box around a piece: along a line, or along the chord of an arc of up to half a turn; upright around a longer arc.</summary>
     public static SlantedBox Of(in PathPiece piece)
     {
         if (!piece.IsArc) return new SlantedBox(MiddleOf(piece), (piece.End - piece.Start) * (1.0 / piece.Length), piece.Length / 2.0, 0.0);
@@ -25,12 +26,12 @@ internal readonly record struct SlantedBox(Point2D Middle, Vector2D Along, doubl
         if (Math.Abs(piece.Sweep) > Math.PI || length == 0.0) return Upright(piece.Box());
         var along = chord * (1.0 / length);
         var sine = Math.Sin(piece.Sweep / 4.0);
-        var height = 2.0 * piece.Radius * sine * sine * Math.Sign(piece.Sweep); // a counter-clockwise arc lies right of its chord
+        var height = 2.0 * piece.Radius * sine * sine * Math.Sign(piece.Sweep); // a counter-clockwise arc is right of its chord
         var middle = MiddleOf(piece) + (new Vector2D(along.Y, -along.X) * (height / 2.0));
         return new SlantedBox(middle, along, length / 2.0, Math.Abs(height) / 2.0);
     }
 
-    /// <summary>Round several: along the longest of them or upright, whichever is smaller.</summary>
+    /// <summary>Box around several boxes: along the longest of them or upright, whichever is smaller.</summary>
     public static SlantedBox Around(ReadOnlySpan<SlantedBox> boxes)
     {
         var longest = boxes[0];
@@ -43,7 +44,7 @@ internal readonly record struct SlantedBox(Point2D Middle, Vector2D Along, doubl
         return slanted.Area < upright.Area ? slanted : upright;
     }
 
-    /// <summary>Square of the distance of a place, 0 within.</summary>
+    /// <summary>Square of the distance of a point, 0 inside the box.</summary>
     public double SquaredDistance(Point2D place)
     {
         var way = place - Middle;
@@ -51,7 +52,7 @@ internal readonly record struct SlantedBox(Point2D Middle, Vector2D Along, doubl
         return (ahead * ahead) + (beside * beside);
     }
 
-    /// <summary>True unless a side of either box parts them by more than <paramref name="slack"/>.</summary>
+    /// <summary>True unless a side of either box separates them by more than <paramref name="slack"/>.</summary>
     public bool Overlaps(in SlantedBox other, double slack)
     {
         var way = other.Middle - Middle;
