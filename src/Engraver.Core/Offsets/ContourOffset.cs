@@ -8,7 +8,7 @@ namespace Engraver.Core.Offsets;
 /// <remarks>
 /// A point belongs to the offset when it is on the raw offset (<see cref="RawOffset"/>) and no drawn segment is nearer to it than the distance. The raw offset
 /// is cut at all its crossings (<see cref="RawGraph"/>), each run between crossings is tested at one point (<see cref="OffsetReach"/>), and edges are joined by
-/// the numbers of their nodes (<see cref="FreeBoundary"/>), so that no loop stays open.
+/// the numbers of their nodes (<see cref="FreeBoundary"/>), so that every loop is closed.
 /// </remarks>
 public static class ContourOffset
 {

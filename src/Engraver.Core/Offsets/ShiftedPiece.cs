@@ -43,7 +43,7 @@ internal struct ShiftedPiece
         return new ShiftedPiece { Piece = PathPiece.Arc(source.Centre, radius, source.From, source.Sweep, start, source.IsWholeTurn ? start : end), Exists = true, To = 1.0 };
     }
 
-    /// <summary>False when the nodes at its ends have passed each other, so that no part of it remains.</summary>
+    /// <summary>False when the nodes at its ends have passed each other, which leaves nothing.</summary>
     public readonly bool KeepsDirection(Point2D start, Point2D end)
     {
         if (Piece.IsArc) return Piece.IsWholeTurn || Math.Abs(Piece.Sweep) - CutAhead(start) - CutBehind(end) > 0.0;

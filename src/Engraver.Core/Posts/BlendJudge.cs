@@ -1,16 +1,17 @@
 namespace Engraver.Core.Posts;
 
-/// <summary>Keeps how far a controller itself may leave the path of its program while it cuts, where its path control says so: it rounds corners to keep its speed, and joins short lines to one.</summary>
+/// <summary>Records the distance by which a controller may leave the path of its program while it cuts, as set by its path control: it rounds corners to keep
+/// its speed, and joins short lines.</summary>
 public sealed class BlendJudge
 {
-    /// <summary>Millimetres; infinite where the program sets no bound, 0 where the path is run exactly.</summary>
+    /// <summary>Largest distance, millimetres; infinite when the program sets no bound, 0 when the path is run exactly.</summary>
     public double Largest { get; private set; }
 
-    /// <summary>Of the program's text, the first that is cut with it; 0 for none.</summary>
+    /// <summary>Line of the program's text that first cuts with this distance; 0 for none.</summary>
     public int Line { get; private set; }
 
-    /// <summary>A cut was made.</summary>
-    /// <param name="line">Of the program's text.</param>
+    /// <summary>Called for each cut.</summary>
+    /// <param name="line">Line of the program's text.</param>
     /// <param name="millimetres">As <see cref="Largest"/>.</param>
     public void Add(int line, double millimetres)
     {

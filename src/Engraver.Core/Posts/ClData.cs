@@ -6,7 +6,7 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>CL data: the sequenced, oriented drawing written as a drawing again, entity by entity as the tool will run (paper 000).</summary>
+/// <summary>CL data: the sequenced, oriented drawing written as a drawing again, entity by entity in the order of the tool path (paper 000).</summary>
 public static class ClData
 {
     /// <summary>Layer of strokes that end where they start.</summary>
@@ -15,13 +15,15 @@ public static class ClData
     /// <summary>Layer of the other strokes.</summary>
     public const string OpenLayer = "CUT_OPEN";
 
-    /// <summary>Layer of the moves with the tool off; it does not plot, so that a program that reads the file again does not cut them.</summary>
+    /// <summary>Layer of the moves with the tool off; it does not plot, so that a program that reads the file does not cut them.</summary>
     public const string RapidLayer = "RAPID";
 
     private static readonly DxfSheetLayer[] s_layers = [new(ClosedLayer, 4), new(OpenLayer, 30), new(RapidLayer, 1, Plots: false)];
 
-    /// <summary>Writes the path as DXF: each rapid before the stroke it leads to, each stroke's moves in order and direction. An empty path is an empty drawing.</summary>
-    /// <remarks>Given the strokes as they were drawn, an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where a planned path has arcs within a tolerance.</remarks>
+    /// <summary>Writes the path as DXF: each rapid before the stroke it leads to, each stroke's moves in order and direction. An empty path is an empty
+    /// drawing.</summary>
+    /// <remarks>With the strokes as drawn, an ellipse stays an exact ELLIPSE and a spline an exact SPLINE, while a planned path has arcs within a
+    /// tolerance.</remarks>
     /// <param name="sourceOf">The entity of a move in the drawing, for the message of the exception; null for none.</param>
     /// <exception cref="UnwritableEntityException">A number of the path is not finite.</exception>
     public static void Write(Toolpath path, Func<int, SourceRef>? sourceOf, TextWriter output) => DxfWriter.Write(new DxfSheet(s_layers, [.. Entities(path, sourceOf)]), output);

@@ -2,35 +2,36 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>Compares the feeds at which a program cuts with those of the job, while it is read: a level cut runs at the feed, what goes down goes down no faster than the plunge feed.</summary>
-/// <param name="feed">Of the job along the path, mm/min.</param>
-/// <param name="plunge">Of the tool's axis straight down, mm/min; null where no axis holds the tool.</param>
+/// <summary>Compares the feeds at which a program cuts with those of the job, while it is read: a level cut runs at the feed, and a descent is not faster than
+/// the plunge feed.</summary>
+/// <param name="feed">Feed of the job along the path, mm/min.</param>
+/// <param name="plunge">Feed of the tool axis straight down, mm/min; null when no axis moves the tool.</param>
 public sealed class FeedJudge(double feed, double? plunge)
 {
-    /// <summary>Part of a feed that the text's rounding may take.</summary>
+    /// <summary>Fraction of a feed that the rounding of the text can change.</summary>
     private const double Rounding = 0.001;
 
-    /// <summary>What falls by this part of its length goes straight down, at the plunge feed, which may be above that of the path.</summary>
+    /// <summary>A move that falls by this fraction of its length is straight down, at the plunge feed, which can be above the feed of the path.</summary>
     private const double StraightDown = 1.0 - 1e-9;
 
-    /// <summary>The slowest cut so far, mm/min; null when nothing is known.</summary>
+    /// <summary>The slowest cut so far, mm/min; null when it is unknown.</summary>
     public double? Slowest { get; private set; }
 
-    /// <summary>The fastest cut so far, mm/min; null when nothing is known.</summary>
+    /// <summary>The fastest cut so far, mm/min; null when it is unknown.</summary>
     public double? Fastest { get; private set; }
 
-    /// <summary>The lowest height of a cut, millimetres over the drawing's height 0; null when nothing is known.</summary>
+    /// <summary>The lowest height of a cut, millimetres above the drawing's height 0; null when it is unknown.</summary>
     public double? Lowest { get; private set; }
 
-    /// <summary>The first cut at a feed that is not the job's; null for none.</summary>
+    /// <summary>The first cut at a feed other than that of the job; null for none.</summary>
     public Diagnostic? Finding { get; private set; }
 
-    /// <summary>A cut was made.</summary>
-    /// <param name="line">Of the program's text.</param>
-    /// <param name="mmPerMinute">Along the path; infinite for a rapid.</param>
-    /// <param name="length">Of the cut, millimetres.</param>
-    /// <param name="fall">How much lower it ends than it starts, millimetres; below 0 where it rises.</param>
-    /// <param name="quantum">Step in which the form says a feed, mm/min.</param>
+    /// <summary>Called for each cut.</summary>
+    /// <param name="line">Line of the program's text.</param>
+    /// <param name="mmPerMinute">Feed along the path; infinite for a rapid.</param>
+    /// <param name="length">Length of the cut, millimetres.</param>
+    /// <param name="fall">Height of the start above the end, millimetres; below 0 for a rise.</param>
+    /// <param name="quantum">Step of a feed in the format, mm/min.</param>
     public void Add(int line, double mmPerMinute, double length, double fall = 0.0, double quantum = 0.0)
     {
         if (!(length > 0.0)) return;
@@ -48,6 +49,6 @@ public sealed class FeedJudge(double feed, double? plunge)
         return VerificationRules.OtherFeed.At(new SourceRef(line), feed, FactText.Of(line), expected);
     }
 
-    /// <summary>A cut reached this height.</summary>
+    /// <summary>Called when a cut reaches this height.</summary>
     public void Reach(double height) => Lowest = Math.Min(Lowest ?? height, height);
 }

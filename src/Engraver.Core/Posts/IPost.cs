@@ -4,66 +4,67 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>One format in which a job is written down: an entry of the table of posts (ADR 9).</summary>
+/// <summary>One format in which a job is written: an entry of the table of posts (ADR 9).</summary>
 public interface IPost
 {
-    /// <summary>As <c>--target</c> has it.</summary>
+    /// <summary>The name as in <c>--target</c>.</summary>
     string Name { get; }
 
-    /// <summary>What is written, in one line without a full stop.</summary>
+    /// <summary>Description of the output, in one line without a full stop.</summary>
     string Summary { get; }
 
-    /// <summary>How the names of such files end, with the point.</summary>
+    /// <summary>Extension of such files, with the point.</summary>
     string Ending { get; }
 
-    /// <summary>What it is written from.</summary>
+    /// <summary>The input of the post.</summary>
     PostGeometry Geometry { get; }
 
-    /// <summary>The style of the motion program that it is written from; null when it is written from the path in millimetres, whatever the machine.</summary>
+    /// <summary>The style of the motion program from which it is written; null when it is written from the path in millimetres, independent of the
+    /// machine.</summary>
     MotionStyle? Motion { get; }
 
-    /// <summary>What may be said beside the settings of the job; empty for nothing.</summary>
+    /// <summary>Options in addition to the settings of the job; may be empty.</summary>
     IReadOnlyList<PostOption> Options { get; }
 
     PostText Write(PostRequest request);
 
-    /// <summary>What <see cref="Write"/> would find. A post that knows it without writing says so at once.</summary>
+    /// <summary>The findings of <see cref="Write"/>. A post that can determine them without writing overrides this.</summary>
     IReadOnlyList<Diagnostic> Findings(PostRequest request) => Write(request).Diagnostics;
 }
 
-/// <summary>What a post is written from.</summary>
+/// <summary>The input of a post.</summary>
 public enum PostGeometry
 {
     /// <summary>A motion program in counts, made for the machine of the profile.</summary>
     Program,
 
-    /// <summary>Curves as they were drawn, millimetres: an ellipse is an ellipse.</summary>
+    /// <summary>Curves as drawn, millimetres: an ellipse stays an ellipse.</summary>
     Curves,
 
     /// <summary>Lines, arcs and circles, millimetres; those of an ellipse or spline within the curve tolerance.</summary>
     LinesAndArcs,
 }
 
-/// <summary>One thing that a post lets its user choose.</summary>
-/// <param name="Name">Without dashes.</param>
-/// <param name="Argument">What stands for the value in a help text.</param>
-/// <param name="Summary">In one sentence.</param>
+/// <summary>One option of a post.</summary>
+/// <param name="Name">Name without dashes.</param>
+/// <param name="Argument">Placeholder of the value in a help text.</param>
+/// <param name="Summary">Description in one sentence.</param>
 /// <param name="Default">The value when none is given.</param>
-/// <param name="Form">What a value looks like: "a whole number from 1 to 9".</param>
-/// <param name="Takes">Whether a value is one.</param>
+/// <param name="Form">Form of a value: "a whole number from 1 to 9".</param>
+/// <param name="Takes">True for a valid value.</param>
 public sealed record PostOption(string Name, string Argument, string Summary, string Default, string Form, Func<string, bool> Takes);
 
-/// <summary>A job that is to be written.</summary>
-/// <param name="Path">Ordered strokes, millimetres of the drawing: curves as they were drawn for a post that asks for them, otherwise lines and arcs.</param>
-/// <param name="Program">In the style that the post asks for; null for a post that asks for none.</param>
-/// <param name="SourceOf">Where a drawing entity stands in its file, for diagnostics; null for nowhere.</param>
-/// <param name="Options">By name, each one that its option takes; those left out have their default.</param>
+/// <summary>A job to write.</summary>
+/// <param name="Path">Ordered strokes, millimetres of the drawing: curves as drawn for a post that requires them, otherwise lines and arcs.</param>
+/// <param name="Program">Motion program in the style that the post requires; null for a post that needs no program.</param>
+/// <param name="SourceOf">Position of a drawing entity in its file, for diagnostics; null when unknown.</param>
+/// <param name="Options">Values by name, each valid for its option; omitted options have their default.</param>
 public sealed record PostRequest(Toolpath Path, MotionProgram? Program, Func<int, SourceRef>? SourceOf, IReadOnlyDictionary<string, string> Options)
 {
-    /// <summary>The machine that runs it: feeds, tool drive, spindle. A post that is written from a motion program finds it there too.</summary>
+    /// <summary>The machine that runs it: feeds, tool drive, spindle. The motion program also contains it.</summary>
     public MachineProfile Machine { get; init; } = MachineProfile.Default;
 
-    /// <summary>How far a post may leave what is drawn where its form has no such curve, millimetres, above 0.</summary>
+    /// <summary>Largest distance from the drawing where the format of the post does not have the drawn curve, millimetres, above 0.</summary>
     public double MaxErrorMm { get; init; } = 0.001;
 
     /// <summary>The value of an option.</summary>
@@ -75,15 +76,15 @@ public sealed record PostRequest(Toolpath Path, MotionProgram? Program, Func<int
 }
 
 /// <summary>A job as text: one or more parts that are loaded and run one after the other without moving the machine in between.</summary>
-/// <param name="Chunks">Each ends with a line end (LF); none when the job cannot be written, and the diagnostics say why.</param>
-/// <param name="Diagnostics">What had to be done otherwise than asked.</param>
+/// <param name="Chunks">Each ends with a line end (LF); empty when the job cannot be written, and the diagnostics state why.</param>
+/// <param name="Diagnostics">Deviations from the requested output.</param>
 public sealed record PostText(IReadOnlyList<string> Chunks, IReadOnlyList<Diagnostic> Diagnostics)
 {
     public string Text => string.Concat(Chunks);
 
-    /// <summary>The line of the whole text, from 1, that commands each segment of the motion program; empty where nobody asks for it.</summary>
+    /// <summary>The line of the whole text, from 1, that commands each segment of the motion program; empty when not requested.</summary>
     public IReadOnlyList<int> SegmentLines { get; init; } = [];
 
-    /// <summary>Where the machine will be after each block; null for a form that loses nothing worth telling.</summary>
+    /// <summary>Predicted machine position after each block; null for a format without significant rounding.</summary>
     public PostForecast? Forecast { get; init; }
 }

@@ -5,63 +5,67 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>Reads a posted text back and does what it says, by an interpreter that shares no code with what wrote it.</summary>
+/// <summary>Reads a posted text back and runs it in an interpreter that shares no code with the post.</summary>
 public interface IProgramReader
 {
-    /// <summary>False for a form without heights: what it cuts is compared in plan, whatever drives the tool of the machine.</summary>
+    /// <summary>False for a format without heights: its cuts are compared in plan, independent of the tool drive of the machine.</summary>
     bool TellsHeights => true;
 
-    /// <summary>The times that are told are those of the machine, not only an order.</summary>
+    /// <summary>True when the reported times are those of the machine and not only an order.</summary>
     bool TellsTimes => false;
 
-    /// <summary>How far the form itself may move a place by rounding it, millimetres: what is allowed grows by it.</summary>
+    /// <summary>Largest rounding of a position in the format, millimetres; it is added to the allowed deviation.</summary>
     double Rounding => 0.0;
 
-    /// <summary>Tells the judges every motion from the first command to the end of the program. The text is read once, and no more of it is held than a command, a line or a part that is loaded at once: memory does not grow with its length.</summary>
-    /// <returns>Why the text is no program or did not run to its end, with its lines; empty when it did.</returns>
-    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
-    /// <exception cref="IOException">The text cannot be read on.</exception>
+    /// <summary>Passes every motion from the first command to the end of the program to the judges. The text is read once, and only one command, line or part
+    /// that is loaded at once is in memory: memory does not grow with the length of the text.</summary>
+    /// <returns>The reasons, with lines, why the text is not a program or did not run to its end; empty on success.</returns>
+    /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
+    /// <exception cref="IOException">Reading the text fails.</exception>
     /// <exception cref="InvalidDataException">It has a line that is too long for any program.</exception>
     Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation);
 }
 
-/// <summary>How a program is read back.</summary>
-/// <param name="Machine">By which counts become millimetres and the tool's output is known.</param>
-/// <param name="Start">Where the machine stands when the program starts, counts of the drawing's frame.</param>
-/// <param name="Expected">Machine time that it probably takes, for the progress.</param>
-/// <param name="Longest">Machine time that it may take.</param>
-/// <param name="Judges">Told in millimetres of the drawing.</param>
+/// <summary>Settings for reading a program back.</summary>
+/// <param name="Machine">Machine that defines counts per millimetre and the tool output.</param>
+/// <param name="Start">Machine position when the program starts, counts of the drawing's frame.</param>
+/// <param name="Expected">Expected machine time, for the progress.</param>
+/// <param name="Longest">Maximum machine time.</param>
+/// <param name="Judges">Judges of the motion, in millimetres of the drawing.</param>
 public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, TimeSpan Expected, TimeSpan Longest, IReadOnlyList<ITraceJudge> Judges)
 {
-    /// <summary>Where the machine stands for a program that counts from there, drawing millimetres: as it was kept with the program, else where the first stroke begins. Null: nothing is cut.</summary>
+    /// <summary>Machine position for a program that counts from it, drawing millimetres: the position stored with the program, otherwise the start of the first
+    /// stroke. Null when nothing is cut.</summary>
     public Point2D? Entry { get; init; }
 
-    /// <summary>Told how fast the program cuts, by a reader whose form says so; null: nobody asks.</summary>
+    /// <summary>Receives the feeds of the program from a reader whose format contains them; null when not requested.</summary>
     public FeedJudge? Feeds { get; init; }
 
-    /// <summary>Told how far the controller itself may leave the path, by a reader of a language with path control; null: nobody asks.</summary>
+    /// <summary>Receives the distance by which the controller may leave the path from a reader of a language with path control; null when not
+    /// requested.</summary>
     public BlendJudge? Blends { get; init; }
 
-    /// <summary>What the job asks for beside the way, and where what the program does otherwise is told; null: nobody asks.</summary>
+    /// <summary>Requirements of the job in addition to the path, with the receiver of differences; null when not requested.</summary>
     public TermsJudge? Terms { get; init; }
 
-    /// <summary>Told where a further part of the program begins, by a reader whose programs are loaded in parts; null: nobody asks.</summary>
+    /// <summary>Called at the start of each further part of the program by a reader whose programs are loaded in parts; null when not requested.</summary>
     public PaceJudge? Pace { get; init; }
 
-    /// <summary>A cut may begin as far from the end of the move before it, millimetres: the widest gap that a stroke of the job runs across, with rounding. A reader whose form tells each move by both of its ends finds what is farther.</summary>
+    /// <summary>Largest allowed distance from the end of a move to the start of the next cut, millimetres: the widest gap that a stroke of the job crosses,
+    /// with rounding. A reader whose format states both ends of each move reports larger distances.</summary>
     public double LongestJump { get; init; } = double.PositiveInfinity;
 
-    /// <summary>Everything that is cut lies at one height: a form with a third coordinate must not leave it.</summary>
+    /// <summary>All cuts are at one height, which a format with a third coordinate must keep.</summary>
     public bool IsLevel { get; init; }
 }
 
-/// <summary>How far a replay has come.</summary>
-/// <param name="Chunk">From 1.</param>
-/// <param name="Chunks">All of them.</param>
+/// <summary>Progress of a replay.</summary>
+/// <param name="Chunk">Number of the current chunk, from 1.</param>
+/// <param name="Chunks">Number of chunks.</param>
 /// <param name="MachineTime">Controller time so far.</param>
-/// <param name="Expected">Controller time that the whole is expected to take; zero when nothing is expected to move.</param>
+/// <param name="Expected">Controller time that the whole is expected to take; zero when no motion is expected.</param>
 public readonly record struct ReplayProgress(int Chunk, int Chunks, TimeSpan MachineTime, TimeSpan Expected)
 {
-    /// <summary>0 to 1, never less than before: by the programs that are done, and by the time, whichever is more.</summary>
+    /// <summary>0 to 1, never decreasing: the larger of the fraction of completed programs and the fraction of the time.</summary>
     public double Fraction => Math.Max((Chunk - 1.0) / Chunks, Expected > TimeSpan.Zero ? Math.Min(1.0, MachineTime / Expected) : 0.0);
 }

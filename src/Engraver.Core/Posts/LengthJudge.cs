@@ -4,22 +4,22 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>Adds up how much a program cuts, which no distance from the drawing tells: what is cut over again lies on the drawing too.</summary>
+/// <summary>Adds up the length that a program cuts, which distances from the drawing do not show: repeated cuts are also on the drawing.</summary>
 public sealed class LengthJudge : ITraceJudge
 {
-    /// <summary>Part of the length that roundings of the form may add along a curve.</summary>
+    /// <summary>Fraction of the length that rounding in the format can add along a curve.</summary>
     private const double Share = 0.001;
 
-    /// <summary>The same of a form that rounds places coarsely: chords go from one side of the curve to the other.</summary>
+    /// <summary>The same for a format with coarse rounding: chords alternate between both sides of the curve.</summary>
     private const double CoarseShare = 0.02;
 
     private readonly double _expected;
     private readonly double _allowed;
     private TraceSample? _last;
 
-    /// <param name="path">What is to be cut, each stroke once.</param>
-    /// <param name="deviation">By how much an end of a move may be moved, millimetres.</param>
-    /// <param name="isCoarse">The form rounds places to more than the machine counts.</param>
+    /// <param name="path">The path to cut, each stroke once.</param>
+    /// <param name="deviation">Largest shift of an end of a move, millimetres.</param>
+    /// <param name="isCoarse">True when the format rounds positions to more than one machine count.</param>
     public LengthJudge(Toolpath path, double deviation, bool isCoarse)
     {
         ArgumentNullException.ThrowIfNull(path);
@@ -39,10 +39,10 @@ public sealed class LengthJudge : ITraceJudge
         _allowed = (2.0 * deviation * moves) + ((isCoarse ? CoarseShare : Share) * _expected);
     }
 
-    /// <summary>Millimetres so far.</summary>
+    /// <summary>Length cut so far, millimetres.</summary>
     public double Length { get; private set; }
 
-    /// <summary>Null while no more was cut than the job is long.</summary>
+    /// <summary>The error; null while the cut length does not exceed the length of the job.</summary>
     public Diagnostic? Finding => Length <= _expected + _allowed ? null : VerificationRules.CutTwice.At(default, FactText.Of(Math.Round(Length, 4)), FactText.Of(Math.Round(_expected, 4)));
 
     public void Add(in TraceSample sample)

@@ -5,22 +5,25 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>Takes the time of every move of a program that is run by a controller, and of every wait before one: feeds, rapid speeds, accelerations and settle times show in them, whatever commands they were said with.</summary>
-/// <remarks>The samples that are told are those of the controller: a move is what has one in every sample, a longer gap is a wait. A switch ends a move too: without a settle time the next one begins in the same sample.</remarks>
+/// <summary>Measures the time of every move of a program that a controller runs, and of every wait before a move: feeds, rapid speeds, accelerations and settle
+/// times affect them, independent of the commands that set them.</summary>
+/// <remarks>The samples are those of the controller: a move has a position in every sample, a longer gap is a wait. A switch also ends a move: without a settle
+/// time the next one begins in the same sample.</remarks>
 public sealed class PaceJudge : ITraceJudge
 {
-    /// <summary>Two samples of a controller that moves lie no farther apart, seconds.</summary>
+    /// <summary>Largest time between two samples of a moving controller, seconds.</summary>
     private const double Step = 0.0015;
 
-    /// <summary>What a move may take more or less: a part of it, and the samples in which it begins and ends; seconds.</summary>
+    /// <summary>Tolerance of the time of a move: a fraction of it, plus the samples in which it starts and ends; seconds.</summary>
     private const double MoveShare = 0.005;
     private const double MoveSlack = 0.003;
 
-    /// <summary>What a wait may be longer or shorter: a part of it, and the statements of the program around it; seconds.</summary>
+    /// <summary>Tolerance of a wait: a fraction of it, plus the statements of the program around it; seconds.</summary>
     private const double WaitShare = 0.03;
     private const double WaitSlack = 0.025;
 
-    /// <summary>By how much longer it stands for each segment that is loaded before it moves, seconds: a statement of the controller and what is around it.</summary>
+    /// <summary>Additional time at rest for each segment that is loaded before motion, seconds: a statement of the controller and its surrounding
+    /// code.</summary>
     private const double LoadSeconds = 0.001;
 
     private readonly List<PaceMove> _moves = [];
@@ -45,10 +48,10 @@ public sealed class PaceJudge : ITraceJudge
         _last = span.At(1.0);
     }
 
-    /// <summary>The parts that were begun so far.</summary>
+    /// <summary>The parts started so far.</summary>
     public ProgramParts Parts => new(_lasts);
 
-    /// <summary>The machine is at rest and a further part of the program is about to be run.</summary>
+    /// <summary>The machine is at rest and a further part of the program is about to run.</summary>
     public void BeginPart()
     {
         Rest();
@@ -57,7 +60,8 @@ public sealed class PaceJudge : ITraceJudge
 
     public TraceVerdict Verdict() => throw new NotSupportedException("A pace alone is no verdict.");
 
-    /// <summary>Null where the times are those of the job as it may have been posted in one of several ways; otherwise the first move that takes another time, or begins after another wait.</summary>
+    /// <summary>Null when the times match the job in one of the several ways in which it can be posted; otherwise the first move with a different time, or with
+    /// a different wait before it.</summary>
     /// <param name="ways">The moves of each way, at least one way, divided in <see cref="Parts"/>.</param>
     public Diagnostic? Finding(IReadOnlyList<IReadOnlyList<PaceMove>> ways)
     {
@@ -67,7 +71,7 @@ public sealed class PaceJudge : ITraceJudge
         return findings.Contains(null) ? null : findings[0];
     }
 
-    /// <summary>A move that is too many or too few differs from one that takes no time.</summary>
+    /// <summary>A surplus or missing move is compared with a move of zero time.</summary>
     private Diagnostic? Difference(IReadOnlyList<PaceMove> expected)
     {
         for (var i = 0; i < Math.Max(expected.Count, _moves.Count); i++)
@@ -79,8 +83,8 @@ public sealed class PaceJudge : ITraceJudge
         return null;
     }
 
-    /// <summary>From the switch to the move where the tool was switched, otherwise all of the time at rest.</summary>
-    /// <param name="found">With segments where the whole time at rest was taken, in which they were loaded.</param>
+    /// <summary>The time from the switch to the move when the tool was switched, otherwise the whole time at rest.</summary>
+    /// <param name="found">Includes segments when the whole time at rest was measured, during which they were loaded.</param>
     private static bool IsWait(PaceMove found, PaceMove asked) =>
         found.Wait >= (asked.Wait * (1.0 - WaitShare)) - WaitSlack && found.Wait <= (asked.Wait * (1.0 + WaitShare)) + WaitSlack + (found.Segments > 0 ? LoadSeconds * asked.Segments : 0.0);
 
@@ -91,7 +95,7 @@ public sealed class PaceJudge : ITraceJudge
 
     private static string Text(double value) => FactText.Of(Math.Round(value, 3));
 
-    /// <summary>From the last place to this one, or a rest between them.</summary>
+    /// <summary>A move from the last position to this one, or a rest between them.</summary>
     private void Go(in TraceSample next)
     {
         if (_last is not { } last)
@@ -113,7 +117,7 @@ public sealed class PaceJudge : ITraceJudge
         _waitsFrom = _switched is { } at && at >= _rest ? Math.Min(at, _began) : null;
     }
 
-    /// <summary>What moved since it began has come to rest; switching an output at rest is no move, nor is going to where the machine stands.</summary>
+    /// <summary>Ends the current move at rest; switching an output at rest is not a move, nor is a move to the present position.</summary>
     private void Rest()
     {
         if (_last is not { } last || !(_length > 0.0)) return;

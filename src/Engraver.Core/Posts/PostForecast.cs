@@ -2,17 +2,17 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>Where the machine will be after each block of a text whose form rounds, and how far from the path. Millimetres.</summary>
-/// <param name="Start">Where the machine must stand before the first block, drawing millimetres.</param>
-/// <param name="Blocks">In order; at least one.</param>
+/// <summary>Predicted machine position after each block of a text whose format rounds, and its distance from the path. Millimetres.</summary>
+/// <param name="Start">Required machine position before the first block, drawing millimetres.</param>
+/// <param name="Blocks">Blocks in order; at least one.</param>
 /// <param name="MaxError">Largest distance of a cut from the path; 0 when nothing is cut.</param>
-/// <param name="MaxClosure">Largest closure of a contour; null when none closes.</param>
+/// <param name="MaxClosure">Largest closure of a contour; null when no contour closes.</param>
 public sealed record PostForecast(Point2D Start, IReadOnlyList<ForecastBlock> Blocks, double MaxError, double? MaxClosure);
 
 /// <summary>One block.</summary>
-/// <param name="Part">The program that it stands in, from 1.</param>
-/// <param name="Number">In its program, from 1.</param>
-/// <param name="End">Where the machine stands after it, drawing millimetres.</param>
+/// <param name="Part">The program that contains it, from 1.</param>
+/// <param name="Number">Number in its program, from 1.</param>
+/// <param name="End">Machine position after it, drawing millimetres.</param>
 /// <param name="Error">Largest distance of its run from the path; null for positioning.</param>
-/// <param name="Closure">Where a contour comes back to where it was: how far the machine is from there; null elsewhere.</param>
+/// <param name="Closure">At the return of a contour to an earlier point: the distance of the machine from that point; null elsewhere.</param>
 public sealed record ForecastBlock(int Part, int Number, bool Cutting, Point2D End, double? Error, double? Closure);

@@ -2,11 +2,11 @@ using System.Text;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>The lines of a program's text, one held at a time: a text of any length takes no more memory than its longest line.</summary>
-/// <remarks>A line ends with LF, CR LF or CR. One that is longer than any controller takes is no line of a program, and is not gathered.</remarks>
+/// <summary>The lines of a program's text, one in memory at a time: a text of any length takes no more memory than its longest line.</summary>
+/// <remarks>A line ends with LF, CR LF or CR. A line that is longer than any controller accepts is not a program line and is not stored.</remarks>
 public sealed class ProgramRows(TextReader text)
 {
-    /// <summary>Characters of a line.</summary>
+    /// <summary>Maximum characters of a line.</summary>
     public const int Longest = 65_536;
 
     private readonly char[] _read = new char[4096];
@@ -15,12 +15,12 @@ public sealed class ProgramRows(TextReader text)
     private int _to;
     private bool _isAfterReturn;
 
-    /// <summary>Of the line that was taken last, from 1; 0 before the first.</summary>
+    /// <summary>Number of the line that was read last, from 1; 0 before the first.</summary>
     public int Number { get; private set; }
 
-    /// <summary>The next line without its end; null behind the last.</summary>
+    /// <summary>The next line without its end; null after the last.</summary>
     /// <exception cref="InvalidDataException">The line is longer than <see cref="Longest"/>.</exception>
-    /// <exception cref="IOException">The text cannot be read on.</exception>
+    /// <exception cref="IOException">Reading the text fails.</exception>
     public string? Next()
     {
         _line.Clear();
@@ -41,7 +41,7 @@ public sealed class ProgramRows(TextReader text)
         return _line.ToString();
     }
 
-    /// <summary>Whether there is a character left; the LF of a CR LF is none.</summary>
+    /// <summary>True when there is a further character; the LF of a CR LF does not count.</summary>
     private bool Fill()
     {
         while (true)

@@ -2,34 +2,35 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>What a job asks of its program beside the way and the settings of the machine: what the user of the post may choose and what no drawing tells. The defaults are those of the posts.</summary>
+/// <summary>Requirements of a job for its program in addition to the path and the settings of the machine: the options of the post, which no drawing contains.
+/// The defaults are those of the posts.</summary>
 public sealed record ProgramTerms
 {
     public static ProgramTerms Default { get; } = new();
 
-    /// <summary>G-code in which every place counts: G54 to G59.</summary>
+    /// <summary>G-code of the work offset of all positions: G54 to G59.</summary>
     public string WorkOffset { get; init; } = "G54";
 
-    /// <summary>G-code that switches the tool where no axis holds it: m3, m8 or m64.</summary>
+    /// <summary>G-code that switches the tool when no axis moves it: m3, m8 or m64.</summary>
     public string ToolSwitch { get; init; } = "m3";
 
-    /// <summary>S of G-code: of the spindle, or of what M3 switches.</summary>
+    /// <summary>S word of G-code, for the spindle or the device that M3 switches.</summary>
     public double SpindleSpeed { get; init; } = 1000.0;
 
     /// <summary>Pen of HP-GL, 1 to 8.</summary>
     public int Pen { get; init; } = 1;
 }
 
-/// <summary>Told by a reader what its program does otherwise than the job asks; keeps the first of it.</summary>
+/// <summary>Receives from a reader the differences between its program and the job; keeps the first one.</summary>
 public sealed class TermsJudge(ProgramTerms asked)
 {
     public ProgramTerms Asked => asked;
 
-    /// <summary>Null while everything is as asked.</summary>
+    /// <summary>The first difference; null while there is none.</summary>
     public Diagnostic? Finding { get; private set; }
 
-    /// <param name="line">Of the program's text.</param>
-    /// <param name="said">In the words of the program.</param>
-    /// <param name="expected">In the same words.</param>
+    /// <param name="line">Line of the program's text.</param>
+    /// <param name="said">Actual value, in the words of the program.</param>
+    /// <param name="expected">Required value, in the same words.</param>
     public void Differ(int line, string said, string expected) => Finding ??= VerificationRules.OtherThanAsked.At(new SourceRef(line), said, FactText.Of(line), expected);
 }

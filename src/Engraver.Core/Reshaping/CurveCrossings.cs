@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>Where an ellipse or spline crosses a whole line or circle: where its signed distance from that changes sign (<see cref="CurveRoots"/>).</summary>
+/// <summary>Crossings of an ellipse or spline with an unlimited line or a full circle: points where its signed distance from it changes sign
+/// (<see cref="CurveRoots"/>).</summary>
 public static class CurveCrossings
 {
     /// <returns>Fractions of the curve's parameter, ascending.</returns>

@@ -2,10 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>Parts of an ellipse or spline, exact: a part of a rational Bezier span is one again.</summary>
+/// <summary>Parts of an ellipse or spline, exact: a part of a rational Bezier span is also a rational Bezier span.</summary>
 public static class CurvePart
 {
-    /// <summary>A part of a span that is shorter than this, as a part of its parameter, is rounding: the cut lies on the joint of two spans.</summary>
+    /// <summary>A part of a span that is shorter than this, as a fraction of its parameter, is due to rounding: the cut is at the joint of two spans.</summary>
     private const double OnJoint = 1e-10;
 
     /// <summary>The part between two fractions of the parameter, 0 to 1, the first below the second.</summary>

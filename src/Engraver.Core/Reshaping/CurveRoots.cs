@@ -1,13 +1,14 @@
 namespace Engraver.Core.Reshaping;
 
-/// <summary>The places of an ellipse or spline at which a function of its parameter is zero: it is looked at in steps, and halved to rounding where its sign changes. A zero without a change of sign between two steps is not found.</summary>
+/// <summary>The places of an ellipse or spline at which a function of its parameter is zero: it is evaluated in steps, and intervals with a change of sign are
+/// halved down to rounding. A zero without a change of sign between two steps is not found.</summary>
 internal static class CurveRoots
 {
     private const int StepsOfSpan = 64;
     private const int Halvings = 60;
 
     /// <param name="spans">Number of spans of the curve.</param>
-    /// <param name="value">Of a fraction of the parameter, 0 to 1.</param>
+    /// <param name="value">Function of a fraction of the parameter, 0 to 1.</param>
     /// <returns>Fractions, ascending.</returns>
     public static IEnumerable<double> Find(int spans, Func<double, double> value)
     {

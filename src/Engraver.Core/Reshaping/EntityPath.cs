@@ -2,12 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>An object as its parts in plan, end to start, in its direction.</summary>
+/// <summary>An object as its parts in plan, joined end to start, in its direction.</summary>
 /// <param name="Parts">At least one.</param>
-/// <param name="Closed">It ends where it starts.</param>
+/// <param name="Closed">True when it ends at its start.</param>
 public sealed record EntityPath(IReadOnlyList<Segment> Parts, bool Closed)
 {
-    /// <summary>Two crossings nearer to each other than this part of the object's size are one, which fell upon a joint.</summary>
+    /// <summary>Two crossings nearer to each other than this fraction of the object's size are a single crossing at a joint.</summary>
     private const double SamePlace = 1e-9;
 
     private readonly double _near = SamePlace * Parts.Aggregate(Bounds2D.Empty, (box, part) => box.Union(part.Bounds)) switch { var box => box.Width + box.Height };
@@ -19,9 +19,9 @@ public sealed record EntityPath(IReadOnlyList<Segment> Parts, bool Closed)
     /// <summary>The place of the object that is nearest to a point.</summary>
     public PathPlace Nearest(Point2D point) => Parts.Select((part, index) => PathPlace.Nearest(index, part, point)).MinBy(place => place.At.DistanceTo(point));
 
-    /// <summary>Where edges cross the object, in its direction, each place once. The ends of an open object are no crossings: nothing lies beyond them.</summary>
-    /// <param name="edges">What cuts.</param>
-    /// <param name="lengthened">Lines and arcs among the edges cut beyond their ends too.</param>
+    /// <summary>Crossings of edges with the object, in its direction, each once. The ends of an open object are not crossings.</summary>
+    /// <param name="edges">The cutting edges.</param>
+    /// <param name="lengthened">True when lines and arcs among the edges also cut beyond their ends.</param>
     public IReadOnlyList<PathPlace> Crossings(IEnumerable<Segment> edges, bool lengthened = false)
     {
         var found = new List<PathPlace>();
@@ -38,7 +38,7 @@ public sealed record EntityPath(IReadOnlyList<Segment> Parts, bool Closed)
         return Distinct(found);
     }
 
-    /// <summary>The pieces from one place to another along the object; over the seam of a closed one when the second place is not behind the first.</summary>
+    /// <summary>The pieces from one place to another along the object; over the seam of a closed one when the second place is not after the first.</summary>
     public IReadOnlyList<PathPiece> Between(PathPlace from, PathPlace to)
     {
         if (!Closed || to.Position > from.Position) return Straight(from, to);

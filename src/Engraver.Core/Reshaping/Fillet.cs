@@ -2,20 +2,21 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>Two lines, arcs or circles joined by a tangent arc, or at a corner: what stays of each, cut or lengthened, and what comes between them.</summary>
-/// <param name="First">What stays of the first (part 0); null for a circle, which stays whole.</param>
-/// <param name="Second">The same of the second.</param>
+/// <summary>Two lines, arcs or circles joined by a tangent arc, or at a corner: the remaining part of each, cut or lengthened, and the connecting
+/// segment.</summary>
+/// <param name="First">Remaining part of the first (part 0); null for a circle, which stays complete.</param>
+/// <param name="Second">The same for the second.</param>
 /// <param name="Between">The arc from the first to the second, or a chamfer's line; null at a corner.</param>
 public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Between)
 {
     /// <summary>Two lines whose directions differ by less than this sine are parallel.</summary>
     private const double Parallel = 1e-10;
 
-    /// <summary>Parallel lines nearer to each other than this part of their lengths and coordinates lie on one line.</summary>
+    /// <summary>Parallel lines nearer to each other than this fraction of their lengths and coordinates are on one line.</summary>
     private const double Collinear = 1e-9;
 
-    /// <summary>The arc of a radius that touches both, the one nearest to where they were picked.</summary>
-    /// <param name="radius">Above 0; 0 joins them at a corner. Of parallel lines half their distance is taken instead.</param>
+    /// <summary>The arc of a radius that touches both, the one nearest to the pick points.</summary>
+    /// <param name="radius">Above 0; 0 joins them at a corner. For parallel lines half their distance is used instead.</param>
     /// <returns>Null when there is no such arc: the radius is too large, they do not meet, or one of them is an ellipse or spline.</returns>
     public static Fillet? Create(Segment first, Point2D pickedFirst, Segment second, Point2D pickedSecond, double radius)
     {
@@ -40,7 +41,7 @@ public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Betw
         return new Fillet(left, right, left.Joint == right.Joint ? null : Segment.FromLine(left.Joint, right.Joint));
     }
 
-    /// <summary>Where the middle of a touching circle may be: both carriers, moved by the radius to either side, cross there.</summary>
+    /// <summary>Possible centres of a touching circle: the crossings of both carriers, each moved by the radius to either side.</summary>
     private static IEnumerable<Point2D> Centres(Segment first, Segment second, double radius) =>
         from a in Moved(first, radius) from b in Moved(second, radius) from centre in SegmentCrossings.Carriers(a, b) select centre;
 
@@ -77,8 +78,8 @@ public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Betw
         return Math.Abs(near.DistanceTo(centre) - radius) <= Math.Abs(far.DistanceTo(centre) - radius) ? near : far;
     }
 
-    /// <summary>The part that arrives at a place in a direction: from its start to there, or from there to its end.</summary>
-    /// <returns>False when nothing of it would be left, or an arc would have to be lengthened over more than half of its gap.</returns>
+    /// <summary>The part that arrives at a place in a direction: from its start to the place, or from the place to its end.</summary>
+    /// <returns>False when no part of it would remain, or an arc would have to be lengthened over more than half of its gap.</returns>
     private static bool Kept(Segment segment, Point2D place, Vector2D arriving, out FilletSide? kept)
     {
         kept = null;
@@ -96,7 +97,7 @@ public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Betw
         return new Vector2D(-spoke.Y, spoke.X);
     }
 
-    /// <summary>Both go to the crossing that is nearest to where they were picked, each with the side that was picked.</summary>
+    /// <summary>Both end at the crossing nearest to the pick points, each with the picked side.</summary>
     private static Fillet? Corner(Segment first, Point2D pickedFirst, Segment second, Point2D pickedSecond) => SegmentCrossings.Carriers(first, second)
         .OrderBy(place => place.DistanceTo(pickedFirst) + place.DistanceTo(pickedSecond))
         .Select(place => (First: SideOf(first, pickedFirst, place), Second: SideOf(second, pickedSecond, place)))
@@ -111,7 +112,7 @@ public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Betw
         return (FilletSide.Of(segment, fraction, corner, pick < fraction), pick < fraction ? fraction > 0.0 : fraction < 1.0);
     }
 
-    /// <summary>A half turn at the end of the first that is nearer to where it was picked; the second ends beside it.</summary>
+    /// <summary>A half turn at the end of the first that is nearer to its pick point; the second ends opposite to it.</summary>
     private static Fillet? OfParallels(Segment first, Point2D picked, Segment second)
     {
         var atStart = first.Start.DistanceTo(picked) < first.End.DistanceTo(picked);
@@ -137,12 +138,12 @@ public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Betw
     private static bool AreParallel(Segment a, Segment b) => Math.Abs(a.StartTangent.Cross(b.StartTangent)) < Parallel;
 }
 
-/// <summary>What stays of a line or arc at a fillet.</summary>
+/// <summary>Remaining part of a line or arc at a fillet.</summary>
 /// <param name="Kept">Cut or lengthened at the fillet (part 0).</param>
-/// <param name="EndsThere">It runs from its own start into the fillet; else it comes out of it and runs to its own end.</param>
+/// <param name="EndsThere">True when it runs from its start to the fillet; otherwise it runs from the fillet to its end.</param>
 public readonly record struct FilletSide(PathPiece Kept, bool EndsThere)
 {
-    /// <summary>Where it meets the fillet.</summary>
+    /// <summary>The point where it meets the fillet.</summary>
     public Point2D Joint => EndsThere ? Kept.End : Kept.Start;
 
     internal static FilletSide Of(Segment segment, double fraction, Point2D at, bool endsThere) => endsThere

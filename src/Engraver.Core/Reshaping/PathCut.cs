@@ -2,12 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>What becomes of an object that is trimmed or broken: what goes and what stays are together the whole.</summary>
-/// <param name="Removed">In the direction of the object; empty when it is only parted.</param>
-/// <param name="Kept">Each becomes an object of its own; empty when nothing is left.</param>
+/// <summary>The result of trimming or breaking an object: the removed and the remaining parts together are the whole object.</summary>
+/// <param name="Removed">In the direction of the object; empty when it is only split.</param>
+/// <param name="Kept">Each becomes a separate object; empty when nothing remains.</param>
 public sealed record PathCut(IReadOnlyList<PathPiece> Removed, IReadOnlyList<IReadOnlyList<PathPiece>> Kept)
 {
-    /// <summary>TRIM: Removes what lies about a place, up to the next crossing on either side.</summary>
+    /// <summary>TRIM: Removes the part around a place, up to the next crossing on either side.</summary>
     /// <param name="crossings">As <see cref="EntityPath.Crossings"/> gives them.</param>
     /// <returns>Null when nothing crosses the object, or a closed one fewer than two times.</returns>
     public static PathCut? Trim(EntityPath path, IReadOnlyList<PathPlace> crossings, PathPlace picked)
@@ -22,7 +22,8 @@ public sealed record PathCut(IReadOnlyList<PathPiece> Removed, IReadOnlyList<IRe
         return Out(path, next > 0 ? crossings[next - 1] : path.Start, next < crossings.Count ? crossings[next] : path.End);
     }
 
-    /// <summary>BREAK: Removes what lies between two places of an open object; of a closed one what lies from the first to the second in its direction. Twice the same place parts the object there.</summary>
+    /// <summary>BREAK: Removes the part between two places of an open object; for a closed object, the part from the first to the second in its direction. Two
+    /// equal places split the object there.</summary>
     public static PathCut Break(EntityPath path, PathPlace first, PathPlace second)
     {
         ArgumentNullException.ThrowIfNull(path);

@@ -2,16 +2,17 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>EXTEND: how far an open object is lengthened to meet the next edge. A line goes straight on, an arc along its circle; an ellipse or spline has nothing beyond its ends here.</summary>
+/// <summary>EXTEND: the extension of an open object to the next edge. A line is extended straight, an arc along its circle; an ellipse or spline is not
+/// extended.</summary>
 public static class PathExtension
 {
-    /// <summary>An edge at which the object already ends is not the next one: nearer than this part of the sizes and coordinates.</summary>
+    /// <summary>An edge at which the object already ends is not the next one: it is nearer than this fraction of the sizes and coordinates.</summary>
     private const double AlreadyThere = 1e-9;
 
     /// <summary>The end that is nearer to a place, lengthened to the next edge.</summary>
-    /// <param name="edges">What it is lengthened to.</param>
-    /// <param name="lengthened">Lines and arcs among the edges reach beyond their ends too.</param>
-    /// <returns>The first or last part, which grows (fraction below 0 or above 1), and what is added to it; null when nothing lies ahead.</returns>
+    /// <param name="edges">The boundary edges.</param>
+    /// <param name="lengthened">True when lines and arcs among the edges also extend beyond their ends.</param>
+    /// <returns>The first or last part, which grows (fraction below 0 or above 1), and what is added to it; null when there is no edge ahead.</returns>
     public static (PathPiece Grown, PathPiece Added)? Find(EntityPath path, IEnumerable<Segment> edges, Point2D picked, bool lengthened = false)
     {
         ArgumentNullException.ThrowIfNull(path);
@@ -27,7 +28,7 @@ public static class PathExtension
             : (new PathPiece(index, 0.0, 1.0 + next.Beyond, part.Start, next.At), new PathPiece(index, 1.0, 1.0 + next.Beyond, part.End, next.At));
     }
 
-    /// <summary>The nearest edge beyond the end of a part; the distance is a part of its own length.</summary>
+    /// <summary>The nearest edge beyond the end of a part; the distance is a fraction of its length.</summary>
     private static (double Beyond, Point2D At)? Next(Segment part, IEnumerable<Segment> edges, bool lengthened)
     {
         (double Beyond, Point2D At)? nearest = null;
@@ -45,7 +46,7 @@ public static class PathExtension
         return nearest;
     }
 
-    /// <summary>How far behind the end a place of the carrier lies; of a circle forwards all the way round to the start.</summary>
+    /// <summary>Distance of a place of the carrier beyond the end; for a circle, forwards around to the start.</summary>
     private static double Beyond(Segment part, Point2D at)
     {
         var fraction = PathPlace.FractionOf(part, at);

@@ -3,16 +3,17 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Reshaping;
 
 /// <summary>A place on an object of one or several parts.</summary>
-/// <param name="Part">Which of its parts, from 0.</param>
-/// <param name="Fraction">Of a line's length, an arc's sweep, a curve's parameter: 0 is its start, 1 its end; below 0 and above 1 the part is lengthened.</param>
-/// <param name="At">The place itself, which is known more exactly than the fraction gives it.</param>
+/// <param name="Part">Index of the part, from 0.</param>
+/// <param name="Fraction">Fraction of a line's length, an arc's sweep or a curve's parameter: 0 is its start, 1 its end; below 0 and above 1 the part is
+/// lengthened.</param>
+/// <param name="At">The exact place, more precise than the fraction.</param>
 public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
 {
-    /// <summary>Grows along the object.</summary>
+    /// <summary>Position number that increases along the object.</summary>
     public double Position => Part + Fraction;
 
-    /// <summary>The place of a segment that lies nearest to a point.</summary>
-    /// <param name="part">Which part the segment is.</param>
+    /// <summary>The place of a segment that is nearest to a point.</summary>
+    /// <param name="part">Index of the segment as a part.</param>
     public static PathPlace Nearest(int part, Segment segment, Point2D point)
     {
         var fraction = segment.Kind switch
@@ -24,7 +25,8 @@ public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
         return new PathPlace(part, fraction, segment.PointAt(fraction));
     }
 
-    /// <summary>The fraction at which a line, an arc or the circle under it passes a point that lies on it. Of an arc the turn that is nearer to the arc: from half the gap before its start to half the gap behind its end.</summary>
+    /// <summary>The fraction at which a line, an arc or the circle under it passes a point that lies on it. For an arc, the turn nearer to the arc: from half
+    /// the gap before its start to half the gap after its end.</summary>
     public static double FractionOf(Segment segment, Point2D point)
     {
         if (segment.Kind == SegmentKind.Line)
@@ -48,14 +50,15 @@ public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
         return segment.Start.DistanceTo(point) <= segment.End.DistanceTo(point) ? 0.0 : 1.0;
     }
 
-    /// <summary>Looks in steps, then halves between the neighbours of the best: before the nearest place the curve comes nearer, behind it it goes away.</summary>
+    /// <summary>Searches in steps, then halves between the neighbours of the best step: the curve approaches before the nearest place and recedes after
+    /// it.</summary>
     private static double OnCurve(RationalCurve curve, Point2D point)
     {
         const int Steps = 64;
         const int Halvings = 60;
         var count = Steps * curve.Spans.Length;
         var best = Enumerable.Range(0, count + 1).MinBy(step => curve.PointAt((double)step / count).DistanceTo(point));
-        if (best % count == 0 && curve.IsClosed) best = Leaving(0.0) > 0.0 ? count : 0; // at the seam of a closed curve: on which side of it
+        if (best % count == 0 && curve.IsClosed) best = Leaving(0.0) > 0.0 ? count : 0; // at the seam of a closed curve: selects the side
         var (from, to) = (Math.Max(0.0, (best - 1.0) / count), Math.Min(1.0, (best + 1.0) / count));
         if (Leaving(from) >= 0.0) return from;
         if (Leaving(to) <= 0.0) return to;
@@ -72,7 +75,8 @@ public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
     }
 }
 
-/// <summary>What is left, or taken, of one part: from one fraction to another; below 0 and above 1 it is lengthened, or of a closed part goes on over its seam.</summary>
+/// <summary>The remaining or removed piece of one part: from one fraction to another; below 0 and above 1 it is lengthened, or for a closed part continues over
+/// its seam.</summary>
 /// <param name="Part">Which part, from 0.</param>
 /// <param name="Start">The place at <paramref name="From"/>.</param>
 /// <param name="End">The place at <paramref name="To"/>.</param>

@@ -2,14 +2,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>Polar tracking: a place that is nearly in one of the wanted directions from another is moved into it.</summary>
+/// <summary>Polar tracking: a place that is nearly in one of the tracking directions from another place is moved onto it.</summary>
 public static class PolarTrack
 {
-    /// <param name="from">The point before.</param>
-    /// <param name="place">Where the cursor is.</param>
-    /// <param name="step">The wanted directions are multiples of this angle, degrees, above 0.</param>
-    /// <param name="reach">How far the place may lie beside the direction.</param>
-    /// <returns>The foot on the direction; null when the place lies too far beside it, or on the point before.</returns>
+    /// <param name="from">The previous point.</param>
+    /// <param name="place">The cursor position.</param>
+    /// <param name="step">The tracking directions are multiples of this angle, degrees, above 0.</param>
+    /// <param name="reach">Largest distance of the place from the direction.</param>
+    /// <returns>The foot on the direction; null when the place is too far from it, or at the previous point.</returns>
     public static Point2D? Find(Point2D from, Point2D place, double step, double reach)
     {
         var offset = place - from;

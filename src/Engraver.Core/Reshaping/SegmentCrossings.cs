@@ -2,19 +2,21 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>Where two segments cross or touch. Lines, arcs and circles exactly; an ellipse or spline with one of these by halving (<see cref="CurveCrossings"/>), and not with another free curve.</summary>
+/// <summary>Points where two segments cross or touch. Lines, arcs and circles exactly; an ellipse or spline with one of these by halving
+/// (<see cref="CurveCrossings"/>), and not with another free curve.</summary>
 public static class SegmentCrossings
 {
-    /// <summary>How far a crossing may lie off an end, as a part of the segment's size: rounding, no more.</summary>
+    /// <summary>Allowed distance of a crossing beyond an end, as a fraction of the segment's size: only rounding.</summary>
     private const double Slack = 1e-9;
 
-    /// <summary>How far a line may pass a circle, or two circles each other, and still touch, as a part of the coordinates: rounding.</summary>
+    /// <summary>Largest distance at which a line and a circle, or two circles, still touch, as a fraction of the coordinates: only rounding.</summary>
     private const double Touch = 1e-14;
 
-    /// <summary>The places that lie on both.</summary>
+    /// <summary>The places on both segments.</summary>
     public static IEnumerable<Point2D> Find(Segment a, Segment b) => Carriers(a, b).Where(place => IsOn(a, place) && IsOn(b, place));
 
-    /// <summary>The places where the whole line or circle under one meets that under the other, within the segments or beyond their ends. An ellipse or spline goes no farther than its ends.</summary>
+    /// <summary>The places where the whole line or circle under one meets that under the other, within the segments or beyond their ends. An ellipse or spline
+    /// ends at its ends.</summary>
     public static IEnumerable<Point2D> Carriers(Segment a, Segment b)
     {
         if (a.IsFreeCurve || b.IsFreeCurve) return (a.IsFreeCurve, b.IsFreeCurve) switch
@@ -32,7 +34,7 @@ public static class SegmentCrossings
         };
     }
 
-    /// <summary>True when a place lies on the segment within rounding.</summary>
+    /// <summary>True when a place is on the segment within rounding.</summary>
     public static bool IsOn(Segment segment, Point2D place)
     {
         var box = segment.Bounds;

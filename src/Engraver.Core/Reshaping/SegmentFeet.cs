@@ -2,10 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Reshaping;
 
-/// <summary>Where a line from a place meets a segment squarely, or touches it: what the object snaps PER and TAN find.</summary>
+/// <summary>Points where a line from a place is perpendicular or tangent to a segment: the object snaps PER and TAN.</summary>
 public static class SegmentFeet
 {
-    /// <summary>The places at which a line from here stands square on the segment. Of a line also beyond its ends, as in AutoCAD.</summary>
+    /// <summary>The places at which a line from here is perpendicular to the segment. For a line also beyond its ends, as in AutoCAD.</summary>
     public static IEnumerable<Point2D> Perpendicular(Segment segment, Point2D from)
     {
         if (segment.Kind == SegmentKind.Line) return segment.Length == 0.0 ? [] : [segment.Start + ((segment.End - segment.Start) * PathPlace.FractionOf(segment, from))];

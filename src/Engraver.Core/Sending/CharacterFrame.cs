@@ -15,7 +15,8 @@ public enum CharacterFrame : byte
     SevenOdd,
 }
 
-/// <summary>Characters as the eight bits that stand between start and stop bit. The parity is computed here and sent as the eighth bit, so that every device that can do 8N1 can do all of them.</summary>
+/// <summary>Characters as the eight bits between start and stop bit. The parity is computed here and sent as the eighth bit, so that every device that supports
+/// 8N1 can send all frames.</summary>
 public static class CharacterFrames
 {
     private const int Low = 0x7F;
@@ -23,7 +24,7 @@ public static class CharacterFrames
 
     private static readonly (CharacterFrame Frame, string Name)[] s_names = [(CharacterFrame.EightNone, "8N1"), (CharacterFrame.SevenEven, "7E1"), (CharacterFrame.SevenOdd, "7O1")];
 
-    /// <summary>The frame of that name, 8N1 or 7E1 or 7O1, whatever its case; null for none.</summary>
+    /// <summary>The frame named 8N1, 7E1 or 7O1, in upper or lower case; null for any other name.</summary>
     public static CharacterFrame? Find(string name) => s_names.Where(known => known.Name.Equals(name, StringComparison.OrdinalIgnoreCase)).Select(known => (CharacterFrame?)known.Frame).FirstOrDefault();
 
     public static string Name(this CharacterFrame frame) => s_names.First(known => known.Frame == frame).Name;
@@ -39,10 +40,10 @@ public static class CharacterFrames
         _ => (byte)(IsOdd(character) ? character : character | ParityBit),
     };
 
-    /// <summary>The character of the bits that were heard; its parity bit is taken off whether it is right or not.</summary>
+    /// <summary>The character of the received bits; its parity bit is removed without a check.</summary>
     public static byte Decode(this CharacterFrame frame, byte bits) => frame == CharacterFrame.EightNone ? bits : (byte)(bits & Low);
 
-    /// <summary>Whether the parity of the bits that were heard is right.</summary>
+    /// <summary>True when the parity of the received bits is correct.</summary>
     public static bool IsSound(this CharacterFrame frame, byte bits) => frame.Encode(frame.Decode(bits)) == bits;
 
     private static bool IsOdd(byte character) => (BitOperations.PopCount(character) & 1) == 1;

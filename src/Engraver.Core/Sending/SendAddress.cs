@@ -4,20 +4,20 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Sending;
 
-/// <summary>Where a program goes: <c>serial://DEVICE?baud=4800&amp;frame=7E1&amp;flow=xonxoff</c>. A value; opening it is the caller's task.</summary>
+/// <summary>Destination of a program: <c>serial://DEVICE?baud=4800&amp;frame=7E1&amp;flow=xonxoff</c>. A value; opening it is the caller's task.</summary>
 /// <param name="Device">Device path or port name.</param>
 /// <param name="Baud">Bits per second, one of <see cref="Rates"/>.</param>
-/// <param name="Frame">How a character becomes bits.</param>
-/// <param name="Flow">How the other side makes us wait.</param>
+/// <param name="Frame">Coding of a character in bits.</param>
+/// <param name="Flow">Flow control used by the receiver.</param>
 public sealed record SendAddress(string Device, int Baud, CharacterFrame Frame, SerialFlow Flow)
 {
     private const string Scheme = "serial://";
     private const int DefaultBaud = 9600;
 
-    /// <summary>From the teleprinter's 110 up.</summary>
+    /// <summary>The accepted rates, from the 110 of a teleprinter upwards.</summary>
     public static IReadOnlyList<int> Rates { get; } = [110, 300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200];
 
-    /// <summary>What is accepted, for messages.</summary>
+    /// <summary>The accepted addresses, for messages.</summary>
     public static string Forms => Wording.Get("SendAddress.Forms", string.Join(", ", Rates));
 
     /// <summary>Time of one character on the line: ten bits in every frame.</summary>

@@ -2,33 +2,34 @@ using System.Globalization;
 
 namespace Engraver.Core.Sending;
 
-/// <summary>What stands around a program on the line, and how its lines end.</summary>
+/// <summary>Text before and after a program on the line, and its line ends.</summary>
 public sealed record SendFormat
 {
-    /// <summary>Most NULs before or after a program: 2 m of tape are 800.</summary>
+    /// <summary>Maximum number of NULs before or after a program: 2 m of tape are 800.</summary>
     public const int MostNuls = 10_000;
 
     public static SendFormat Default { get; } = new();
 
-    /// <summary>Behind every line: CR LF unless the control wants another.</summary>
+    /// <summary>Line end after every line: CR LF unless the control needs a different one.</summary>
     public string LineEnd { get; init; } = "\r\n";
 
-    /// <summary>NULs before everything, the blank leader of a tape.</summary>
+    /// <summary>Number of NULs before all other characters, the blank leader of a tape.</summary>
     public int LeaderNuls { get; init; }
 
-    /// <summary>Sent before the first line, as it stands, with its own line end if it has one; for example <c>%</c> and CR LF.</summary>
+    /// <summary>Sent unchanged before the first line, with a line end if it contains one; for example <c>%</c> and CR LF.</summary>
     public string Start { get; init; } = "";
 
-    /// <summary>Sent behind the last line, as it stands.</summary>
+    /// <summary>Sent unchanged after the last line.</summary>
     public string End { get; init; } = "";
 
-    /// <summary>NULs behind everything.</summary>
+    /// <summary>Number of NULs after all other characters.</summary>
     public int TrailerNuls { get; init; }
 
-    /// <summary>Whether every character of the texts can be sent in that frame.</summary>
+    /// <summary>True when every character of the texts can be sent in that frame.</summary>
     public bool Fits(CharacterFrame frame) => $"{Start}{End}".All(letter => letter <= frame.Largest());
 
-    /// <summary>A text in which <c>\r</c>, <c>\n</c>, <c>\t</c>, <c>\\</c> and <c>\x1A</c> stand for what cannot be typed; null when a backslash stands before something else.</summary>
+    /// <summary>A text in which <c>\r</c>, <c>\n</c>, <c>\t</c>, <c>\\</c> and <c>\x1A</c> stand for characters that cannot be typed; null when a backslash is
+    /// before any other character.</summary>
     public static string? Unescape(string text)
     {
         ArgumentNullException.ThrowIfNull(text);

@@ -5,13 +5,13 @@ using Engraver.Core.Posts.Agie;
 
 namespace Engraver.Core.Sending;
 
-/// <summary>Turns the bytes of a program file into what goes over the line.</summary>
+/// <summary>Converts the bytes of a program file to the characters sent over the line.</summary>
 public static class SendText
 {
-    /// <summary>The first character of a program for a wire eroder (paper 000, Table 1); a file may hold several.</summary>
+    /// <summary>The first character of a program for a wire eroder (paper 000, Table 1); a file can contain several programs.</summary>
     private const byte ProgramStart = (byte)'%';
 
-    /// <summary>The lines of a file without their ends (CR, LF or CR LF); what follows the last end is no line when it is empty.</summary>
+    /// <summary>The lines of a file without their ends (CR, LF or CR LF); empty text after the last line end is not a line.</summary>
     public static IReadOnlyList<ReadOnlyMemory<byte>> Lines(ReadOnlyMemory<byte> file)
     {
         var (lines, from) = (new List<ReadOnlyMemory<byte>>(), 0);
@@ -28,8 +28,8 @@ public static class SendText
         return lines;
     }
 
-    /// <summary>The programs for a wire eroder that the lines hold, each from its <c>%</c> to before the next; one when no line begins so.</summary>
-    /// <remarks>A control holds one program of at most 999 blocks at a time (sace-xps-agie.md 4.1: three digits for a block's number).</remarks>
+    /// <summary>The programs for a wire eroder in the lines, each from its <c>%</c> to before the next; a single program when no line starts with it.</summary>
+    /// <remarks>A control stores one program of at most 999 blocks at a time (sace-xps-agie.md 4.1: three digits for a block's number).</remarks>
     public static IReadOnlyList<IReadOnlyList<ReadOnlyMemory<byte>>> AgiePrograms(IReadOnlyList<ReadOnlyMemory<byte>> lines)
     {
         ArgumentNullException.ThrowIfNull(lines);
@@ -38,14 +38,14 @@ public static class SendText
         return [.. starts.Select((start, i) => (IReadOnlyList<ReadOnlyMemory<byte>>)[.. lines.Skip(start).Take((i + 1 < starts.Count ? starts[i + 1] : lines.Count) - start)])];
     }
 
-    /// <summary>Why a program for a wire eroder does not fit its control; null when it does.</summary>
+    /// <summary>The reason why a program for a wire eroder does not fit its control; null when it fits.</summary>
     public static Diagnostic? TooLong(IReadOnlyList<ReadOnlyMemory<byte>> program)
     {
         var blocks = program.Count(line => line.Span.Trim((byte)' ') is var words && !words.IsEmpty && !words.SequenceEqual("%"u8));
         return blocks > AgieText.MostBlocks ? SendingRules.TooManyBlocks.At(default, Text(blocks), Text(AgieText.MostBlocks)) : null;
     }
 
-    /// <summary>Everything that goes over the line, in its bits; or why it cannot.</summary>
+    /// <summary>All characters to send, in their bits; or the reason why they cannot be sent.</summary>
     public static SendEncoding Encode(IReadOnlyList<ReadOnlyMemory<byte>> lines, SendFormat format, CharacterFrame frame)
     {
         ArgumentNullException.ThrowIfNull(lines);
@@ -70,17 +70,17 @@ public static class SendText
     private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 }
 
-/// <summary>What goes over the line: every character in its bits.</summary>
-/// <param name="Leader">Before the first line.</param>
-/// <param name="Lines">Each with its line end.</param>
-/// <param name="Trailer">Behind the last line.</param>
+/// <summary>The transmission: every character in its bits.</summary>
+/// <param name="Leader">Text before the first line.</param>
+/// <param name="Lines">Lines, each with its line end.</param>
+/// <param name="Trailer">Text after the last line.</param>
 public sealed record SendJob(ReadOnlyMemory<byte> Leader, IReadOnlyList<ReadOnlyMemory<byte>> Lines, ReadOnlyMemory<byte> Trailer)
 {
-    /// <summary>Characters of all.</summary>
+    /// <summary>Total number of characters.</summary>
     public long Length => Leader.Length + Lines.Sum(line => (long)line.Length) + Trailer.Length;
 }
 
-/// <summary>What came of a program that is to be sent.</summary>
+/// <summary>The result of preparing a program for sending.</summary>
 /// <param name="Job">Null when it cannot be sent.</param>
-/// <param name="Why">Why it cannot; null when it can.</param>
+/// <param name="Why">The reason why it cannot be sent; null when it can.</param>
 public sealed record SendEncoding(SendJob? Job, Diagnostic? Why);

@@ -5,17 +5,17 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>The program of one contour, taken from a file to be linked with others (paper 000, LINK).</summary>
-/// <param name="Start">Where the machine stands before its first block, drawing millimetres: the form does not say it.</param>
+/// <summary>The program of one contour, read from a file to be linked with others (paper 000, LINK).</summary>
+/// <param name="Start">Machine position before its first block, drawing millimetres: the format does not contain it.</param>
 /// <param name="Blocks">At least one.</param>
 public sealed partial record AgieContour(Point2D Start, IReadOnlyList<AgieBlock> Blocks)
 {
-    /// <summary>Stretches that are cut without a break: a file may hold those of several contours.</summary>
+    /// <summary>Number of stretches that are cut without interruption: a file may hold those of several contours.</summary>
     public int Cuts => Blocks.Where((block, i) => block.Cutting && (i == 0 || !Blocks[i - 1].Cutting)).Count();
 
-    /// <summary>Takes the blocks of a text; programs that follow each other are one contour.</summary>
-    /// <param name="fault">Which line is no block, or that there is none; null when all were read.</param>
-    /// <returns>Null with a fault.</returns>
+    /// <summary>Reads the blocks of a text; consecutive programs are one contour.</summary>
+    /// <param name="fault">The line that is not a block, or the fact that there is no block; null when all blocks were read.</param>
+    /// <returns>Null when there is a fault.</returns>
     public static AgieContour? Read(string text, Point2D start, out Diagnostic? fault)
     {
         ArgumentNullException.ThrowIfNull(text);

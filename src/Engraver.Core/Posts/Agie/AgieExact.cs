@@ -3,17 +3,19 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>Blocks whose whole degrees leave the path by no more than <see cref="ContourError"/>: each is made from where the machine then stands, so that nothing adds up (sace-xps-agie.md 4.3).</summary>
-/// <remarks>An arc is a chord to the next whole degree, arcs of whole degrees of at most half a turn, and a chord to its end. Ends of lines are within 0.708 micrometres of the path, ends of arcs within <see cref="ArcError"/>, and a chord adds its height of at most <see cref="ChordHeight"/>.</remarks>
+/// <summary>Blocks whose whole degrees leave the path by no more than <see cref="ContourError"/>: each starts from the actual machine position, so that errors
+/// do not accumulate (sace-xps-agie.md 4.3).</summary>
+/// <remarks>An arc is a chord to the next whole degree, arcs of whole degrees of at most half a turn, and a chord to its end. Ends of lines are within 0.708
+/// micrometres of the path, ends of arcs within <see cref="ArcError"/>, and a chord adds its height of at most <see cref="ChordHeight"/>.</remarks>
 internal sealed class AgieExact
 {
-    /// <summary>Micrometres; ArcError and line rounding at the ends of a chord, and its height between them.</summary>
+    /// <summary>Micrometres: ArcError and line rounding at the ends of a chord, plus its height between them.</summary>
     public const double ContourError = 1.1;
 
     private const double ArcError = 0.8;
     private const double ChordHeight = 0.3;
 
-    /// <summary>What rounding makes of a whole degree.</summary>
+    /// <summary>The effect of rounding on a whole degree.</summary>
     private const double Whole = 1e-9;
 
     private readonly AgieSteps _steps;
@@ -70,7 +72,8 @@ internal sealed class AgieExact
         }
     }
 
-    /// <summary>The arc of the most whole degrees that stays near and ends near; null when there is none. The radius, in whole micrometres, is the nearer or the other neighbour.</summary>
+    /// <summary>The arc with the most whole degrees that stays and ends within the error; null when there is none. The radius, in whole micrometres, is the
+    /// nearest or the second nearest number.</summary>
     private AgieBlock? Longest(Point2D centre, double radius, double at, double way, int most)
     {
         if (radius > AgieBlock.Largest) return null;
@@ -85,7 +88,8 @@ internal sealed class AgieExact
         return null;
     }
 
-    /// <summary>The centre is off by a vector c and the radius by r, so that the arc leaves the drawn one by r + c.u in the direction u: largest at an end, or along c.</summary>
+    /// <summary>The centre is off by a vector c and the radius by r, so that the arc differs from the drawn one by r + c.u in the direction u: largest at an
+    /// end, or along c.</summary>
     private bool IsNear(Point2D centre, double radius, double longer, double at, double sweep)
     {
         var (from, to) = (Angle.FromDegrees(at), Angle.FromDegrees(at + sweep));

@@ -4,13 +4,13 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>Follows blocks from the start of the first stroke as the machine does, and measures how far it is from the path.</summary>
+/// <summary>Follows blocks from the start of the first stroke as the machine does, and measures its distance from the path.</summary>
 internal sealed class AgieForecast
 {
-    /// <summary>An end that lies as near to the start of a move as this, millimetres, comes back to it.</summary>
+    /// <summary>An end that is this near to the start of a move, millimetres, counts as a return to it.</summary>
     private const double Same = 0.01;
 
-    /// <summary>What comes back has gone so far, millimetres: a short piece alone does not come back.</summary>
+    /// <summary>Minimum path length before a return, millimetres: a single short piece is not a return.</summary>
     private const double Away = 10.0 * Same;
 
     private const int FewestPlaces = 32;
@@ -19,7 +19,7 @@ internal sealed class AgieForecast
     private readonly Point2D _entry;
     private readonly SegmentIndex _index;
 
-    /// <summary>Starts of the moves of a stroke before the one that is followed, by cells of <see cref="Same"/>.</summary>
+    /// <summary>Starts of the moves of a stroke before the current move, by cells of <see cref="Same"/>.</summary>
     private readonly Dictionary<(long X, long Y), List<(Point2D Place, double Way)>> _places = [];
     private double _way;
     private int _stroke = -1;
@@ -31,7 +31,7 @@ internal sealed class AgieForecast
         _index = new SegmentIndex([.. path.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment)]);
     }
 
-    /// <param name="parts">How many of the steps each program has.</param>
+    /// <param name="parts">Number of steps of each program.</param>
     public static PostForecast Follow(Toolpath path, IReadOnlyList<AgieStep> steps, IReadOnlyList<int> parts)
     {
         var (forecast, place, part, number) = (new AgieForecast(path), default(Point2D), 0, 0);
@@ -49,7 +49,8 @@ internal sealed class AgieForecast
         return new PostForecast(forecast._entry, blocks, blocks.Max(block => block.Error ?? 0.0), blocks.Max(block => block.Closure));
     }
 
-    /// <summary>Where the machine stands at the end of a move that comes back to where the stroke was before, from where it should: in the middle of a stroke too, where it goes on from there.</summary>
+    /// <summary>Closure: the distance of the machine position from the required position at the end of a move that returns to an earlier point of the stroke,
+    /// also in the middle of a stroke that continues from there.</summary>
     private double? Closure(AgieStep step, Point2D place)
     {
         var stroke = _path.Strokes[step.Stroke];
@@ -93,7 +94,8 @@ internal sealed class AgieForecast
 
     private static (long X, long Y) CellOf(Point2D place) => ((long)Math.Floor(place.X / Same), (long)Math.Floor(place.Y / Same));
 
-    /// <summary>At places on the run; between two of them the distance is larger by less than a thousandth of itself. What the run stands for is tried first, then everything that is cut.</summary>
+    /// <summary>Measures at points of the run; between two of them the distance is larger by less than a thousandth. The part that the run represents is tried
+    /// first, then all parts that are cut.</summary>
     private double Error(in Segment run, in Segment drawn)
     {
         var (places, largest) = (run.Kind == SegmentKind.Line ? FewestPlaces : Math.Max(FewestPlaces, (int)Math.Abs(2.0 * run.Arc.Sweep.Degrees)), 0.0);

@@ -3,10 +3,11 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>Links the programs of several contours into one: positioning blocks between them, numbers counted anew, one start and one end (paper 000, LINK).</summary>
+/// <summary>Links the programs of several contours into one: positioning blocks between them, new block numbers, one start and one end (paper 000,
+/// LINK).</summary>
 public static class AgieLink
 {
-    /// <summary>The linked program, in the order given. What positioning rounds is made up for at the next link.</summary>
+    /// <summary>The linked program, in the order given. Rounding in positioning is compensated at the next link.</summary>
     /// <param name="contours">At least one.</param>
     public static PostText Link(IReadOnlyList<AgieContour> contours)
     {

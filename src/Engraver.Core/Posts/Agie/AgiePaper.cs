@@ -3,8 +3,9 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>Blocks as paper 000 makes them: one for each entity, its increments, or its radius and angles rounded to whole degrees, whatever the machine has reached.</summary>
-/// <remarks>The paper does not say what a whole turn or an arc below half a degree becomes: the first are two half turns here, the second is its chord.</remarks>
+/// <summary>Blocks as defined by paper 000: one for each entity, its increments, or its radius and angles rounded to whole degrees, independent of the actual
+/// machine position.</summary>
+/// <remarks>The paper does not define a full turn or an arc below half a degree: here the first becomes two half turns, the second its chord.</remarks>
 internal static class AgiePaper
 {
     /// <param name="path">Lines, arcs and circles.</param>
@@ -48,7 +49,7 @@ internal static class AgiePaper
         steps.Add(AgieBlock.Arc(isClockwise, start + 180, 180, radius), drawn);
     }
 
-    /// <summary>The first arc whose radius the paper's form does not hold: rounded to no or more than six digits; null for none.</summary>
+    /// <summary>The first arc whose radius the paper's format cannot hold: rounded to 0 or to more than six digits; null when there is none.</summary>
     public static int? Unwritable(Toolpath path)
     {
         foreach (var move in path.Strokes.SelectMany(stroke => stroke.Moves))

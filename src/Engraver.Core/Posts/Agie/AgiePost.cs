@@ -5,10 +5,11 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>The job as programs for the wire eroder AGIECUT DEM15 (paper 000). It counts from where the machine stands: the start of the first stroke, to which the wire is threaded.</summary>
+/// <summary>The job as programs for the wire eroder AGIECUT DEM15 (paper 000). It counts from the machine position: the start of the first stroke, where the
+/// wire is threaded.</summary>
 public sealed class AgiePost : IPost
 {
-    /// <summary>The value of the style that makes the paper's blocks.</summary>
+    /// <summary>The style value that selects the paper's blocks.</summary>
     public const string PaperStyle = "paper";
 
     public const string ExactStyle = "exact";
@@ -16,7 +17,7 @@ public sealed class AgiePost : IPost
     private const string OwnLine = "own-line";
     private const string SameLine = "same-line";
 
-    /// <summary>The blocks' form.</summary>
+    /// <summary>The format of the blocks.</summary>
     public static PostOption Style => new("style", "STYLE", Wording.Get("AgiePost.Style"), ExactStyle, Wording.Get("AgiePost.OneOfTwo", ExactStyle, PaperStyle), value => value is ExactStyle or PaperStyle);
 
     private static PostOption StartMark => new("start-mark", "PLACE", Wording.Get("AgiePost.StartMark"), SameLine, Wording.Get("AgiePost.OneOfTwo", SameLine, OwnLine), value => value is SameLine or OwnLine);

@@ -2,10 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>Collects blocks and keeps where the machine stands after the last one, in micrometres from the start of the first stroke.</summary>
+/// <summary>Collects blocks and tracks the machine position after the last one, in micrometres from the start of the first stroke.</summary>
 internal sealed class AgieSteps(Point2D entry)
 {
-    /// <summary>A job of more blocks is given up; a tape of them would be kilometres long.</summary>
+    /// <summary>Maximum number of blocks of a job; a tape with more blocks would be kilometres long.</summary>
     public const int Most = 499_500;
 
     private readonly List<AgieStep> _steps = [];
@@ -15,10 +15,10 @@ internal sealed class AgieSteps(Point2D entry)
     /// <summary>There were more than <see cref="Most"/>.</summary>
     public bool TooMany { get; private set; }
 
-    /// <summary>Predicted: whole micrometres after lines, radius times cosine and sine after arcs.</summary>
+    /// <summary>Predicted machine position: whole micrometres after lines, radius times cosine and sine after arcs.</summary>
     public Point2D Place { get; private set; }
 
-    /// <summary>The stroke and its move that blocks are made for.</summary>
+    /// <summary>The stroke and move for which blocks are created.</summary>
     public (int Stroke, int Move) For { get; set; }
 
     /// <summary>A place of the drawing, millimetres, in micrometres from the entry.</summary>
@@ -32,7 +32,7 @@ internal sealed class AgieSteps(Point2D entry)
         Place = block.PathFrom(Place).End;
     }
 
-    /// <summary>Goes straight by whole micrometres, in equal parts where six digits do not hold it; nothing for no way.</summary>
+    /// <summary>Adds a straight move by whole micrometres, in equal parts when six digits cannot hold it; no block for zero length.</summary>
     /// <param name="way">Micrometres.</param>
     /// <param name="drawn">Null for positioning.</param>
     public void Line(Vector2D way, Segment? drawn)

@@ -4,14 +4,15 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Posts.Agie;
 
-/// <summary>Blocks as text in the tab-sequential form of paper 000, Table 1: fields apart by one tab, the first for the mark % of the program's start.</summary>
+/// <summary>Blocks as text in the tab-sequential form of paper 000, Table 1: fields separated by one tab, the first for the % mark at the program's
+/// start.</summary>
 internal static class AgieText
 {
-    /// <summary>Three digits number no more.</summary>
+    /// <summary>Largest block number that three digits hold.</summary>
     public const int MostBlocks = 999;
 
     /// <summary>Cuts a job into programs of at most <see cref="MostBlocks"/>, between strokes where that is possible.</summary>
-    /// <returns>How many blocks each program has.</returns>
+    /// <returns>Number of blocks of each program.</returns>
     public static IReadOnlyList<int> Parts(IReadOnlyList<AgieStep> steps)
     {
         var parts = new List<int>();
@@ -32,8 +33,8 @@ internal static class AgieText
     }
 
     /// <summary>The programs, and a warning when there are several.</summary>
-    /// <param name="parts">How many of the steps each has.</param>
-    /// <param name="ownLine">The mark of the start has a line of its own.</param>
+    /// <param name="parts">Number of steps of each program.</param>
+    /// <param name="ownLine">True when the start mark is on a separate line.</param>
     public static PostText Programs(IReadOnlyList<AgieStep> steps, IReadOnlyList<int> parts, bool ownLine)
     {
         var (chunks, written) = (new List<string>(), 0);

@@ -5,8 +5,10 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts.AgieReading;
 
-/// <summary>Reads programs for the AGIECUT DEM15 back and runs them as the machine does, from what is known of it alone (sace-xps-agie.md 4.1); shares no code with what wrote them.</summary>
-/// <remarks>Every field must have its width and a value that the form knows, blocks count up from 001 and nothing follows the block that ends a program but the mark of the next. What is not so is one finding, and nothing behind it is run: where the machine stands would be a guess.</remarks>
+/// <summary>Reads programs for the AGIECUT DEM15 back and runs them as the machine does, based only on its documentation (sace-xps-agie.md 4.1); shares no code
+/// with the post.</summary>
+/// <remarks>Every field must have its width and a valid value, blocks are numbered from 001, and only the mark of the next program follows the end block of a
+/// program. A violation is one finding, and the rest is not run, because the machine position would be unknown.</remarks>
 public sealed class AgieReader : IProgramReader
 {
     private const int FieldsOfBlock = 8;
@@ -81,7 +83,7 @@ public sealed class AgieReader : IProgramReader
     /// <summary>The fields of a block as numbers.</summary>
     private readonly record struct DemBlock(int Interpolation, int Start, int Work, int X, int Y, bool Sparks, bool IsLast);
 
-    /// <summary>The machine as it is known: a place, and a wire that erodes or not. The time it tells is only an order.</summary>
+    /// <summary>The model of the machine: a position, and a wire that erodes or not. The reported time only gives the order.</summary>
     private sealed class DemMachine(Point2D start, IReadOnlyList<ITraceJudge> judges)
     {
         private double _x = start.X;
@@ -90,7 +92,7 @@ public sealed class AgieReader : IProgramReader
 
         public bool HasMoved { get; private set; }
 
-        /// <returns>False for an arc without erosion, which the form does not know.</returns>
+        /// <returns>False for an arc without erosion, which the format does not have.</returns>
         public bool Execute(DemBlock block)
         {
             HasMoved = true;
@@ -107,7 +109,7 @@ public sealed class AgieReader : IProgramReader
             else foreach (var judge in judges) judge.Add(new TraceSample(_seconds += 1.0, _x, _y, Cutting: false));
         }
 
-        /// <summary>In quarters of a turn at most, as the judges take arcs. 02 runs clockwise.</summary>
+        /// <summary>In quarters of a turn at most, as the judges require arcs. 02 runs clockwise.</summary>
         private void RunArc(DemBlock block)
         {
             var (radius, turn, angle) = (block.X / 1000.0, block.Interpolation == 2 ? -block.Work : block.Work, block.Start * Math.PI / 180.0);

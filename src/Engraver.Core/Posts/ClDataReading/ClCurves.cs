@@ -2,21 +2,22 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.ClDataReading;
 
-/// <summary>Ellipses and splines of a DXF as chords, by their definitions: an ellipse by its two axes, a spline by de Boor's recurrence over its knots.</summary>
+/// <summary>Ellipses and splines of a DXF as chords, by their definitions: an ellipse by its two axes, a spline by de Boor's recurrence over its
+/// knots.</summary>
 internal static class ClCurves
 {
-    /// <summary>A chord leaves its curve by no more at the places between, millimetres.</summary>
+    /// <summary>Largest distance of a chord from its curve, millimetres.</summary>
     private const double ChordError = 1e-5;
 
     private const int MostHalvings = 14;
     private const int FirstParts = 8;
 
-    /// <summary>A parameter of an ellipse beyond it is none of a drawing, radians.</summary>
+    /// <summary>A larger ellipse parameter is not valid, radians.</summary>
     private const double MostParameter = 1000.0;
 
-    /// <param name="ratio">Shorter over longer axis; below 0 for one seen from below, which runs clockwise.</param>
-    /// <param name="start">Parameter, radians.</param>
-    /// <param name="end">Parameter, radians.</param>
+    /// <param name="ratio">Shorter over longer axis; below 0 for an ellipse seen from below, which runs clockwise.</param>
+    /// <param name="start">Start parameter, radians.</param>
+    /// <param name="end">End parameter, radians.</param>
     public static IEnumerable<Segment> Ellipse(Point2D centre, Vector2D major, double ratio, double start, double end)
     {
         if (!(Math.Abs(ratio) is > 0.0 and <= 1.0)) throw new FormatException("40");
@@ -27,7 +28,7 @@ internal static class ClCurves
     }
 
     /// <param name="weights">One for each point, or none.</param>
-    /// <param name="arePairs">There are as many x as y.</param>
+    /// <param name="arePairs">True when there are as many x as y values.</param>
     public static IEnumerable<Segment> Spline(int degree, double[] knots, Point2D[] points, double[] weights, bool arePairs)
     {
         if (degree is < 1 or > 25) throw new FormatException("71");
@@ -47,7 +48,7 @@ internal static class ClCurves
         }
     }
 
-    /// <summary>de Boor: the points of a span, mixed degree by degree.</summary>
+    /// <summary>de Boor's algorithm: the points of a span, interpolated degree by degree.</summary>
     private static Point2D Place(int degree, double[] knots, Point2D[] points, double[] weights, int span, double u)
     {
         var mixed = new (double X, double Y, double W)[degree + 1];

@@ -5,8 +5,10 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts.ClDataReading;
 
-/// <summary>Reads CL data back, pair by pair, and follows its entities in their order as a tool would; shares no code with what wrote them, nor with the reader of drawings.</summary>
-/// <remarks>On the layers of cuts the tool is on, on the layer of rapids off; any other layer and any other kind of entity is a finding. One entity is held at a time.</remarks>
+/// <summary>Reads CL data back, pair by pair, and follows its entities in their order like a tool; shares no code with the post or with the drawing
+/// reader.</summary>
+/// <remarks>The tool is on for the layers of cuts and off for the layer of rapids; any other layer or type of entity is a finding. Only one entity is in memory
+/// at a time.</remarks>
 public sealed class ClDataReader : IProgramReader
 {
     public bool TellsHeights => false;
@@ -96,7 +98,7 @@ public sealed class ClDataReader : IProgramReader
             return null;
         }
 
-        /// <summary>A cut that begins elsewhere than the move before it ended: nothing says what the tool does on the way there.</summary>
+        /// <summary>Reports a cut that does not start at the end of the previous move: the data does not state what the tool does between them.</summary>
         private void Join(Point2D start, int line)
         {
             if (_place is not { } place || place.DistanceTo(start) <= request.LongestJump) return;

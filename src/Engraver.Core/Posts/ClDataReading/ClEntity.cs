@@ -3,24 +3,25 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.ClDataReading;
 
-/// <summary>The pairs of one DXF entity as CL data has them, and the way along it. Only what lies level in the plane of the drawing, seen from above or from below.</summary>
+/// <summary>The pairs of one DXF entity as CL data has them, and the path along it. Only entities parallel to the plane of the drawing, seen from above or from
+/// below.</summary>
 /// <param name="Type">LINE, ARC, CIRCLE, ELLIPSE or SPLINE.</param>
-/// <param name="Line">Of the file, from 1.</param>
+/// <param name="Line">Line of the file, from 1.</param>
 internal sealed record ClEntity(string Type, int Line)
 {
-    /// <summary>From the start angle of an arc to its end angle, degrees: a hundred turns.</summary>
+    /// <summary>Largest angle from the start of an arc to its end, degrees: a hundred turns.</summary>
     private const double MostDegrees = 36_000.0;
 
     private readonly List<(int Code, string Value)> _pairs = [];
 
     public string Layer => _pairs.Where(pair => pair.Code == 8).Select(pair => pair.Value.Trim()).FirstOrDefault() ?? "";
 
-    /// <summary>The first height that is not 0, as it is written; null where everything lies in the plane.</summary>
+    /// <summary>The first height that is not 0, as written; null when the whole entity is in the plane.</summary>
     public string? Height => _pairs.Where(pair => pair.Code is 30 or 31 or 38 or 39 && !(double.TryParse(pair.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var height) && height == 0.0)).Select(pair => pair.Value.Trim()).FirstOrDefault();
 
     public void Add(int code, string value) => _pairs.Add((code, value));
 
-    /// <summary>Lines and arcs, in the direction of travel; null when a number is missing, double or none, and which.</summary>
+    /// <summary>Lines and arcs, in the direction of travel; null when a number is missing, duplicate or invalid, with its name.</summary>
     public IEnumerable<Segment>? Path(out string reason)
     {
         reason = "";
@@ -33,7 +34,7 @@ internal sealed record ClEntity(string Type, int Line)
             {
                 "LINE" => [Segment.FromLine(new Point2D(One(10), One(20)), new Point2D(One(11), One(21)))],
                 "ARC" => Round(One(50), One(51)),
-                "CIRCLE" => Round(Maybe(1040, 0.0), Maybe(1040, 0.0) + 360.0), // where it starts is in the extended data
+                "CIRCLE" => Round(Maybe(1040, 0.0), Maybe(1040, 0.0) + 360.0), // its start is in the extended data
                 "ELLIPSE" => ClCurves.Ellipse(new Point2D(One(10), One(20)), new Vector2D(One(11), One(21)), One(40) * Maybe(230, 1.0), One(41), One(42)),
                 "SPLINE" => ClCurves.Spline((int)One(71), All(40), All(10).Zip(All(20), (x, y) => new Point2D(x, y)).ToArray(), All(41), All(10).Length == All(20).Length),
                 _ => throw new FormatException(Type),
@@ -46,7 +47,8 @@ internal sealed record ClEntity(string Type, int Line)
         }
     }
 
-    /// <summary>Counter-clockwise in the entity's own system, which is mirrored in x where it is seen from below. In quarters of a turn at most, as the judges take arcs.</summary>
+    /// <summary>Counter-clockwise in the entity's own system, which is mirrored in x when it is seen from below. In quarters of a turn at most, as the judges
+    /// require arcs.</summary>
     private IEnumerable<Segment> Round(double start, double end)
     {
         var (isBelow, radius, sweep) = (Maybe(230, 1.0) < 0.0, One(40), end - start);

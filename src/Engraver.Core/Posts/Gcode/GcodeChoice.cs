@@ -2,16 +2,16 @@ using System.Globalization;
 
 namespace Engraver.Core.Posts.Gcode;
 
-/// <summary>What the user of the G-code post may choose.</summary>
+/// <summary>The options of the G-code post.</summary>
 internal sealed record GcodeChoice(GcodeDialect Dialect, string WorkOffset, string Switch, double SpindleSpeed, double Blend, string End)
 {
-    /// <summary>The spindle's switch carries the tool: a laser, a pen.</summary>
+    /// <summary>The spindle switch controls the tool, for example a laser or a pen.</summary>
     public const string BySpindle = "m3";
 
-    /// <summary>The coolant's switch carries it.</summary>
+    /// <summary>The coolant switch controls the tool.</summary>
     public const string ByCoolant = "m8";
 
-    /// <summary>A digital output carries it.</summary>
+    /// <summary>A digital output controls the tool.</summary>
     public const string ByOutput = "m64";
 
     private static readonly string[] s_switches = [BySpindle, ByCoolant, ByOutput];

@@ -3,8 +3,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.Gcode;
 
-/// <summary>The numbers that a program can say: whole multiples of its last decimal. Places are rounded to them, never ways, so that nothing adds up.</summary>
-/// <param name="decimals">Digits behind the point.</param>
+/// <summary>The numbers that a program can contain: whole multiples of its last decimal. Positions are rounded to them, never distances, so that errors do not
+/// accumulate.</summary>
+/// <param name="decimals">Digits after the point.</param>
 internal sealed class GcodeGrid(int decimals)
 {
     /// <summary>Millimetres; with six decimals such a number has eleven digits, which a double holds.</summary>
@@ -22,7 +23,7 @@ internal sealed class GcodeGrid(int decimals)
 
     public Point2D Millimetres(GridPlace place) => new(place.X / _perMillimetre, place.Y / _perMillimetre);
 
-    /// <summary>As short as it can be said, exactly.</summary>
+    /// <summary>The shortest exact text of the number.</summary>
     public string Text(long units) => (units / (decimal)_perMillimetre).ToString(_form, CultureInfo.InvariantCulture);
 }
 

@@ -5,7 +5,8 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Posts.Gcode;
 
-/// <summary>The job as G-code, RS-274 as LinuxCNC and grbl read it (rs274-hpgl.md): absolute millimetres of the drawing in a work offset, lines as G1 and arcs as G2 and G3 with their centres.</summary>
+/// <summary>The job as G-code, RS-274 as LinuxCNC and grbl read it (rs274-hpgl.md): absolute millimetres of the drawing in a work offset, lines as G1 and arcs
+/// as G2 and G3 with their centres.</summary>
 public sealed class GcodePost : IPost
 {
     public string Name => "gcode";
@@ -30,7 +31,7 @@ public sealed class GcodePost : IPost
         return new PostText([new GcodeProgram(choice, request).Write()], faults);
     }
 
-    /// <summary>What is chosen and the dialect does not have.</summary>
+    /// <summary>Options that the dialect does not have.</summary>
     private static IEnumerable<Diagnostic> Unfit(GcodeChoice choice, MachineProfile machine)
     {
         if (machine.Height is null && choice.Switch == GcodeChoice.ByOutput && !choice.Dialect.HasOutputs) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, $"--tool-switch {choice.Switch}");
@@ -38,7 +39,7 @@ public sealed class GcodePost : IPost
         if (machine.Height is null && machine.Spindle is not null && choice.Switch == GcodeChoice.BySpindle) yield return PostRules.ToolAndSpindle.At(default);
     }
 
-    /// <summary>Places beyond what a number of the form holds, and heights that the machine cannot cut; each entity once.</summary>
+    /// <summary>Positions beyond the range of a number in the format, and heights that the machine cannot cut; each entity once.</summary>
     private static IEnumerable<Diagnostic> Unwritable(PostRequest request, GcodeGrid grid)
     {
         var (told, isAnyBelow, drive) = (new HashSet<int>(), false, request.Machine.Height);

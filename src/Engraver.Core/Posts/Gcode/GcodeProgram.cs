@@ -8,10 +8,11 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts.Gcode;
 
-/// <summary>Writes one program: head, each stroke in its passes with the rapid before it, end. What is modal is said when it changes, the axes of a move always: grbl wants a place with every arc.</summary>
+/// <summary>Writes one program: head, each stroke in its passes with the rapid before it, end. Modal words are written when they change, the axes of a move
+/// always: grbl needs a position with every arc.</summary>
 internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
 {
-    /// <summary>Chords of an arc that the controller would lose leave it by no more, millimetres.</summary>
+    /// <summary>Largest distance of chords from an arc that the controller cannot compute precisely, millimetres.</summary>
     private const double ChordError = 0.0005;
 
     private readonly StringBuilder _text = new();
@@ -105,7 +106,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         Line($"G1 X{_grid.Text(to.X)} Y{_grid.Text(to.Y)}{height}{Feed(speed)}");
     }
 
-    /// <summary>An arc whose height over its chord is less than half a unit is its chord: rounded ends would turn it anywhere.</summary>
+    /// <summary>An arc whose height over its chord is less than half a unit is its chord: rounded ends would change its direction arbitrarily.</summary>
     private bool IsStraight(ArcSegment arc) => Math.Abs(arc.Sweep.Degrees) < 180.0 && arc.Radius * (1.0 - Angle.FromDegrees(arc.Sweep.Degrees / 2.0).Cos()) < _grid.Unit / 2.0;
 
     private void Chords(in Segment segment)
@@ -115,7 +116,8 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         for (var i = 1; i <= count; i++) LineTo(_grid.Of(i == count ? segment.End : arc.PointAt((double)i / count)), _z);
     }
 
-    /// <summary>The centre is rounded as a place, and said from the rounded start: both ends then are as far from it as their own rounding makes them, a few units.</summary>
+    /// <summary>The centre is rounded as a position and written relative to the rounded start: the distances of both ends from it then differ by a few units of
+    /// rounding.</summary>
     private void Arc(in Segment segment)
     {
         var (arc, centre, end) = (segment.Arc, _grid.Of(segment.Arc.Centre), segment.Kind == SegmentKind.Circle ? _place : _grid.Of(segment.End));
@@ -146,7 +148,7 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         _ => OutputLine(_machine.ToolActiveLow),
     });
 
-    /// <summary>Outputs count from 0 there.</summary>
+    /// <summary>G-code numbers outputs from 0.</summary>
     private string OutputLine(bool level) => $"{(level ? "M64" : "M65")} P{(_machine.ToolOutput - 1).ToString(CultureInfo.InvariantCulture)}";
 
     private void Dwell(double seconds)

@@ -2,23 +2,25 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>The arc of G2 or G3 from its words (rs274-hpgl.md 1.3): by its centre, both ends about as far from it, or by its radius.</summary>
-/// <param name="Centre">Millimetres.</param>
+/// <summary>The arc of G2 or G3 from its words (rs274-hpgl.md 1.3): by its centre, with nearly equal distances of both ends, or by its radius.</summary>
+/// <param name="Centre">Centre, millimetres.</param>
 /// <param name="From">Direction from the centre to the start, radians.</param>
-/// <param name="Sweep">Radians, counter-clockwise positive.</param>
-/// <param name="StartRadius">Millimetres.</param>
-/// <param name="EndRadius">Of the last place before the end. LinuxCNC spirals to the end's own distance from the centre; grbl keeps the radius of the start, and from there goes straight to the end.</param>
+/// <param name="Sweep">Sweep in radians, counter-clockwise positive.</param>
+/// <param name="StartRadius">Radius at the start, millimetres.</param>
+/// <param name="EndRadius">Radius at the last point before the end. LinuxCNC spirals to the distance of the end from the centre; grbl keeps the radius of the
+/// start and then moves straight to the end.</param>
 internal readonly record struct GcodeArc(Point2D Centre, double From, double Sweep, double StartRadius, double EndRadius)
 {
-    /// <summary>Ends of a centre arc may differ by so much from their radius, millimetres, or by so much more if it is a small part of it.</summary>
+    /// <summary>Allowed difference of the radii at the ends of a centre arc, millimetres; a larger difference is allowed if it is a small fraction of the
+    /// radius.</summary>
     private const double RadiusDifference = 0.005;
     private const double LargestDifference = 0.5;
     private const double RadiusPart = 0.001;
 
-    /// <summary>A radius may be too short for its chord by so much, millimetres.</summary>
+    /// <summary>Amount by which a radius may be too short for its chord, millimetres.</summary>
     private const double ShortRadius = 0.00127;
 
-    /// <summary>A turn of less is a whole one, radians.</summary>
+    /// <summary>A smaller turn counts as a full turn, radians.</summary>
     private const double NoTurn = 5e-7;
 
     /// <summary>The place at a part of the sweep.</summary>
@@ -28,7 +30,7 @@ internal readonly record struct GcodeArc(Point2D Centre, double From, double Swe
         return new Point2D(Centre.X + (radius * Math.Cos(turn)), Centre.Y + (radius * Math.Sin(turn)));
     }
 
-    /// <returns>Null when the ends do not lie on one circle, and why.</returns>
+    /// <returns>Null when the ends are not on one circle, with the reason.</returns>
     public static GcodeArc? ByCentre(Point2D start, Point2D end, Point2D centre, bool clockwise, GcodeController controller, out string reason)
     {
         reason = "";
@@ -45,7 +47,7 @@ internal readonly record struct GcodeArc(Point2D Centre, double From, double Swe
         return new GcodeArc(centre, from, clockwise ? -sweep : sweep, first, isGrbl ? first : last);
     }
 
-    /// <returns>Null when no such arc joins the ends, and why.</returns>
+    /// <returns>Null when no such arc joins the ends, with the reason.</returns>
     public static GcodeArc? ByRadius(Point2D start, Point2D end, double radius, bool clockwise, GcodeController controller, out string reason)
     {
         reason = "";
@@ -55,7 +57,7 @@ internal readonly record struct GcodeArc(Point2D Centre, double From, double Swe
         else if (size < (chord / 2.0) - ShortRadius) reason = Wording.Get("GcodeReader.RadiusTooSmall", size, chord);
         if (reason.Length > 0) return null;
         var height = Math.Sqrt(Math.Max(0.0, (size * size) - (chord * chord / 4.0)));
-        var left = clockwise == radius < 0.0 ? height : -height; // the centre of a short turn lies on the side to which it turns
+        var left = clockwise == radius < 0.0 ? height : -height; // the centre of a short turn is on the side to which it turns
         return ByCentre(start, end, new Point2D(((start.X + end.X) / 2.0) - (y / chord * left), ((start.Y + end.Y) / 2.0) + (x / chord * left)), clockwise, controller, out reason);
     }
 

@@ -3,10 +3,11 @@ using System.Text;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>One line of RS-274: words of a letter and a number, without its comments (rs274-hpgl.md 1.1). Spaces and tabs mean nothing, not even inside a number; small letters are as capitals.</summary>
+/// <summary>One line of RS-274: words of a letter and a number, without its comments (rs274-hpgl.md 1.1). Spaces and tabs mean nothing, not even inside a
+/// number; small letters equal capitals.</summary>
 internal sealed class GcodeBlock
 {
-    /// <summary>Letters that may stand on a line; G and M several times.</summary>
+    /// <summary>Letters that are allowed in a line; G and M several times.</summary>
     private const string Known = "NGMFSXYZIJKRPQT";
 
     private readonly List<GcodeWord> _words = [];
@@ -20,18 +21,18 @@ internal sealed class GcodeBlock
     /// <summary>The line is the mark %.</summary>
     public bool IsMark { get; private init; }
 
-    /// <summary>Characters that a controller keeps: without spaces and comments.</summary>
+    /// <summary>Number of characters that a controller stores: without spaces and comments.</summary>
     public int Length { get; private set; }
 
     /// <summary>The codes of a letter in tenths, G91.1 as 911, in their order.</summary>
     public IEnumerable<int> Codes(char letter) => _words.Where(word => word.Letter == letter).Select(word => (int)Math.Round(word.Value * 10.0));
 
-    /// <summary>The number behind a letter; null when it is not there.</summary>
+    /// <summary>The number after a letter; null when the letter is missing.</summary>
     public double? this[char letter] => _words.Where(word => word.Letter == letter).Select(word => (double?)word.Value).FirstOrDefault();
 
     public bool Has(string letters) => _words.Any(word => letters.Contains(word.Letter, StringComparison.Ordinal));
 
-    /// <returns>Null when it is no line of RS-274, and why.</returns>
+    /// <returns>Null when it is not a line of RS-274, with the reason.</returns>
     public static GcodeBlock? Parse(string line, out string reason)
     {
         if (Bare(line, out reason) is not { } text) return null;

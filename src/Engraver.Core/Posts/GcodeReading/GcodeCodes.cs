@@ -2,7 +2,8 @@ using System.Globalization;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>Which codes the two controllers know, in tenths, and their groups: of a group one code may stand on a line (rs274-hpgl.md 1.2). Codes that lead where the program does not say (probes, stored places, offsets, canned cycles, cutter compensation, other planes) are not among them.</summary>
+/// <summary>The codes of the two controllers, in tenths, and their groups: one code of a group is allowed in a line (rs274-hpgl.md 1.2). Codes that move to
+/// positions that the program does not state (probes, stored places, offsets, canned cycles, cutter compensation, other planes) are not among them.</summary>
 internal static class GcodeCodes
 {
     public const int Dwell = 40;
@@ -23,7 +24,7 @@ internal static class GcodeCodes
     private static readonly int[][] s_grblMachine = [[0, 10, 20, 300], [30, 40, 50], [70, 80, 90]];
     private static readonly int[][] s_linuxCncMachine = [[0, 10, 20, 300], [30, 40, 50], [70, 80, 90], [480, 490], [620, 630, 640, 650]];
 
-    /// <summary>The group of a code of the letter G or M, from 0; -1 for one that is not known.</summary>
+    /// <summary>The group of a code of the letter G or M, from 0; -1 for an unknown code.</summary>
     public static int GroupOf(char letter, int code, GcodeController controller)
     {
         var groups = (letter, controller) switch
@@ -40,11 +41,11 @@ internal static class GcodeCodes
 
     public static bool IsWorkOffset(int code) => code is >= 540 and <= 593;
 
-    /// <summary>As a program says it: G54, G59.1.</summary>
+    /// <summary>The code as in a program: G54, G59.1.</summary>
     public static string WorkOffsetText(int code) => string.Create(CultureInfo.InvariantCulture, $"G{code / 10.0:0.#}");
 }
 
-/// <summary>By whose rules a program is read.</summary>
+/// <summary>The controller whose rules apply to a program.</summary>
 public enum GcodeController
 {
     LinuxCnc,

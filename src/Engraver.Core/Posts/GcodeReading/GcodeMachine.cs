@@ -3,7 +3,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>The controller with its modes, and the machine as it is known. The codes of a line are done in the order of RS-274, whatever their order on the line (rs274-hpgl.md 1.2).</summary>
+/// <summary>The controller with its modes, and the model of the machine. The codes of a line are executed in the order of RS-274, independent of their order in
+/// the line (rs274-hpgl.md 1.2).</summary>
 internal sealed class GcodeMachine(ReplayRequest request, GcodeController controller)
 {
     private const double MillimetresPerInch = 25.4;
@@ -25,11 +26,11 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     public bool HasMoved => _teller.HasMoved;
 
-    /// <summary>M2 or M30 was done.</summary>
+    /// <summary>M2 or M30 has been executed.</summary>
     public bool HasEnded { get; private set; }
 
-    /// <summary>Does a line that the rules let pass.</summary>
-    /// <returns>Why it cannot be done; null when it was.</returns>
+    /// <summary>Executes a line that complies with the rules.</summary>
+    /// <returns>The reason why it cannot be executed; null when it was executed.</returns>
     public string? Do(GcodeBlock block, int line)
     {
         if (block['F'] is { } feed) _feed = feed * _unit;
@@ -66,7 +67,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         return null;
     }
 
-    /// <summary>Lengths count in the unit of the line, wherever it stands.</summary>
+    /// <summary>Lengths use the unit of the line, wherever the unit is in the line.</summary>
     private void Control(GcodeBlock block)
     {
         foreach (var code in block.Codes('G'))
@@ -95,7 +96,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         return null;
     }
 
-    /// <summary>What a motion is done under: the frame in which its place counts, waits that are over, the tool's speed; with the tool off it is a rapid.</summary>
+    /// <summary>Conditions of a motion: the frame of its position, completed waits, the tool's speed; with the tool off it is a rapid.</summary>
     private void Judge(Vector3D to, int line)
     {
         _switches.EndWait();
@@ -124,7 +125,7 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
         return null;
     }
 
-    /// <summary>The program stops the spindle and the coolant itself; an output and a tool in the work stay.</summary>
+    /// <summary>The program stops the spindle and the coolant itself; an output and a tool in the work keep their state.</summary>
     private string? End()
     {
         HasEnded = true;
@@ -135,8 +136,8 @@ internal sealed class GcodeMachine(ReplayRequest request, GcodeController contro
 
     private bool Knows(char axis, GcodeBlock block) => block[axis] is null || (axis == 'X' ? _knowsX : axis == 'Y' ? _knowsY : _knowsZ);
 
-    /// <summary>Axes that the line names are known from then on.</summary>
-    /// <returns>Whether all are, before or by this line.</returns>
+    /// <summary>The axes named by the line have a known position from then on.</summary>
+    /// <returns>True when all axes have a known position after this line.</returns>
     private bool Learn(GcodeBlock block)
     {
         (_knowsX, _knowsY, _knowsZ) = (_knowsX || block.Has("X"), _knowsY || block.Has("Y"), _knowsZ || block.Has("Z"));

@@ -3,8 +3,10 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>Reads G-code back and runs it as the controller does, from what is known of the controller alone (rs274-hpgl.md 1 and 2); shares no code with what wrote it.</summary>
-/// <remarks>What the controller would refuse, and what would lead where the program does not say, is one finding at its line, and nothing behind it is run. One line is held at a time.</remarks>
+/// <summary>Reads G-code back and runs it as the controller does, based only on the documentation of the controller (rs274-hpgl.md 1 and 2); shares no code
+/// with the post.</summary>
+/// <remarks>A line that the controller would refuse, or that would move to a position that the program does not state, is one finding, and the rest is not run.
+/// Only one line is in memory at a time.</remarks>
 public sealed class GcodeReader(GcodeController controller = GcodeController.LinuxCnc) : IProgramReader
 {
     public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
@@ -39,7 +41,8 @@ public sealed class GcodeReader(GcodeController controller = GcodeController.Lin
         return hasBegun ? Fault(lines.Number, Wording.Get("GcodeReader.NoEnd")) : VerificationRules.ProgramEmpty.At(default);
     }
 
-    /// <summary>Behind the end stands nothing but the mark, where the program began with one: what else stands there would not be run, and is no part of a whole program.</summary>
+    /// <summary>After the end only the mark is allowed, if the program started with one: any other text would not be run and is not part of a complete
+    /// program.</summary>
     private static Diagnostic? Rest(ProgramRows lines, bool isMarked)
     {
         while (lines.Next() is { } row)

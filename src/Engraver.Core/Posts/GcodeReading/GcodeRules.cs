@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>What is wrong with a line before anything of it is done.</summary>
+/// <summary>Checks a line before any part of it is executed.</summary>
 internal static class GcodeRules
 {
     private const int LongestLine = 255;
     private const int LongestLineOfGrbl = 79;
 
-    /// <summary>Why the controller does not take the line; null when it does.</summary>
+    /// <summary>The reason why the controller refuses the line; null when it accepts it.</summary>
     public static string? Check(GcodeBlock block, GcodeController controller)
     {
         var isGrbl = controller == GcodeController.Grbl;

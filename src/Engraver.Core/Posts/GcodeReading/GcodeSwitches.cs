@@ -4,10 +4,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>What the program switches beside the way (spindle, coolant, outputs) and how long it waits behind a switch; held against what the job and the profile ask for, where somebody asks.</summary>
+/// <summary>The switching of the program in addition to the path (spindle, coolant, outputs) and its waits after a switch; compared with the job and the
+/// profile if requested.</summary>
 internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
 {
-    /// <summary>Times and speeds are said with four decimals.</summary>
+    /// <summary>Times and speeds are written with four decimals.</summary>
     private const double Decimals = 0.0001;
 
     private const int Clockwise = 30;
@@ -27,10 +28,10 @@ internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
 
     public bool IsOutputOn { get; private set; }
 
-    /// <summary>The tool is at work, as far as a switch brings it there.</summary>
+    /// <summary>The tool is on, as far as a switch controls it.</summary>
     public bool IsOn => (profile.Spindle is null && Turns) || _coolant || IsOutputOn;
 
-    /// <summary>Switched on, at a speed (of a laser: a power) that is not said to be none.</summary>
+    /// <summary>Switched on, at a speed (for a laser: a power) that is not set to 0.</summary>
     public bool Turns => _turning is not null && _speed != 0.0;
 
     /// <summary>The codes of a line, in their order.</summary>
@@ -56,14 +57,14 @@ internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
         _waited += seconds;
     }
 
-    /// <summary>Something moves or the program ends: until then it had to wait for what was switched last, and for nothing else.</summary>
+    /// <summary>Called when an axis moves or the program ends: before this, the program must have waited for the last switch, and for nothing else.</summary>
     public void EndWait()
     {
         if (Math.Abs(_waited - _due) > Decimals) terms?.Differ(_line, $"G4 P{Text(_waited)}", $"G4 P{Text(_due)}");
         (_waited, _due) = (0.0, 0.0);
     }
 
-    /// <summary>A cut is made: what turns or burns does so at the speed that is asked for.</summary>
+    /// <summary>Called for a cut: checks that the spindle or laser runs at the requested speed.</summary>
     public void Cut(int line)
     {
         if (terms is null || !(profile.Spindle is not null || (_isSwitched && AsksFor("m3")))) return;
@@ -78,7 +79,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
 
     private bool AsksFor(string code) => terms?.Asked.ToolSwitch == code;
 
-    /// <summary>What the job asks for instead of a code; null for what it asks for, and for what only ends something.</summary>
+    /// <summary>The code that the job requires instead of a code; null for a required code, and for a code that only ends a state.</summary>
     private string? Unasked(int code, double? output)
     {
         if (terms is null) return null;

@@ -4,27 +4,28 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts.GcodeReading;
 
-/// <summary>Tells the judges every motion: of a machine whose tool an output switches lines and arcs, of one with a tool axis places a step apart with their heights. The time told is only an order.</summary>
+/// <summary>Passes every motion to the judges: lines and arcs for a machine whose tool is switched by an output, points a step apart with their heights for a
+/// machine with a tool axis. The reported time only gives the order.</summary>
 internal sealed class GcodeTeller(ReplayRequest request)
 {
-    /// <summary>Of places on a machine with a tool axis, millimetres.</summary>
+    /// <summary>Step between points on a machine with a tool axis, millimetres.</summary>
     private const double Step = 0.05;
 
-    /// <summary>By which the radius of a piece may differ from that of the next, millimetres.</summary>
+    /// <summary>Allowed difference between the radii of consecutive pieces, millimetres.</summary>
     private const double RadiusStep = 2e-5;
 
     private const int MostPieces = 720;
 
-    /// <summary>What calculating an arc makes of its end, millimetres.</summary>
+    /// <summary>Rounding error at the end of a calculated arc, millimetres.</summary>
     private const double NoWay = 1e-9;
 
     private readonly HeightDrive? _drive = request.Machine.Height;
     private double _seconds;
 
-    /// <summary>Something moved or was cut.</summary>
+    /// <summary>True when an axis has moved or a cut was made.</summary>
     public bool HasMoved { get; private set; }
 
-    /// <summary>The tool came on or went off where the machine stands.</summary>
+    /// <summary>Called when the tool is switched on or off at the machine position.</summary>
     public void Switch(Vector3D place, bool isOn)
     {
         if (_drive is null) Stand(place.X, place.Y, 0.0, isOn);
@@ -38,7 +39,7 @@ internal sealed class GcodeTeller(ReplayRequest request)
         else if (from.X != to.X || from.Y != to.Y) Cut(Segment.FromLine(new Point2D(from.X, from.Y), new Point2D(to.X, to.Y)), motion);
     }
 
-    /// <summary>An arc, which may rise.</summary>
+    /// <summary>Passes an arc, which can rise.</summary>
     public void Arc(GcodeArc arc, Vector3D from, Vector3D to, GcodeMotion motion)
     {
         HasMoved = true;
@@ -49,7 +50,8 @@ internal sealed class GcodeTeller(ReplayRequest request)
         else Pieces(arc, new Point2D(to.X, to.Y), motion);
     }
 
-    /// <summary>In quarters of a turn at most, as the judges take arcs; of ends that are not as far from the centre as many pieces as keep each within half of a step of its radius. Straight on where the arc does not reach the end.</summary>
+    /// <summary>In quarters of a turn at most, as the judges require arcs; for ends at different distances from the centre, in as many pieces as keep each
+    /// within half a step of its radius. A straight move follows when the arc does not reach the end.</summary>
     private void Pieces(GcodeArc arc, Point2D end, GcodeMotion motion)
     {
         var (quarters, spiral) = (Math.Ceiling(Math.Abs(arc.Sweep) / (Math.PI / 2.0)), Math.Ceiling(Math.Abs(arc.EndRadius - arc.StartRadius) / RadiusStep));

@@ -4,13 +4,14 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Core.Posts.Hpgl;
 
-/// <summary>The job for plotters and cutters that read HP-GL/2 (rs274-hpgl.md 3): absolute places in whole units of the form, so that roundings never add up.</summary>
+/// <summary>The job for plotters and cutters that read HP-GL/2 (rs274-hpgl.md 3): absolute positions in whole units of the format, so that rounding errors do
+/// not accumulate.</summary>
 public sealed class HpglPost : IPost
 {
     /// <summary>Arcs as chords of rounded places.</summary>
     private const string Chords = "chords";
 
-    /// <summary>Arcs as AA where its rounded centre and start allow it.</summary>
+    /// <summary>Arcs as AA where the rounded centre and start allow it.</summary>
     private const string Arcs = "aa";
 
     private static PostOption Units => new("units-per-mm", "N", Wording.Get("HpglPost.Units"), "40", Wording.Get("HpglPost.WholeFromTo", 10, 10000), value => Whole(value) is >= 10 and <= 10000);

@@ -5,23 +5,23 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts.Hpgl;
 
-/// <summary>Writes one program, one command a line, and measures how far rounding takes the pen from the path.</summary>
+/// <summary>Writes one program, one command per line, and measures the distance of the pen from the path caused by rounding.</summary>
 internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
 {
-    /// <summary>Part of a unit by which chords may leave an arc.</summary>
+    /// <summary>Fraction of a unit by which chords may differ from an arc.</summary>
     private const double ChordShare = 0.25;
 
-    /// <summary>Part of a unit by which an arc with rounded start and centre may leave the drawn one; otherwise it becomes chords.</summary>
+    /// <summary>Part of a unit by which an arc with rounded start and centre may differ from the drawn arc; otherwise it becomes chords.</summary>
     private const double ArcShare = 0.7;
 
-    /// <summary>The finest chord that a plotter draws an arc with, and the coarsest that is asked for, degrees.</summary>
+    /// <summary>The finest chord angle of a plotter, and the coarsest that is requested, degrees.</summary>
     private const double FinestChord = 0.5;
     private const double CoarsestChord = 15.0;
 
     private readonly StringBuilder _text = new();
     private UnitPlace _place;
 
-    /// <summary>Largest distance of a place of the pen from the drawn line or arc, millimetres; of an arc with the height of its chords.</summary>
+    /// <summary>Largest distance of a place of the pen from the drawn line or arc, millimetres; for an arc including the height of its chords.</summary>
     public double LargestError { get; private set; }
 
     public Point2D ErrorAt { get; private set; }
@@ -88,7 +88,8 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
         }
     }
 
-    /// <summary>Whether the arc that the plotter makes of rounded numbers stays near the drawn one: its points differ by no more than the centres and the radii do.</summary>
+    /// <summary>True when the plotter's arc from rounded numbers stays near the drawn one: its points differ at most by the differences of the centres and
+    /// radii.</summary>
     private bool Fits(in Segment segment)
     {
         var (centre, start) = (sheet.Millimetres(sheet.Of(segment.Arc.Centre)), sheet.Millimetres(sheet.Of(segment.Start)));
@@ -107,7 +108,7 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
         if (segment.Kind == SegmentKind.Circle) return;
         _place = sheet.Of(segment.End);
         Measure(segment.End);
-        Say($"PD{_place.X},{_place.Y}"); // where the arc ends is rounded by the plotter: the end itself is said
+        Say($"PD{_place.X},{_place.Y}"); // the plotter rounds the end of the arc: the exact end is written
     }
 
     private static double Height(ArcSegment arc, double chordDegrees) => arc.Radius * (1.0 - Math.Cos(chordDegrees * Math.PI / 360.0));

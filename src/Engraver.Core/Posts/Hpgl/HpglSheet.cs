@@ -2,19 +2,19 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Posts.Hpgl;
 
-/// <summary>The units in which a program counts.</summary>
-/// <param name="unitsPerMillimetre">40 are the plotter's own.</param>
+/// <summary>The units of a program.</summary>
+/// <param name="unitsPerMillimetre">40 for plotter units.</param>
 internal sealed class HpglSheet(int unitsPerMillimetre)
 {
-    /// <summary>The plotter's own units are 0.025 mm.</summary>
+    /// <summary>Plotter units are 0.025 mm.</summary>
     public const int PlotterUnits = 40;
 
-    /// <summary>A number of HP-GL/2 lies within 23 bits and a sign.</summary>
+    /// <summary>A number of HP-GL/2 has 23 bits and a sign.</summary>
     private const double LargestNumber = 8_388_607.0;
 
     public int PerMillimetre { get; } = unitsPerMillimetre;
 
-    /// <summary>One of them, millimetres.</summary>
+    /// <summary>One unit, millimetres.</summary>
     public double Unit => 1.0 / PerMillimetre;
 
     /// <summary>The farthest place from the origin along an axis, millimetres.</summary>

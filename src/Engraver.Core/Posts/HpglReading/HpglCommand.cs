@@ -4,18 +4,20 @@ using System.Text;
 namespace Engraver.Core.Posts.HpglReading;
 
 /// <summary>A command of HP-GL/2: two letters and its numbers (rs274-hpgl.md 3.1).</summary>
-/// <param name="Name">In capitals.</param>
-/// <param name="Line">Of the text, from 1.</param>
+/// <param name="Name">Name in capitals.</param>
+/// <param name="Line">Line of the text, from 1.</param>
 internal sealed record HpglCommand(string Name, IReadOnlyList<double> Values, int Line);
 
-/// <summary>Takes commands from a text, one after the other. A command ends at a semicolon or where the next letters begin; blanks and line ends between commands mean nothing.</summary>
-/// <remarks>A command with very many numbers comes in parts of the same name: to move through a list of places is to move through its parts, and no other command has so many.</remarks>
+/// <summary>Reads commands from a text, one by one. A command ends at a semicolon or where the next letters begin; blanks and line ends between commands mean
+/// nothing.</summary>
+/// <remarks>A command with very many numbers is returned in parts with the same name: moving through a list of points equals moving through its parts, and no
+/// other command has so many numbers.</remarks>
 internal sealed class HpglScanner(TextReader text)
 {
     /// <summary>Numbers of a part, in whole pairs.</summary>
     private const int MostValues = 1024;
 
-    /// <summary>Characters of a number; one that is longer is none.</summary>
+    /// <summary>Maximum characters of a number; a longer text is not a number.</summary>
     private const int LongestNumber = 64;
 
     private readonly char[] _name = new char[2];
@@ -25,7 +27,7 @@ internal sealed class HpglScanner(TextReader text)
 
     public int Line { get; private set; } = 1;
 
-    /// <summary>The next command, or the next part of a long one; null at the end, and for what is no command, with the reason.</summary>
+    /// <summary>The next command, or the next part of a long one; null at the end, and for an invalid command, with the reason.</summary>
     public HpglCommand? Next(out string reason)
     {
         reason = "";
@@ -64,7 +66,7 @@ internal sealed class HpglScanner(TextReader text)
         return sign;
     }
 
-    /// <summary>Apart by a comma or blanks; none at all is an empty list. Null for what is no list of numbers.</summary>
+    /// <summary>Numbers separated by a comma or blanks; no numbers give an empty list. Null for an invalid list of numbers.</summary>
     private List<double>? Numbers(out string wrong)
     {
         var values = new List<double>();

@@ -3,16 +3,17 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Posts.HpglReading;
 
-/// <summary>A plotter as the language knows it: a pen that is up or down over a place in millimetres, the frame in which numbers count, and a speed. The time told is only an order.</summary>
+/// <summary>A plotter as defined by the language: a pen that is up or down at a position in millimetres, the frame of the numbers, and a speed. The reported
+/// time only gives the order.</summary>
 internal sealed class HpglPlotter(ReplayRequest request)
 {
     private const double PlotterUnit = 0.025;
     private const double UsualChord = 5.0;
 
-    /// <summary>A speed is said with four decimals of cm/s at least this exactly, mm/min.</summary>
+    /// <summary>Resolution of a speed written with four decimals of cm/s, mm/min.</summary>
     private const double SpeedQuantum = 0.06;
 
-    /// <summary>Millimetres of a number's unit and of its zero, along each axis.</summary>
+    /// <summary>Scale and zero of the numbers in millimetres, along each axis.</summary>
     private (double ScaleX, double ScaleY, double ZeroX, double ZeroY) _frame = (PlotterUnit, PlotterUnit, 0.0, 0.0);
     private (double X1, double Y1, double X2, double Y2)? _corners;
     private Point2D _place;
@@ -27,7 +28,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
     /// <summary>The pen is on the sheet.</summary>
     public bool IsDown { get; private set; }
 
-    /// <returns>Why the command cannot be done; null when it was.</returns>
+    /// <returns>The reason why the command cannot be executed; null when it was executed.</returns>
     public string? Do(HpglCommand command)
     {
         var values = command.Values;
@@ -56,7 +57,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         return null;
     }
 
-    /// <summary>Of every pen, or of the one that is named behind it.</summary>
+    /// <summary>Applies to every pen, or to the pen that is named after it.</summary>
     private string? Speed(IReadOnlyList<double> values)
     {
         if (!(values[0] > 0.0)) return Wording.Get("HpglReader.SpeedNotPositive", values[0]);
@@ -71,7 +72,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         return null;
     }
 
-    /// <summary>SC says which numbers the corners of IP have. Without IP the corners are the device's own, which a program does not say.</summary>
+    /// <summary>SC assigns numbers to the corners of IP. Without IP the corners depend on the device, and the program does not state them.</summary>
     private string? Scale(IReadOnlyList<double> values)
     {
         if (_corners is not { } corners || values[0] == values[1] || values[2] == values[3]) return Wording.Get("HpglReader.ScaleNotUsable");
@@ -100,7 +101,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         return null;
     }
 
-    /// <summary>An arc about a centre from where the pen stands, as the chords that the plotter draws: equal ones of at most the chord angle.</summary>
+    /// <summary>An arc about a centre from the pen position, as the chords that the plotter draws: equal chords of at most the chord angle.</summary>
     private string? Arc(HpglCommand command)
     {
         var (values, chord) = (command.Values, command.Values.Count == 4 ? command.Values[3] : UsualChord);
@@ -139,7 +140,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         if (_speed is { } speed) request.Feeds?.Add(line, speed, path.Length, quantum: SpeedQuantum);
     }
 
-    /// <summary>With the pen that is asked for, at a speed that was said: the plotter's own may be any.</summary>
+    /// <summary>Checks for the requested pen and for a stated speed: the default speed of a plotter can be any.</summary>
     private void Judge(int line)
     {
         if (request.Terms is not { } terms) return;
@@ -147,7 +148,7 @@ internal sealed class HpglPlotter(ReplayRequest request)
         if (_speed is null) terms.Differ(line, Wording.Get("HpglReader.NoSpeed"), "VS");
     }
 
-    /// <summary>The program is over: a pen that stays in the holder dries up.</summary>
+    /// <summary>Called at the end of the program: a pen that stays in the holder dries up.</summary>
     public void End(int line)
     {
         if (_pen != 0) request.Terms?.Differ(line, $"SP{_pen}", "SP0");

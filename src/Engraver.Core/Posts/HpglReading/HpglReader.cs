@@ -3,13 +3,15 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Posts.HpglReading;
 
-/// <summary>Reads HP-GL/2 back and draws it as a plotter does, from what is known of the language alone (rs274-hpgl.md 3); shares no code with what wrote it. Pen 1 to 8 in the holder and down is cutting.</summary>
-/// <remarks>Commands that this reader does not know (labels, fills, encoded polylines) are findings, for they may draw. One command is held at a time.</remarks>
+/// <summary>Reads HP-GL/2 back and draws it as a plotter does, based only on the language reference (rs274-hpgl.md 3); shares no code with the post. A pen from
+/// 1 to 8 that is in the holder and down is cutting.</summary>
+/// <remarks>Commands that this reader does not support (labels, fills, encoded polylines) are findings, because they can draw. Only one command is in memory at
+/// a time.</remarks>
 public sealed class HpglReader : IProgramReader
 {
     public bool TellsHeights => false;
 
-    /// <summary>The plotter's own unit: with the roundings of both axes and the height of a chord no place is moved by more.</summary>
+    /// <summary>The plotter's own unit: the rounding of both axes and the height of a chord move a point by no more than this.</summary>
     public double Rounding => 0.025;
 
     public Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
