@@ -25,7 +25,7 @@ public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
         return new PathPlace(part, fraction, segment.PointAt(fraction));
     }
 
-    /// <summary>The fraction at which a line, an arc or the circle under it passes a point that lies on it. For an arc, the turn nearer to the arc: from half
+    /// <summary>The fraction at which a line, an arc or the circle under it passes a point on it. For an arc, the turn nearer to the arc: from half
     /// the gap before its start to half the gap after its end.</summary>
     public static double FractionOf(Segment segment, Point2D point)
     {

@@ -3,14 +3,15 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Toolpaths;
 
-/// <summary>The outline of what a toolpath cuts, as a toolpath of its own: what a machine goes round with the tool off before a job, to show that the work piece lies where it should.</summary>
+/// <summary>The outline of a toolpath as a separate toolpath: a machine follows it with the tool off before a job to show that the workpiece is in the correct
+/// position.</summary>
 public static class FrameOutline
 {
-    /// <summary>An arc is replaced by chords of no more than this angle; its hull is drawn round them by the tangents.</summary>
+    /// <summary>An arc is replaced by chords of at most this angle; its hull encloses them by the tangents.</summary>
     private const double LargestStepDegrees = 5.0;
 
     /// <summary>The smallest rectangle along the axes, counter-clockwise from its lower left corner.</summary>
-    /// <returns>One closed stroke; of a single line along an axis the way there and back; none when nothing is cut.</returns>
+    /// <returns>One closed stroke; for a single line along an axis, the path there and back; empty when nothing is cut.</returns>
     public static Toolpath Rectangle(Toolpath cut)
     {
         ArgumentNullException.ThrowIfNull(cut);
@@ -18,8 +19,8 @@ public static class FrameOutline
         return box.IsEmpty ? cut with { Strokes = [] } : Round(cut, [new(box.MinX, box.MinY), new(box.MaxX, box.MinY), new(box.MaxX, box.MaxY), new(box.MinX, box.MaxY)]);
     }
 
-    /// <summary>The convex hull, counter-clockwise. Nothing that is cut lies outside of it; round an arc it is wider by at most 0.1 % of the radius.</summary>
-    /// <returns>One closed stroke; none when nothing is cut.</returns>
+    /// <summary>The convex hull, counter-clockwise. All cuts are inside it; around an arc it is wider by at most 0.1 % of the radius.</summary>
+    /// <returns>One closed stroke; empty when nothing is cut.</returns>
     public static Toolpath Hull(Toolpath cut)
     {
         ArgumentNullException.ThrowIfNull(cut);
@@ -27,7 +28,7 @@ public static class FrameOutline
         return hull.Count == 0 ? cut with { Strokes = [] } : Round(cut, hull);
     }
 
-    /// <summary>The box of everything that is cut, millimetres; empty when nothing is.</summary>
+    /// <summary>The box of all cuts, millimetres; empty when nothing is cut.</summary>
     public static Bounds2D BoundsOf(Toolpath cut)
     {
         ArgumentNullException.ThrowIfNull(cut);
@@ -36,7 +37,7 @@ public static class FrameOutline
 
     private static IEnumerable<Segment> Moves(Toolpath cut) => cut.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment);
 
-    /// <summary>Places whose hull holds the segment: of an arc where the tangents of neighbouring places on it meet.</summary>
+    /// <summary>Points whose hull contains the segment: for an arc, the intersections of the tangents at neighbouring points.</summary>
     private static IEnumerable<Point2D> PlacesOf(Segment segment)
     {
         yield return segment.Start;
@@ -49,7 +50,7 @@ public static class FrameOutline
     }
 
     /// <summary>Andrew's monotone chain.</summary>
-    /// <param name="places">By X, then by Y, no two equal.</param>
+    /// <param name="places">Points sorted by X, then by Y, without duplicates.</param>
     private static List<Point2D> ConvexHull(IReadOnlyList<Point2D> places)
     {
         if (places.Count < 3) return [.. places];
@@ -70,7 +71,7 @@ public static class FrameOutline
         return chain;
     }
 
-    /// <summary>Above 0 when the way turns to the left at <paramref name="middle"/>.</summary>
+    /// <summary>Above 0 when the path turns to the left at <paramref name="middle"/>.</summary>
     private static double Turn(Point2D from, Point2D middle, Point2D to) => ((middle.X - from.X) * (to.Y - from.Y)) - ((middle.Y - from.Y) * (to.X - from.X));
 
     private static Toolpath Round(Toolpath cut, List<Point2D> corners)

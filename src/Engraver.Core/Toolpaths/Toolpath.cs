@@ -3,18 +3,19 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Toolpaths;
 
-/// <summary>Ordered strokes in millimetres, machine-neutral. Between strokes the tool is off and travels straight to the next start.</summary>
+/// <summary>Ordered strokes in millimetres, machine-neutral. Between strokes the tool is off and moves straight to the next start.</summary>
 /// <param name="ToolStart">Position of the tool when the job starts (drawing point, millimetres).</param>
 /// <param name="Strokes">In the order of cutting; may be empty.</param>
 public sealed record Toolpath(Point2D ToolStart, IReadOnlyList<ToolpathStroke> Strokes);
 
-/// <summary>One contour as it will be cut: consecutive moves, tool on from the first to the last.</summary>
-/// <param name="Index">Place in the order of cutting, 0 is first.</param>
+/// <summary>One contour as it is cut: consecutive moves, with the tool on from the first to the last.</summary>
+/// <param name="Index">Index in the order of cutting, 0 is first.</param>
 /// <param name="Closed">True when the stroke ends where it starts.</param>
-/// <param name="Moves">At least one move; each starts within the join tolerance of the end of the one before.</param>
+/// <param name="Moves">At least one move; each starts within the join tolerance of the end of the previous one.</param>
 public sealed record ToolpathStroke(int Index, bool Closed, IReadOnlyList<StrokeMove> Moves)
 {
-    /// <summary>Of how many moves each row of the sequenced table consists: several for an ellipse or spline that was made into arcs and lines. Null where every row is one move.</summary>
+    /// <summary>Number of moves of each row of the sequenced table: several for an ellipse or spline that was converted to arcs and lines. Null when every row
+    /// is one move.</summary>
     public IReadOnlyList<int>? RowMoves { get; init; }
 
     public Point2D Start => Moves[0].Segment.Start;

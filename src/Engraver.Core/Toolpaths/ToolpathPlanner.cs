@@ -4,11 +4,12 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Toolpaths;
 
-/// <summary>Sequenced strokes to a machine-neutral toolpath. Ellipses and splines become arcs and lines here.</summary>
+/// <summary>Converts sequenced strokes to a machine-neutral toolpath. Ellipses and splines become arcs and lines.</summary>
 public static class ToolpathPlanner
 {
-    /// <summary>One toolpath stroke for each sequenced stroke. Lines, arcs and circles are unchanged (motion generation closes gaps within the join tolerance); every piece of an ellipse or spline has its entity's index.</summary>
-    /// <param name="sequenced">What sequencing returned.</param>
+    /// <summary>One toolpath stroke for each sequenced stroke. Lines, arcs and circles are unchanged (motion generation closes gaps within the join tolerance);
+    /// every piece of an ellipse or spline has its entity's index.</summary>
+    /// <param name="sequenced">The result of sequencing.</param>
     /// <param name="toolStart">Position of the tool when the job starts, millimetres.</param>
     /// <param name="maxErrorMm">Largest distance of arcs and lines from their ellipse or spline, above 0.</param>
     public static Toolpath Plan(SequencingResult sequenced, Point2D toolStart, double maxErrorMm)
@@ -17,7 +18,7 @@ public static class ToolpathPlanner
         return new Toolpath(toolStart, sequenced.Table.HasFreeCurves ? [.. sequenced.Strokes.Select(stroke => Cuttable(stroke, maxErrorMm))] : Same(sequenced.Strokes));
     }
 
-    /// <summary>Strokes with their ellipses and splines as they are, for machines that cut them.</summary>
+    /// <summary>Strokes with unchanged ellipses and splines, for machines that cut them directly.</summary>
     public static Toolpath WithCurves(SequencingResult sequenced, Point2D toolStart) => new(toolStart, Same(sequenced.Strokes));
 
     private static MadeList<ToolpathStroke> Same(IReadOnlyList<SequencedStroke> strokes) => new(strokes.Count, index => Same(strokes[index]));

@@ -6,17 +6,19 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Gaps that the join tolerance lets a stroke run across, straight from the true end of one move to the true start of the next. In the middle of one the tool is half of it from either end, and nothing is drawn there.</summary>
+/// <summary>Gaps that a stroke crosses within the join tolerance, straight from the true end of one move to the true start of the next. In the middle of a gap
+/// the tool is half its length from either end, where no segment is drawn.</summary>
 public static class BridgedGaps
 {
-    /// <summary>The gaps as lines, millimetres, in the order of cutting: those in which the tool may be farther from the drawing than <paramref name="deviation"/>.</summary>
+    /// <summary>The gaps as lines, millimetres, in the order of cutting: those in which the tool can be farther from the drawing than
+    /// <paramref name="deviation"/>.</summary>
     public static IReadOnlyList<StrokeMove> Beyond(Toolpath toolpath, double deviation) => [.. All(toolpath).Where(gap => gap.Segment.Length > 2.0 * deviation)];
 
-    /// <summary>The length of the widest gap in a stroke, millimetres; 0 where no stroke has one.</summary>
+    /// <summary>The length of the widest gap in a stroke, millimetres; 0 when no stroke has a gap.</summary>
     public static double Widest(Toolpath toolpath) => All(toolpath).Select(gap => gap.Segment.Length).DefaultIfEmpty().Max();
 
     /// <summary>Null when no gap takes the tool farther from the drawing than rounding and curve error do.</summary>
-    /// <param name="deviation">What rounding and curve error may take the tool from the drawing, millimetres.</param>
+    /// <param name="deviation">Distance of the tool from the drawing that rounding and curve error can cause, millimetres.</param>
     public static Diagnostic? Warning(Toolpath toolpath, double deviation, Func<int, SourceRef> sourceOf)
     {
         var gaps = Beyond(toolpath, deviation);

@@ -3,7 +3,8 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Answers how much of a drawn segment no move runs along. Between two places that lie beside the same move, or beside two that follow each other, the segment is covered; between others it is halved.</summary>
+/// <summary>Determines the part of a drawn segment that no move runs along. Between two places next to the same move, or next to two consecutive moves, the
+/// segment is covered; between other places it is halved.</summary>
 internal sealed class CutCover
 {
     private const int StepsOfPiece = 8;
@@ -21,7 +22,7 @@ internal sealed class CutCover
         _measure = (move, place) => Distance(move, place);
     }
 
-    /// <summary>Length that is farther than <paramref name="within"/> from every move, and where it begins.</summary>
+    /// <summary>Length that is farther than <paramref name="within"/> from every move, and its start.</summary>
     public (double Length, Point2D First) Missing(in Segment drawn, double within)
     {
         if (!drawn.IsFreeCurve) return MissingOfPiece(drawn, within);
@@ -70,10 +71,10 @@ internal sealed class CutCover
 
     private bool AreJoined(int move) => _moves[move].Segment.End == _moves[move + 1].Segment.Start;
 
-    /// <summary>The ends are stored; of a circle they are one.</summary>
+    /// <summary>The ends are stored; for a circle they are the same.</summary>
     private static Point2D PlaceAt(in Segment segment, double fraction) => fraction <= 0.0 ? segment.Start : fraction >= 1.0 ? segment.End : segment.PointAt(fraction);
 
-    /// <summary>A move no farther away, -1 for none. Quick when questions follow a path: the last answer and the next move are tried first.</summary>
+    /// <summary>A move within this distance, -1 for none. Fast for queries along a path: the last result and the next move are tried first.</summary>
     private int MoveBeside(Point2D place, double within)
     {
         for (var move = _last; move < Math.Min(_last + 2, _moves.Count); move++)
@@ -87,6 +88,6 @@ internal sealed class CutCover
 
     private bool IsBeside(int move, Point2D place, double within) => Distance(move, place) <= within;
 
-    /// <summary>Without what rounding alone may make of it.</summary>
+    /// <summary>The value without the share that rounding alone can cause.</summary>
     private double Distance(int move, Point2D place) => Math.Max(0.0, _moves[move].Segment.DistanceTo(place) - ToolpathTolerances.RoundingOf(_moves[move].Segment));
 }

@@ -2,14 +2,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Which part of a nearly straight piece of a curve lies within reach of a cut, or of any segment one along such a piece: between the feet of the cut's ends, as far as the cut stays near.</summary>
-/// <remarks>A cut that only crosses the piece covers nothing of it: what it would cover is shorter than any gap that counts.</remarks>
+/// <summary>The part of a nearly straight piece of a curve within reach of a cut, or the part of any segment within reach of a cut along such a piece: between
+/// the feet of the cut's ends, as far as the cut stays near.</summary>
+/// <remarks>A cut that only crosses the piece covers no part of it: the covered part would be shorter than any relevant gap.</remarks>
 internal static class CutNearCurve
 {
     private const int Places = 8;
     private const int Halvings = 30;
 
-    /// <summary>The ends of an arc of more degrees say nothing of what lies beside it.</summary>
+    /// <summary>Above this sweep in degrees, the ends of an arc do not determine which segments are next to it.</summary>
     private const double Bent = 60.0;
 
     public static void Cover(in Segment piece, in Segment cut, double reach, CoveredParts covered)
@@ -53,7 +54,7 @@ internal static class CutNearCurve
 
     private static bool IsNear(in Segment piece, double parameter, in Segment cut, double reach) => cut.DistanceTo(piece.PointAt(parameter)) <= reach;
 
-    /// <summary>The last parameter within reach on the way from one that is to one that is not.</summary>
+    /// <summary>The last parameter within reach between a parameter within reach and one that is not.</summary>
     private static double Border(in Segment piece, double near, double far, in Segment cut, double reach)
     {
         for (var i = 0; i < Halvings; i++)

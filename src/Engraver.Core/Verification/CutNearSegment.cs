@@ -2,13 +2,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Which parts of a drawn line or arc lie within reach of a cut along a line or an arc.</summary>
-/// <remarks>The places at exactly the reach lie on the cut's offsets to both sides and on circles round its ends; between two of them one place speaks for all.</remarks>
+/// <summary>The parts of a drawn line or arc within reach of a cut along a line or an arc.</summary>
+/// <remarks>The places at exactly the reach are on the cut's offsets to both sides and on circles around its ends; between two of them one place decides for
+/// all.</remarks>
 internal static class CutNearSegment
 {
     private const int MostMarks = 24;
 
-    /// <summary>Any by any; of curves nearly straight pieces.</summary>
+    /// <summary>Any segment and any cut; for curves, nearly straight pieces.</summary>
     public static void CoverAny(in Segment drawn, in Segment cut, double reach, CoveredParts covered)
     {
         if (drawn.IsFreeCurve || cut.IsFreeCurve) CutNearCurve.Cover(drawn, cut, reach, covered);
@@ -16,7 +17,7 @@ internal static class CutNearSegment
         else Cover(drawn, cut, reach, covered);
     }
 
-    /// <summary>A line by a line: one interval, since both the line and what is within reach of the cut are convex.</summary>
+    /// <summary>A line covered by a line: one interval, because both the line and the area within reach of the cut are convex.</summary>
     public static void CoverLine(LineSegment drawn, LineSegment cut, double reach, CoveredParts covered)
     {
         var length = Math.Sqrt((drawn.End - drawn.Start).LengthSquared);
@@ -29,7 +30,7 @@ internal static class CutNearSegment
         if (from <= to && from <= length && to >= 0.0) covered.Add(from / length, to / length);
     }
 
-    /// <summary>A line or an arc by a line or an arc.</summary>
+    /// <summary>A line or an arc covered by a line or an arc.</summary>
     public static void Cover(in Segment drawn, in Segment cut, double reach, CoveredParts covered)
     {
         if (drawn.Length == 0.0) return;
@@ -57,7 +58,7 @@ internal static class CutNearSegment
         {
             var isNear = cut.DistanceTo(drawn.PointAt((marks[i - 1] + marks[i]) / 2.0)) <= reach;
             if (isNear && double.IsNaN(from)) from = marks[i - 1];
-            if (!isNear && !double.IsNaN(from)) covered.Add(from, marks[i - 1]); // whole at once: bits of it would not touch what was covered behind them
+            if (!isNear && !double.IsNaN(from)) covered.Add(from, marks[i - 1]); // whole at once: parts of it would not touch the interval covered before them
             if (!isNear) from = double.NaN;
         }
 
@@ -82,7 +83,7 @@ internal static class CutNearSegment
         if (low <= high) (from, to) = (Math.Min(from, low), Math.Max(to, high));
     }
 
-    /// <summary>Keeps the parameters at which start + slope x parameter lies between two values.</summary>
+    /// <summary>Keeps the parameters at which start + slope x parameter is between two values.</summary>
     private static void Clip(double start, double slope, double least, double most, ref double low, ref double high)
     {
         if (slope == 0.0)
@@ -137,8 +138,8 @@ internal static class CutNearSegment
         MarkAngles(arc, Math.Atan2(way.X, -way.Y), arc.Radius - height, arc.Radius + height, marks, ref count);
     }
 
-    /// <summary>Marks the two places at equal angles from a direction. The angle is given by the squares of the sine and the cosine of its half, in any common measure: by its own cosine an arc of
-    /// kilometres would be told to a tenth of a millimetre only.</summary>
+    /// <summary>Marks the two places at equal angles from a direction. The angle is given by the squares of the sine and the cosine of its half, in any common
+    /// unit: with the cosine of the angle, an arc of kilometres would have a resolution of only a tenth of a millimetre.</summary>
     private static void MarkAngles(ArcSegment arc, double direction, double sineSquared, double cosineSquared, Span<double> marks, ref int count)
     {
         if (!(sineSquared >= 0.0 && cosineSquared >= 0.0) || sineSquared + cosineSquared == 0.0) return;

@@ -2,12 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Which parts of a drawing were cut, as parameter intervals of each segment: exact, however long the segments are.</summary>
-/// <remarks>A cut is held against the segments that are nearest to it and no others, so that thousands that meet in a point or lie on one another cost no more than as many elsewhere.
-/// What that leaves open is asked at the end of what was cut beside it (<see cref="NeighbourCover"/>).</remarks>
+/// <summary>The parts of a drawing that were cut, as parameter intervals of each segment: exact for segments of any length.</summary>
+/// <remarks>A cut is compared only with the segments nearest to it, so that thousands of segments that meet in a point or coincide take no more time than the
+/// same number elsewhere. The remaining parts are finally compared with the cut parts next to them (<see cref="NeighbourCover"/>).</remarks>
 internal sealed class DrawnCoverage
 {
-    /// <summary>Of the length that is missing already: more closely it need not be known.</summary>
+    /// <summary>Fraction of the length already found missing: higher accuracy is not needed.</summary>
     private const double MissingKnown = 1e-5;
 
     private readonly Segment[] _drawing;
@@ -20,7 +20,7 @@ internal sealed class DrawnCoverage
     private int _cut;
 
     /// <param name="drawing">Ellipses and splines as their pieces.</param>
-    /// <param name="index">Of the drawing.</param>
+    /// <param name="index">Index of the drawing.</param>
     public DrawnCoverage(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
     {
         (_drawing, _index, _tolerances, _reach, _cuts) = (drawing, index, tolerances, tolerances.Coverage, new int[drawing.Length]);
@@ -29,11 +29,11 @@ internal sealed class DrawnCoverage
         _followed = new FollowedSegment(drawing, _reach, _covered, Cover);
     }
 
-    /// <summary>Chords, and pairs of a segment and a cut that were compared.</summary>
+    /// <summary>Number of chords, and of pairs of a segment and a cut, that were compared.</summary>
     public long Steps { get; private set; }
 
-    /// <summary>A straight cut between two samples, or a dot.</summary>
-    /// <param name="nearest">The segment nearest to its end, or one near enough; -1 for none.</param>
+    /// <summary>Adds a straight cut between two samples, or a dot.</summary>
+    /// <param name="nearest">The segment nearest to its end, or a segment near enough; -1 for none.</param>
     public void AddChord(Point2D from, Point2D to, int nearest)
     {
         Steps++;
@@ -44,17 +44,17 @@ internal sealed class DrawnCoverage
         _followed.Add(chord);
     }
 
-    /// <summary>The segment along which the last chord went; -1 for none.</summary>
+    /// <summary>The segment that the last chord followed; -1 for none.</summary>
     public int Followed => _followed.Drawn;
 
-    /// <summary>The next chord goes on from a place near this one.</summary>
+    /// <summary>The next chord continues from a place near this one.</summary>
     public void Follow(int nearest) => _followed.Set(nearest);
 
-    /// <summary>From now on another cut is told by <see cref="Add"/>.</summary>
+    /// <summary>From now on <see cref="Add"/> reports a new cut.</summary>
     public void Begin() => _cut++;
 
-    /// <summary>A cut along a line, or an arc of at most half a turn, of any length.</summary>
-    /// <param name="drawn">A segment that some part of it is near; told twice of one cut it is asked once.</param>
+    /// <summary>Adds a cut along a line, or an arc of at most half a turn, of any length.</summary>
+    /// <param name="drawn">A segment near some part of the cut; repeated calls for one cut evaluate it once.</param>
     public void Add(int drawn, in Segment path)
     {
         if (_cuts[drawn] == _cut) return;
@@ -62,8 +62,10 @@ internal sealed class DrawnCoverage
         Cover(drawn, path);
     }
 
-    /// <summary>Length of the drawing that no cut came near, and where the first of it is. Gaps shorter than a step of the drawing are none: chords between samples cut corners.</summary>
-    /// <param name="farthest">The largest distance of a cut from the drawing: so far from the segment that it was held against it may be, and nearer to one beside it.</param>
+    /// <summary>Length of the drawing that no cut came near, and a place in the first missing part. Gaps shorter than a step of the drawing are ignored: chords
+    /// between samples cut corners.</summary>
+    /// <param name="farthest">The largest distance of a cut from the drawing: it can be this far from the segment with which it was compared, and nearer to a
+    /// neighbouring segment.</param>
     public (double Length, Point2D? At) Missing(double farthest)
     {
         var together = _reach + Math.Min(_reach, farthest + (_reach / 100.0));
@@ -95,7 +97,7 @@ internal sealed class DrawnCoverage
         return covered;
     }
 
-    /// <summary>Those that count.</summary>
+    /// <summary>The gaps that are not ignored.</summary>
     private IEnumerable<(double From, double To)> Gaps(int drawn, CoveredParts covered)
     {
         var longest = LongestIgnored(_drawing[drawn].Length);
@@ -121,7 +123,8 @@ internal sealed class DrawnCoverage
     }
 }
 
-/// <summary>Parameter intervals of one segment that have been covered. None is forgotten, however short: where a cut follows another segment for a moment, a neighbour may need it. Cuts that only cross are not told, so they are few.</summary>
+/// <summary>Parameter intervals of one segment that have been covered. All are kept, however short: where a cut briefly follows another segment, a neighbour
+/// may need it. Cuts that only cross are not added, so their number is small.</summary>
 internal sealed class CoveredParts
 {
     private const double Touching = 1e-9;
@@ -144,7 +147,7 @@ internal sealed class CoveredParts
         (_from, _to) = (from, to);
     }
 
-    /// <summary>What is covered, in order, none touching the next.</summary>
+    /// <summary>Covered intervals, in order, none touching the next.</summary>
     public IReadOnlyList<(double From, double To)> Parts()
     {
         var parts = new List<(double From, double To)>(_parts ?? []);
@@ -153,7 +156,7 @@ internal sealed class CoveredParts
         return parts;
     }
 
-    /// <summary>What is not covered, in order.</summary>
+    /// <summary>Uncovered intervals, in order.</summary>
     public IEnumerable<(double From, double To)> Gaps()
     {
         var end = 0.0;

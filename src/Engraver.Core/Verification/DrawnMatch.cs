@@ -6,14 +6,15 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Pairs unchanged moves of a toolpath (lines, arcs, circles; in CL data curves too) with their rows, by entity and exact ends; each row once. In linear time.</summary>
+/// <summary>Pairs unchanged moves of a toolpath (lines, arcs, circles; for CL data also curves) with their rows, by entity and exact ends; each row once. In
+/// linear time.</summary>
 /// <param name="Rows">Rows without a move: ellipses and splines that became arcs, duplicates, lines replaced by an arc, and missing ones.</param>
-/// <param name="Moves">Moves without a row: what replaces those rows, and superfluous ones.</param>
+/// <param name="Moves">Moves without a row: those that replace such rows, and superfluous ones.</param>
 internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<StrokeMove> Moves)
 {
-    /// <param name="drawn">As drawn.</param>
-    /// <param name="toolpath">For it.</param>
-    /// <param name="joint">Told of every move behind another of its stroke, the one before first.</param>
+    /// <param name="drawn">The table as drawn.</param>
+    /// <param name="toolpath">The toolpath of the table.</param>
+    /// <param name="joint">Called for every pair of consecutive moves of a stroke, with the earlier move first.</param>
     public static DrawnMatch From(EntityTable drawn, Toolpath toolpath, Joint joint)
     {
         var pairs = new RowsByPair(drawn);
@@ -39,7 +40,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         return new DrawnMatch(rows, moves);
     }
 
-    /// <summary>Two moves of a stroke, one behind the other.</summary>
+    /// <summary>Two consecutive moves of a stroke.</summary>
     public delegate void Joint(in StrokeMove last, in StrokeMove move);
 
     private static bool Pair(EntityTable drawn, in StrokeMove move, RowsByPair pairs, bool[] paired)
@@ -54,7 +55,8 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         return false;
     }
 
-    /// <summary>For segments with the same ends: lines and circles are then the same, arcs when they also have the same middle, curves when all spans are.</summary>
+    /// <summary>For segments with the same ends: lines and circles are then the same, arcs if they also have the same middle, curves if all spans are
+    /// equal.</summary>
     private static bool AreSame(EntityTable drawn, int row, in Segment cut)
     {
         if (cut.IsFreeCurve) return AreSame(drawn.CurveOf(row)!, cut.Curve);
@@ -81,7 +83,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         return true;
     }
 
-    /// <summary>Both ends in an order that does not depend on the direction; of a circle its centre and radius.</summary>
+    /// <summary>Both ends in an order that does not depend on the direction; for a circle its centre and radius.</summary>
     private readonly record struct PairKey(int Entity, SegmentKind Kind, double X1, double Y1, double X2, double Y2)
     {
         public static PairKey From(in EntityRow row) => row.Kind == SegmentKind.Line ? From(row.StartPoint, row.EndPoint, SegmentKind.Line, row.EntityIndex) : From(row.ToSegment(), row.EntityIndex);
@@ -96,7 +98,8 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
             a.X < b.X || (a.X == b.X && a.Y <= b.Y) ? new PairKey(entity, kind, a.X, a.Y, b.X, b.Y) : new PairKey(entity, kind, b.X, b.Y, a.X, a.Y);
     }
 
-    /// <summary>The rows of a table by their pair, the last first: chains of rows with the same hash, whose keys are read from the rows. An entity with few rows is a chain of its own, so that nothing need be hashed for it.</summary>
+    /// <summary>The rows of a table by their pair, the last first: chains of rows with the same hash, whose keys are read from the rows. An entity with few
+    /// rows has its own chain, without hashing.</summary>
     private sealed class RowsByPair
     {
         private const int None = -1;
@@ -106,7 +109,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         private const int FewRows = 8;
         private readonly EntityTable _drawn;
 
-        /// <summary>By entity its last row; <see cref="Hashed"/> where it has many.</summary>
+        /// <summary>The last row of each entity; <see cref="Hashed"/> for an entity with many rows.</summary>
         private readonly int[] _lastOf;
         private readonly int[] _heads;
         private readonly int[] _next;

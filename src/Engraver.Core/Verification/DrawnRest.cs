@@ -3,27 +3,29 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Answers how far a move lies from the rows that it may stand for: those of its entity, and, when arcs were recovered, an arc for any line.</summary>
-/// <remarks>Each entity is asked by itself, so that thousands that cross it cost nothing.</remarks>
+/// <summary>Determines the distance of a move from the rows that it can represent: those of its entity and, when arcs were recovered, any line for an
+/// arc.</summary>
+/// <remarks>Each entity is evaluated separately, so that thousands of entities that cross it take no additional time.</remarks>
 internal sealed class DrawnRest
 {
-    /// <summary>Places of a move that are looked at, both ends among them.</summary>
+    /// <summary>Number of places of a move that are checked, including both ends.</summary>
     private const int Places = 9;
 
     private readonly Dictionary<int, DrawnRows> _byEntity;
     private readonly DrawnRows? _lines;
 
-    /// <param name="rows">Not paired with a move.</param>
+    /// <param name="rows">Rows without a paired move.</param>
     public DrawnRest(IReadOnlyList<StrokeMove> rows, ToolpathTolerances tolerances)
     {
         _byEntity = rows.GroupBy(row => row.EntityIndex).ToDictionary(group => group.Key, group => new DrawnRows([.. group], tolerances));
         if (tolerances.ArcsRecovered) _lines = new DrawnRows([.. rows.Where(row => row.Segment.Kind == SegmentKind.Line)], tolerances);
     }
 
-    /// <summary>Distances that were computed and boxes that were looked at so far.</summary>
+    /// <summary>Number of distances computed and boxes checked so far.</summary>
     public long Steps => _byEntity.Values.Sum(rows => rows.Steps) + (_lines?.Steps ?? 0);
 
-    /// <summary>The largest distance of the move from what it stands for, where, and how large it may be; infinite when it stands for nothing.</summary>
+    /// <summary>The largest distance of the move from the rows that it represents, its place, and the allowed distance; infinite when it represents no
+    /// row.</summary>
     public (double Distance, Point2D At, double Allowed) Stray(in StrokeMove move)
     {
         var segment = move.Segment;
@@ -44,10 +46,10 @@ internal sealed class DrawnRest
         return worst;
     }
 
-    /// <summary>Rows as pieces. The index is built at the first question: duplicates have no move and are never asked.</summary>
+    /// <summary>Rows as pieces. The index is built at the first query: duplicates have no move and are never queried.</summary>
     private sealed class DrawnRows(IReadOnlyList<StrokeMove> rows, ToolpathTolerances tolerances)
     {
-        /// <summary>Few: pieces of one entity are hardly ever crowded, and there may be as many indexes as entities.</summary>
+        /// <summary>A small number: pieces of one entity are rarely crowded, and there can be as many indexes as entities.</summary>
         private const double BoxesPerPiece = 2.0;
 
         private readonly List<double> _allowed = [];
@@ -55,7 +57,7 @@ internal sealed class DrawnRest
 
         public long Steps => _index?.Steps ?? 0;
 
-        /// <summary>Distance of the nearest row, and how large it may be; infinite when there is no row.</summary>
+        /// <summary>Distance of the nearest row, and the allowed distance; infinite when there is no row.</summary>
         public (double Distance, double Allowed) NearestTo(Point2D place)
         {
             var piece = (_index ??= Index()).NearestTo(place, out var distance);

@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Largest distance of a line or an arc from a drawn line or arc: exact where the nearest point to every point of it is on the drawn one and not beyond its ends, elsewhere an upper bound.</summary>
+/// <summary>Largest distance of a line or an arc from a drawn line or arc: exact where the nearest point to every point of it is within the ends of the drawn
+/// segment, elsewhere an upper bound.</summary>
 internal static class FarthestOf
 {
     /// <param name="drawn">A line, an arc or a circle.</param>
@@ -27,7 +28,8 @@ internal static class FarthestOf
         return Math.Max(Math.Abs(least - arc.Radius), Math.Abs(most - arc.Radius)) + (beyond * most);
     }
 
-    /// <summary>Angle by which the part, seen from the centre of the arc, extends beyond the arc's sweep, radians; infinite when it is not easily found.</summary>
+    /// <summary>Angle by which the part, seen from the centre of the arc, extends beyond the arc's sweep, radians; infinite when it cannot be determined
+    /// simply.</summary>
     private static double AngleBeyond(ArcSegment arc, in Segment part, double nearest)
     {
         var sag = Sagitta(part);

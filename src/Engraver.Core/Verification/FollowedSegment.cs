@@ -2,13 +2,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>The drawn segment along which a tool moves in short straight cuts, and what of it those cover: from foot to foot; only where a run along it begins, turns or ends is it asked exactly.</summary>
+/// <summary>The drawn segment along which a tool moves in short straight cuts, and the part of it that they cover: from foot to foot; exact evaluation is used
+/// only where a run along it starts, turns or ends.</summary>
 /// <param name="drawing">Ellipses and splines as their pieces.</param>
-/// <param name="reach">How near a cut covers, millimetres.</param>
-/// <param name="cover">Exact: covers what of a drawn segment lies within reach of a cut.</param>
+/// <param name="reach">Distance within which a cut covers, millimetres.</param>
+/// <param name="cover">Exact evaluation: covers the part of a drawn segment within reach of a cut.</param>
 internal sealed class FollowedSegment(Segment[] drawing, double reach, CoveredParts[] covered, FollowedSegment.Exactly cover)
 {
-    /// <summary>In segments shorter than so many times the reach every bit counts.</summary>
+    /// <summary>In segments shorter than this multiple of the reach, every part counts.</summary>
     private const double Short = 200.0;
 
     private Segment _last;
@@ -20,10 +21,10 @@ internal sealed class FollowedSegment(Segment[] drawing, double reach, CoveredPa
 
     public delegate void Exactly(int drawn, in Segment cut);
 
-    /// <summary>Its number; -1 for none.</summary>
+    /// <summary>Number of the segment; -1 for none.</summary>
     public int Drawn { get; private set; } = -1;
 
-    /// <summary>Ends what was under way; from now on this one is followed.</summary>
+    /// <summary>Ends the current run; from now on this segment is followed.</summary>
     public void Set(int drawn)
     {
         Break();
@@ -38,7 +39,7 @@ internal sealed class FollowedSegment(Segment[] drawing, double reach, CoveredPa
         _last = chord;
     }
 
-    /// <summary>Covers the end of the run under way, which may go on.</summary>
+    /// <summary>Covers the end of the current run, which can continue.</summary>
     public void Close()
     {
         if (_isOpen) cover(Drawn, _last);
@@ -75,13 +76,14 @@ internal sealed class FollowedSegment(Segment[] drawing, double reach, CoveredPa
         (_foot, _distance, _sense) = (foot, distance, sense == 0 ? _sense : sense);
     }
 
-    /// <summary>All between the feet of the two ends of a chord is within reach of it. The distance from a curve is smooth there, and is asked in the middle.</summary>
+    /// <summary>True when the whole part between the feet of the two ends of a chord is within reach of it. The distance from a curve is smooth there and is
+    /// evaluated in the middle.</summary>
     private bool IsAlong(in Segment segment, double foot, double distance, in Segment chord, double length)
     {
         var farthest = Math.Max(_distance, distance);
         if (!(farthest <= reach) || _isShort) return false;
         if (segment.Kind == SegmentKind.Line) return true;
         if (segment.IsFreeCurve) return chord.Line.DistanceTo(segment.PointAt((_foot + foot) / 2.0)) <= reach;
-        return farthest + (length * length / (8.0 * segment.Arc.Radius)) <= reach && Math.Abs(foot - _foot) < 0.5; // round a circle the foot jumps
+        return farthest + (length * length / (8.0 * segment.Arc.Radius)) <= reach && Math.Abs(foot - _foot) < 0.5; // on a circle the foot jumps
     }
 }

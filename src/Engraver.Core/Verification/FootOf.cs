@@ -8,11 +8,11 @@ internal static class FootOf
     private const int MostSteps = 60;
     private const double ParameterKnown = 1e-12;
 
-    /// <summary>A guess nearer to an end than this is not used: the derivative may be zero there, and Newton's step would lead nowhere.</summary>
+    /// <summary>A guess nearer to an end than this is not used: the derivative can be zero there, and Newton's step would not converge.</summary>
     private const double NearEnd = 1e-4;
 
     /// <param name="segment">A line, an arc, a circle or a nearly straight piece of a curve.</param>
-    /// <param name="guess">Start of the search on a curve; NaN when nothing is known.</param>
+    /// <param name="guess">Start of the search on a curve; NaN when unknown.</param>
     public static (double Foot, double Distance) Place(in Segment segment, Point2D place, double guess)
     {
         if (segment.IsFreeCurve)

@@ -3,10 +3,12 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>The judge of a machine whose tool is moved by an axis: every cutting sample is compared with the drawing in X, Y and Z, and every part of the drawing must have been cut at its depth.</summary>
+/// <summary>The judge of a machine whose tool is moved by an axis: every cutting sample is compared with the drawing in X, Y and Z, and every part of the
+/// drawing must be cut at its depth.</summary>
 /// <remarks>
-/// The drawing is cut so deep below its own heights as the machine profile says; a pass that is not the last one runs higher by a whole multiple of the depth of a pass, which is right but cuts nothing to its depth.
-/// While the tool goes straight up or down over one place, it may be at any height over the drawing there, and nowhere below it. Not thread safe.
+/// The drawing is cut below its heights by the depth in the machine profile; a pass before the last one runs higher by a whole multiple of the depth of a pass,
+/// which is correct but does not reach the final depth. While the tool moves straight up or down at one place, it may be at any height above the drawing there,
+/// and not below it. Not thread safe.
 /// </remarks>
 public sealed class HeightJudge : ITraceJudge
 {
@@ -27,9 +29,9 @@ public sealed class HeightJudge : ITraceJudge
     private double _extra;
     private TraceSample? _worst;
 
-    /// <param name="drawing">What was to be cut, millimetres, with its heights; order and direction do not matter.</param>
-    /// <param name="tolerances">The count of the coarsest of the three axes decides.</param>
-    /// <param name="cutDepth">How far below the drawn heights is cut, millimetres.</param>
+    /// <param name="drawing">The drawing to cut, millimetres, with its heights; order and direction are irrelevant.</param>
+    /// <param name="tolerances">Tolerances based on the count of the coarsest of the three axes.</param>
+    /// <param name="cutDepth">Cutting depth below the drawn heights, millimetres.</param>
     /// <param name="depthPerPass">Millimetres between two passes; null for one pass.</param>
     public HeightJudge(IReadOnlyList<StrokeMove> drawing, double cutDepth, double? depthPerPass, TraceTolerances tolerances)
     {
@@ -49,14 +51,14 @@ public sealed class HeightJudge : ITraceJudge
         _last = sample;
     }
 
-    /// <summary>Before the tool was up for the first time, and over the place where it was found: it is taken out of wherever it stood, on the work or in it.</summary>
+    /// <summary>True until the tool is up for the first time, at its initial place: it is raised from its initial position, on or in the work.</summary>
     private bool IsFirstRaise(in TraceSample sample)
     {
         _found ??= sample.Place;
         return !_hasBeenUp && sample.Place == _found;
     }
 
-    /// <summary>A span is judged by its ends and places a step apart; a machine with a tool axis is told sample by sample.</summary>
+    /// <summary>A span is judged by its ends and places a step apart; a machine with a tool axis is evaluated sample by sample.</summary>
     public void Add(in TraceSpan span)
     {
         var largest = span.Path.Kind is SegmentKind.Arc or SegmentKind.Circle ? Math.Min(_tolerances.LargestStep, Math.Sqrt(8.0 * span.Path.Arc.Radius * _tolerances.ChordSagitta)) : _tolerances.LargestStep;
@@ -81,7 +83,7 @@ public sealed class HeightJudge : ITraceJudge
     {
         _samples++;
         _asked = new Vector3D(sample.XMm, sample.YMm, sample.ZMm);
-        _isVertical = _last is { } before && (before.Place == sample.Place || !before.Cutting); // polled, the first sample of a plunge may be the only one of it
+        _isVertical = _last is { } before && (before.Place == sample.Place || !before.Cutting); // when polled, the first sample of a plunge can be the only one
         var nearest = Nearest(out var deviation);
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         if (deviation > _tolerances.Coverage && _last is { Cutting: true } last) _extra += double.Hypot(last.Place.DistanceTo(sample.Place), last.ZMm - sample.ZMm);
@@ -89,7 +91,7 @@ public sealed class HeightJudge : ITraceJudge
         else _followed = (-1, default);
     }
 
-    /// <summary>The last piece first: samples follow each other.</summary>
+    /// <summary>The last piece is tried first: samples are consecutive.</summary>
     private int Nearest(out double deviation)
     {
         deviation = double.PositiveInfinity;
@@ -113,7 +115,8 @@ public sealed class HeightJudge : ITraceJudge
         _followed = (piece, _asked);
     }
 
-    /// <summary>From one place to the other the tool went straight along what it follows; where that changes, to the end of the one and from the beginning of the other, and along what lies between them.</summary>
+    /// <summary>From one place to the other the tool moved straight along the piece that it follows; when the piece changes, to the end of the first and from
+    /// the start of the second, and along the pieces between them.</summary>
     private void CoverBetween((int Piece, Vector3D Place) from, (int Piece, Vector3D Place) to)
     {
         var middle = (from.Place + to.Place) * 0.5;
@@ -128,7 +131,7 @@ public sealed class HeightJudge : ITraceJudge
         Cover(to.Piece, FootAt(to.Piece, from.Place), FootAt(to.Piece, to.Place));
     }
 
-    /// <summary>What is followed at a place between two samples; null for nothing.</summary>
+    /// <summary>The piece followed at a place between two samples; null for none.</summary>
     private int? PieceAt(Vector3D place)
     {
         var asked = _asked;
@@ -154,7 +157,7 @@ public sealed class HeightJudge : ITraceJudge
 
     private double FootAt(int piece, Vector3D place) => _pieces.Nearest(piece, place).Foot;
 
-    /// <summary>Distance of the asked place from a piece, or from the same piece in an earlier pass.</summary>
+    /// <summary>Distance of the queried place from a piece, or from the same piece in an earlier pass.</summary>
     private (double Foot, double Distance, bool IsAtDepth) Measure(int piece)
     {
         var passes = _depthPerPass is { } step ? Math.Max(0.0, Math.Round((_asked.Z - _pieces.HeightOver(piece, _asked)) / step)) * step : 0.0;
@@ -164,7 +167,7 @@ public sealed class HeightJudge : ITraceJudge
         return Math.Min(distance, double.Hypot(inPlan, below)) is var free && free < distance ? (foot, free, false) : (foot, distance, passes == 0.0);
     }
 
-    /// <summary>A gap is no gap where another piece of the drawing that lies on this one was cut.</summary>
+    /// <summary>A gap does not count where another piece of the drawing that coincides with this one was cut.</summary>
     private void AddMissing(int piece, double from, double to, ref double missing, ref Point2D? first)
     {
         var length = _pieces.Plan[piece].Length;
@@ -180,7 +183,7 @@ public sealed class HeightJudge : ITraceJudge
         }
     }
 
-    /// <summary>Rounding leaves the very ends of a piece beside what was cut of it.</summary>
+    /// <summary>Due to rounding, the extreme ends of a piece can be outside the part that was cut.</summary>
     private double DistanceToCut(int piece, Vector3D place)
     {
         var (foot, _) = _pieces.Nearest(piece, place);
@@ -188,7 +191,8 @@ public sealed class HeightJudge : ITraceJudge
     }
 }
 
-/// <summary>A drawing in three coordinates: lines that may rise, and level arcs and pieces of curves; millimetres, at the depth at which they are cut.</summary>
+/// <summary>A drawing in three coordinates: lines that can rise, and level arcs and pieces of curves; millimetres, at the depth at which they are
+/// cut.</summary>
 /// <param name="Plan">Ellipses and splines as their pieces.</param>
 /// <param name="From">Height at the start of each.</param>
 /// <param name="To">Height at the end of each.</param>
@@ -210,7 +214,7 @@ internal sealed record DrawnPieces(Segment[] Plan, double[] From, double[] To)
         return new DrawnPieces([.. plan], [.. from], [.. to]);
     }
 
-    /// <summary>Place of a piece nearest to a place, as a fraction, and how far away it is.</summary>
+    /// <summary>Point of a piece nearest to a place, as a fraction, and its distance.</summary>
     public (double Foot, double Distance) Nearest(int piece, Vector3D place)
     {
         ref readonly var segment = ref Plan[piece];

@@ -2,8 +2,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>What of a drawn segment lies beside places of other segments that were cut. To the judge drawn lines so close together are one.</summary>
-/// <remarks>A gap is asked in its middle: what the cut segment found there covers is done with, the rest is asked again. So few steps tell a gap among thousands of lines on one another.</remarks>
+/// <summary>The part of a drawn segment next to cut places of other segments. The judge treats drawn lines this close together as one.</summary>
+/// <remarks>A gap is evaluated in its middle: the part covered by the cut segment found there is complete, the rest is evaluated again. A gap among thousands
+/// of coincident lines therefore needs few steps.</remarks>
 internal sealed class NeighbourCover
 {
     private readonly Segment[] _drawing;
@@ -15,9 +16,9 @@ internal sealed class NeighbourCover
     private int _drawn;
 
     /// <param name="drawing">Ellipses and splines as their pieces.</param>
-    /// <param name="index">Of the drawing.</param>
-    /// <param name="covered">What of each was cut.</param>
-    /// <param name="reach">How close together two drawn places are one, millimetres.</param>
+    /// <param name="index">Index of the drawing.</param>
+    /// <param name="covered">The cut parts of each segment.</param>
+    /// <param name="reach">Distance within which two drawn places count as one, millimetres.</param>
     public NeighbourCover(Segment[] drawing, SegmentIndex index, CoveredParts[] covered, double reach)
     {
         (_drawing, _index, _reach) = (drawing, index, reach);
@@ -25,11 +26,11 @@ internal sealed class NeighbourCover
         _measure = (other, place) => CutNear(other, place).Distance;
     }
 
-    /// <summary>Covers what of a gap lies beside others that were cut.</summary>
+    /// <summary>Covers the parts of a gap next to other segments that were cut.</summary>
     /// <param name="drawn">Number of the segment.</param>
-    /// <param name="gap">Of the segment, as fractions.</param>
-    /// <param name="shortest">Shorter parts of the gap are left as they are; a fraction.</param>
-    /// <param name="found">Takes what is covered.</param>
+    /// <param name="gap">Gap of the segment, as fractions.</param>
+    /// <param name="shortest">Shorter parts of the gap stay unchanged; a fraction.</param>
+    /// <param name="found">Receives the covered parts.</param>
     public void Cover(int drawn, (double From, double To) gap, double shortest, CoveredParts found)
     {
         _drawn = drawn;
@@ -45,7 +46,7 @@ internal sealed class NeighbourCover
         }
     }
 
-    /// <summary>What is covered round a place; nothing of it when no other comes near there.</summary>
+    /// <summary>The covered part around a place; empty when no other segment is near it.</summary>
     private (double From, double To) CoveredAt(double fraction)
     {
         ref readonly var segment = ref _drawing[_drawn];
@@ -53,7 +54,7 @@ internal sealed class NeighbourCover
         var other = _index.NearestBy(_measure, place, _reach, _reach / 2.0, out var distance);
         if (other < 0) return (fraction, fraction);
         var (first, last) = _cut[other][CutNear(other, place).Part];
-        var round = (_reach - distance) / Math.Max(segment.Length, double.Epsilon); // all so near to the place is near the part
+        var round = (_reach - distance) / Math.Max(segment.Length, double.Epsilon); // all points this near to the place are near the part
         var covered = new CoveredParts();
         covered.Add(fraction - round, fraction + round);
         CutNearSegment.CoverAny(segment, SegmentPart.Of(_drawing[other], first, last), _reach, covered);
@@ -65,13 +66,13 @@ internal sealed class NeighbourCover
         return (fraction, fraction);
     }
 
-    /// <summary>The nearest part of another segment that was cut: where the foot is, or before or behind it; round a circle also the first and the last.</summary>
+    /// <summary>The nearest part of another segment that was cut: at the foot, or before or after it; for a circle also the first and the last.</summary>
     private (double Distance, int Part) CutNear(int other, Point2D place)
     {
         var parts = _cut[other];
         if (other == _drawn || parts.Count == 0) return (double.PositiveInfinity, -1);
         ref readonly var segment = ref _drawing[other];
-        if (segment.Kind is SegmentKind.Arc or SegmentKind.Circle && Math.Abs(segment.Arc.Centre.DistanceTo(place) - segment.Arc.Radius) > _reach) return (double.PositiveInfinity, -1); // of crowded rings nearly all
+        if (segment.Kind is SegmentKind.Arc or SegmentKind.Circle && Math.Abs(segment.Arc.Centre.DistanceTo(place) - segment.Arc.Radius) > _reach) return (double.PositiveInfinity, -1); // excludes nearly all crowded rings
         var (foot, distance) = FootOf.Place(segment, place, double.NaN);
         var after = FirstEndingAt(parts, foot);
         if (after < parts.Count && parts[after].From <= foot) return (distance, after);

@@ -3,14 +3,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Where a machine really was in a run, thinned to a size that can be kept: by the simulator's record, or by the positions that a controller was polled for.</summary>
+/// <summary>The actual machine positions of a run, thinned to a size that can be stored: from the simulator's record, or from polled controller
+/// positions.</summary>
 /// <param name="Source">"record", "polled" or "plan".</param>
-/// <param name="Places">In the order of time.</param>
+/// <param name="Places">Positions in order of time.</param>
 public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places)
 {
     private const double LeastSecondsOfSpeed = 0.0099;
 
-    /// <summary>The columns of the first version, which did not know the following error nor the drawing.</summary>
+    /// <summary>The columns of the first version, which had neither the following error nor the drawing.</summary>
     private const string FirstHeader = "seconds,x,y,tool,deviation";
 
     private const string Header = FirstHeader + ",following";
@@ -23,16 +24,16 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
 
     private const string DrawingMark = "; drawing ";
 
-    /// <summary>Of the drawing that was cut (<see cref="DrawnFingerprint"/>); empty in a trace of the first version.</summary>
+    /// <summary>Fingerprint of the drawing that was cut (<see cref="DrawnFingerprint"/>); empty in a trace of the first version.</summary>
     public string Drawing { get; init; } = "";
 
-    /// <summary>Whether the following error of any place is known.</summary>
+    /// <summary>True when the following error of at least one place is known.</summary>
     public bool KnowsFollowing => Places.Any(place => place.FollowingMm is not null);
 
-    /// <summary>Whether it can be a run of this drawing; of a trace that does not say it nobody knows better.</summary>
+    /// <summary>True when it can be a run of this drawing; also true for a trace without a fingerprint.</summary>
     public bool CanBeOf(string fingerprint) => Drawing.Length == 0 || Drawing == fingerprint;
 
-    /// <summary>Writes it as CSV, lengths in millimetres of the drawing; the first line names the source.</summary>
+    /// <summary>Writes the trace as CSV, lengths in millimetres of the drawing; the first line names the source.</summary>
     public void Write(TextWriter output)
     {
         ArgumentNullException.ThrowIfNull(output);
@@ -43,7 +44,7 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
     }
 
     /// <summary>Reads what <see cref="Write"/> wrote, in this version or the first.</summary>
-    /// <exception cref="FormatException">The text is something else; the message names the line.</exception>
+    /// <exception cref="FormatException">The text is not a trace; the message names the line.</exception>
     public static RunTrace Read(TextReader input)
     {
         ArgumentNullException.ThrowIfNull(input);
@@ -58,7 +59,7 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
         return new RunTrace(source, places) { Drawing = drawing };
     }
 
-    /// <summary>The source, the version and the drawing of the first line; of the first version it is the source alone.</summary>
+    /// <summary>The source, the version and the drawing of the first line; in the first version only the source.</summary>
     private static (string Source, int? Version, string Drawing) TitleOf(string title)
     {
         var at = title.IndexOf(VersionMark, StringComparison.Ordinal);
@@ -67,7 +68,8 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
         return (title[..at], int.TryParse(rest[0].Split(';')[0], NumberStyles.None, CultureInfo.InvariantCulture, out var version) ? version : null, rest is [_, var drawing] ? drawing : "");
     }
 
-    /// <summary>Speed on the way to a place, mm/s, over the last hundredth of a second: one count in a thousandth of a second is no speed. 0 for the first, and where no time has passed.</summary>
+    /// <summary>Speed on the way to a place, mm/s, over the last hundredth of a second: one count in a thousandth of a second does not give a usable speed. 0
+    /// for the first place, and when no time has passed.</summary>
     public double SpeedTo(int place)
     {
         var (way, first) = (0.0, place);
@@ -98,8 +100,8 @@ public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places
 
 /// <summary>One place of a run.</summary>
 /// <param name="Seconds">Controller time.</param>
-/// <param name="Place">Millimetres of the drawing.</param>
-/// <param name="ToolOn">Whether the tool output was on.</param>
+/// <param name="Place">Position in millimetres of the drawing.</param>
+/// <param name="ToolOn">True when the tool output was on.</param>
 /// <param name="DeviationMm">Distance from the drawing while the tool was on; 0 while it was off.</param>
-/// <param name="FollowingMm">How far the motors were from their command; null where nobody asked.</param>
+/// <param name="FollowingMm">Distance of the motors from their commanded positions, millimetres; null when not recorded.</param>
 public readonly record struct RunTracePlace(double Seconds, Point2D Place, bool ToolOn, double DeviationMm, double? FollowingMm = null);

@@ -4,14 +4,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Keeps where a machine was while it runs. However long the run, no more than a number of places is kept: when they are too many, two neighbours become one, the one that deviates more, with the larger following error of both, so that the worst of a run is never thinned out.</summary>
+/// <summary>Records machine positions during a run. The number of stored places is limited for any length of run: when there are too many, two neighbours are
+/// merged to the one with the larger deviation, with the larger following error of both, so that the largest errors of a run are never lost.</summary>
 /// <remarks>Not thread safe.</remarks>
 public sealed class RunTraceBuilder
 {
-    /// <summary>About 2 MB in the file.</summary>
+    /// <summary>Default limit of places, about 2 MB in the file.</summary>
     public const int MostPlaces = 40_000;
 
-    /// <summary>A span of constant speed is told by places this far apart in time, seconds.</summary>
+    /// <summary>Time between the places that represent a span of constant speed, seconds.</summary>
     private const double SpanStepSeconds = 0.01;
 
     private const int MostStepsOfSpan = 500;
@@ -24,8 +25,8 @@ public sealed class RunTraceBuilder
     private int _waiting;
     private RunTracePlace _worst;
 
-    /// <param name="drawing">What was to be cut, millimetres.</param>
-    /// <param name="most">The number of places that are kept, at least 4.</param>
+    /// <param name="drawing">The drawing to cut, millimetres.</param>
+    /// <param name="most">Maximum number of stored places, at least 4.</param>
     public RunTraceBuilder(IReadOnlyList<Segment> drawing, int most = MostPlaces)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(most, 4);
@@ -34,7 +35,7 @@ public sealed class RunTraceBuilder
         _most = most;
     }
 
-    /// <summary>The machine was here.</summary>
+    /// <summary>Adds a machine position.</summary>
     public void Add(in TraceSample sample)
     {
         var deviation = 0.0;
@@ -42,17 +43,18 @@ public sealed class RunTraceBuilder
         Add(new RunTracePlace(sample.Seconds, sample.Place, sample.Cutting, deviation, sample.FollowingMm));
     }
 
-    /// <summary>A place that deviates no more than this is not kept, however much it is: of those that become one place, another deviates more.</summary>
+    /// <summary>A place with a deviation up to this value is not stored, whatever its exact value: of the places that are merged, another one deviates
+    /// more.</summary>
     private double Overlooked(in TraceSample sample) => _waiting > 0 && _worst.ToolOn == sample.Cutting ? Math.BitDecrement(_worst.DeviationMm) : -1.0;
 
-    /// <summary>The machine went along here.</summary>
+    /// <summary>Adds a span that the machine moved along.</summary>
     public void Add(in TraceSpan span)
     {
         var steps = (int)Math.Clamp(Math.Ceiling((span.ToSeconds - span.FromSeconds) / SpanStepSeconds), 1.0, MostStepsOfSpan);
         for (var i = 0; i <= steps; i++) Add(span.At((double)i / steps));
     }
 
-    /// <summary>What was kept.</summary>
+    /// <summary>The stored trace.</summary>
     /// <param name="source">"record" or "polled".</param>
     public RunTrace ToTrace(string source) => new(source, _waiting == 0 ? [.. _places] : [.. _places, _worst]) { Drawing = _drawing };
 
@@ -81,12 +83,13 @@ public sealed class RunTraceBuilder
     private static double? Larger(double? one, double? other) => one is { } known && other is { } also ? Math.Max(known, also) : one ?? other;
 }
 
-/// <summary>A short text by which the curves of a drawing are known again, wherever they are cut and however fast. Curves that are a millionth of a millimetre apart are the same.</summary>
+/// <summary>A short text that identifies the curves of a drawing, independent of the position and speed of the cut. Curves that are a millionth of a millimetre
+/// apart are the same.</summary>
 public static class DrawnFingerprint
 {
     private const double PerMillimetre = 1e6;
 
-    /// <param name="drawing">Millimetres, in the order of the drawing.</param>
+    /// <param name="drawing">Segments in millimetres, in the order of the drawing.</param>
     /// <returns>16 hexadecimal digits.</returns>
     public static string Of(IReadOnlyList<Segment> drawing)
     {

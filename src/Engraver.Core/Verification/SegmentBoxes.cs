@@ -2,11 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Oriented boxes round segments. Where curved ones lie closer together than their boxes are wide they are cut into pieces until the boxes are that narrow, and long ones into pieces of like length.</summary>
-/// <remarks>The number of boxes is bounded: a few for each segment, and some hundred thousand in all that crowded rings may have more.</remarks>
-/// <param name="Boxes">Of all pieces, segment by segment.</param>
+/// <summary>Oriented boxes around segments. Curved segments that are closer together than the width of their boxes are cut into pieces until the boxes are
+/// narrower, and long segments into pieces of similar length.</summary>
+/// <remarks>The number of boxes is bounded: a few for each segment, and some hundred thousand in total as a reserve for crowded rings.</remarks>
+/// <param name="Boxes">Boxes of all pieces, segment by segment.</param>
 /// <param name="Owners">The segment of each.</param>
-/// <param name="Parts">Which part of it, as fractions; of a curve of many spans the whole of it.</param>
+/// <param name="Parts">The part of the segment, as fractions; for a curve of many spans, the whole curve.</param>
 internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double From, double To)[] Parts)
 {
     private const double PiecesPerSegment = 24.0;
@@ -14,13 +15,14 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
     private const double FewPieces = 4096.0;
     private const int MostPiecesOfOne = 4096;
 
-    /// <summary>Of what would lie between neighbours if all were spread evenly over the drawing: so wide a box may be. Most of a drawing is empty.</summary>
+    /// <summary>Largest width of a box, as a fraction of the distance between neighbours if all were spread evenly over the drawing. Most of a drawing is
+    /// empty.</summary>
     private const double Narrow = 1.0 / 16.0;
 
     public static SegmentBoxes From(IReadOnlyList<Segment> segments) => From(segments, FewPieces + Math.Min(MostPieces, PiecesPerSegment * segments.Count));
 
     /// <param name="segments">See <see cref="SegmentIndex"/>.</param>
-    /// <param name="budget">About so many boxes, and more where each segment needs more.</param>
+    /// <param name="budget">Approximate number of boxes; more when the segments need more.</param>
     public static SegmentBoxes From(IReadOnlyList<Segment> segments, double budget)
     {
         var (extents, total) = (Bounds2D.Empty, 0.0);
@@ -54,7 +56,8 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
         return (int)Math.Max(least, Math.Min(MostPiecesOfOne, Math.Ceiling(wanted)));
     }
 
-    /// <summary>Width of the box round the segment (of a curve, round its widest span), or round a circle what would shrink like one.</summary>
+    /// <summary>Width of the box round the segment (of a curve, round its widest span), or for a circle, the equivalent width that shrinks in the same
+    /// way.</summary>
     private static double SagOf(in Segment segment)
     {
         if (segment.Kind == SegmentKind.Line) return 0.0;

@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Answers how far a place is from the nearest of many segments, and whether a cut comes near any. However crowded they are, few are looked at: their boxes lie along them.</summary>
+/// <summary>Determines the distance of a place from the nearest of many segments, and whether a cut comes near any of them. Only a few are checked even when
+/// they are crowded, because their boxes are oriented along them.</summary>
 internal sealed class SegmentIndex
 {
     private readonly Segment[] _segments;
@@ -18,7 +19,7 @@ internal sealed class SegmentIndex
     private int _last;
     private double _foot = double.NaN;
 
-    /// <summary>Does it hold of a segment between two fractions of it?</summary>
+    /// <summary>A condition on a segment between two of its fractions.</summary>
     public delegate bool Question(int segment, double from, double to);
 
     /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
@@ -27,8 +28,8 @@ internal sealed class SegmentIndex
     {
     }
 
-    /// <param name="segments">As above.</param>
-    /// <param name="pieces">Their boxes; the fewer, the sooner it is built.</param>
+    /// <param name="segments">Segments as above.</param>
+    /// <param name="pieces">Their boxes; fewer boxes shorten the build time.</param>
     public SegmentIndex(Segment[] segments, SegmentBoxes pieces)
     {
         _segments = segments;
@@ -39,10 +40,11 @@ internal sealed class SegmentIndex
         _measureOnce = MeasureOnce;
     }
 
-    /// <summary>Distances of segments that were computed and boxes that were looked at so far.</summary>
+    /// <summary>Number of segment distances computed and boxes checked so far.</summary>
     public long Steps => _tree.Steps + _measured;
 
-    /// <summary>Number and distance of the nearest segment; -1 and infinite when there is none. Quick when questions follow a path: the last answer bounds the next search.</summary>
+    /// <summary>Number and distance of the nearest segment; -1 and infinite when there is none. Fast for queries along a path: the last result bounds the next
+    /// search.</summary>
     public int NearestTo(Point2D place, out double distance)
     {
         distance = double.PositiveInfinity;
@@ -50,9 +52,9 @@ internal sealed class SegmentIndex
         return NearestTo(place, Distance(_last, place), 0.0, out distance);
     }
 
-    /// <summary>The nearest segment by a measure of one's own; -1 when none is as near as <paramref name="within"/>.</summary>
-    /// <param name="measure">By number of the segment; nowhere less than its distance.</param>
-    /// <param name="enough">The first that is no farther than this will do.</param>
+    /// <summary>The nearest segment by a given measure; -1 when none is as near as <paramref name="within"/>.</summary>
+    /// <param name="measure">Measure by number of the segment; never less than its distance.</param>
+    /// <param name="enough">The first segment within this distance is accepted.</param>
     public int NearestBy(BoxTree.Measure measure, Point2D place, double within, double enough, out double distance)
     {
         _stamp++;
@@ -61,7 +63,8 @@ internal sealed class SegmentIndex
         return piece >= 0 ? _owners[piece] : -1;
     }
 
-    /// <summary>As <see cref="NearestTo(Point2D, out double)"/>, but any that is no farther than <paramref name="enough"/> will do, the last answer first. Keeps a path along one of many crowded segments from asking all of them.</summary>
+    /// <summary>As <see cref="NearestTo(Point2D, out double)"/>, but any segment within <paramref name="enough"/> is accepted, the last result first. This
+    /// avoids a query of all segments for a path along one of many crowded segments.</summary>
     public int NearEnoughTo(Point2D place, double enough, out double distance)
     {
         distance = double.PositiveInfinity;
@@ -71,7 +74,8 @@ internal sealed class SegmentIndex
         return distance <= enough ? _last : NearestTo(place, distance, enough, out distance);
     }
 
-    /// <summary>The foot on a curve moves little from one place to the next, and a point of the curve is enough where it is near enough: the exact distance, which costs ten times as much, is no larger.</summary>
+    /// <summary>The foot on a curve moves little from one place to the next, and a point of the curve that is near enough is sufficient: the exact distance,
+    /// which takes ten times as long, is not larger.</summary>
     private bool IsNearLast(Point2D place, double enough, out double distance)
     {
         _measured++;
@@ -79,11 +83,11 @@ internal sealed class SegmentIndex
         return distance <= enough;
     }
 
-    /// <summary>False when no segment comes within reach of a line, an arc or a piece of a curve; true when one does, or may.</summary>
+    /// <summary>False when no segment comes within reach of a line, an arc or a piece of a curve; true when a segment is or can be within reach.</summary>
     public bool ComesNear(Segment path, double reach) =>
         ComesNear(path, reach, (segment, from, to) => SegmentsApart.MayComeNear(path, SegmentPart.Of(_segments[segment], from, to), reach));
 
-    /// <summary>As above, asking of each part of a segment whose box does.</summary>
+    /// <summary>As above, with a condition on each part of a segment whose box is within reach.</summary>
     public bool ComesNear(in Segment path, double reach, Question isNear) => _tree.ComesNear(path, reach, piece =>
     {
         _measured++;
@@ -93,10 +97,10 @@ internal sealed class SegmentIndex
     private int NearestTo(Point2D place, double within, double enough, out double distance)
     {
         var nearest = NearestBy(_distance, place, within, enough, out distance);
-        return nearest >= 0 ? _last = nearest : _last; // none found: none is nearer than the last
+        return nearest >= 0 ? _last = nearest : _last; // none found: the last one is the nearest
     }
 
-    /// <summary>Pieces of a segment measure the whole of it, so that one is enough.</summary>
+    /// <summary>Each piece of a segment measures the whole segment, so that one is sufficient.</summary>
     private double MeasureOnce(int piece, Point2D place)
     {
         var segment = _owners[piece];

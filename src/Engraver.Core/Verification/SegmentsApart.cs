@@ -2,12 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Tells segments apart whose boxes meet: curved ones are halved until their boxes part them, or are as good as straight.</summary>
+/// <summary>Separates segments whose boxes meet: curved segments are halved until their boxes are separate or they are almost straight.</summary>
 internal static class SegmentsApart
 {
-    /// <summary>False when no place of the one is within reach of the other; true when one is, or nearly.</summary>
+    /// <summary>False when no place of one segment is within reach of the other; true when a place is within reach, or nearly.</summary>
     /// <param name="path">A line, an arc or a curve of one span.</param>
-    /// <param name="part">The same; a curve of many spans comes near everything.</param>
+    /// <param name="part">The same; a curve of many spans counts as near every segment.</param>
     public static bool MayComeNear(in Segment path, in Segment part, double reach)
     {
         if (part.IsFreeCurve && part.Curve.Spans.Length > 1) return true;
@@ -16,7 +16,7 @@ internal static class SegmentsApart
         if (Math.Max(first.HalfWidth, second.HalfWidth) <= reach) return true;
         var distance = part.DistanceTo(path.PointAt(0.5));
         if (distance <= reach) return true;
-        if (!path.IsFreeCurve && distance > reach + (path.Length / 2.0)) return false; // half the path leads away from its middle
+        if (!path.IsFreeCurve && distance > reach + (path.Length / 2.0)) return false; // half the path extends from its middle
         return first.HalfWidth >= second.HalfWidth
             ? MayComeNear(SegmentPart.Of(path, 0.0, 0.5), part, reach) || MayComeNear(SegmentPart.Of(path, 0.5, 1.0), part, reach)
             : MayComeNear(path, SegmentPart.Of(part, 0.0, 0.5), reach) || MayComeNear(path, SegmentPart.Of(part, 0.5, 1.0), reach);

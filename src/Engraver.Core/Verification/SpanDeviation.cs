@@ -2,14 +2,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Largest distance of a span from the drawing, how much of it lies beside it, and which segments it is near, without walking along it: a part is done when it can hold nothing worse than what is known.</summary>
-/// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestOf"/>), so that the work follows the number of joints under a span and not its length.
-/// Against curves a part is judged by three places once it is short and lies over one piece or two neighbours, on which the distance is smooth.</remarks>
+/// <summary>Largest distance of a span from the drawing, the length outside the drawing, and the segments near it, without stepping along it: a part is
+/// complete when it cannot contain a larger deviation than the known one.</summary>
+/// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestOf"/>), so that the work follows the number of joints under a span and
+/// not its length. For curves, a part is evaluated at three places when it is short and over one piece or two neighbours, where the distance is
+/// smooth.</remarks>
 internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, DrawnCoverage coverage, TraceTolerances tolerances)
 {
     private const double KnownPart = 0.002;
 
-    /// <summary>Of the length beside the drawing so far: a shorter part is beside it, or not, by its middle.</summary>
+    /// <summary>Fraction of the length outside the drawing so far: a shorter part is classified by its middle.</summary>
     private const double ExtraKnown = 1e-5;
     private const double ShortPart = 1.0 / 8.0;
     private const int DeepestPart = 60;
@@ -20,8 +22,8 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
     private double _undecided;
     private Result _found;
 
-    /// <param name="known">The largest distance found before: less need not be found exactly.</param>
-    /// <param name="extra">And the length beside the drawing.</param>
+    /// <param name="known">The largest distance found so far: smaller distances need not be exact.</param>
+    /// <param name="extra">The length outside the drawing found so far.</param>
     public Result Measure(in TraceSpan span, double known, double extra)
     {
         _found = new Result(known, 0.0, 0.0);
@@ -63,13 +65,13 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
         Visit(path, middle, to, depth - 1);
     }
 
-    /// <summary>A part that holds no more than this changes nothing worth telling.</summary>
+    /// <summary>A part with a deviation up to this value does not change the result significantly.</summary>
     private double Enough => _found.Largest + Math.Max(_resolution, KnownPart * _found.Largest);
 
-    /// <summary>A place no farther than this is neither beside the drawing nor the farthest yet; which segment is nearest to it does not matter.</summary>
+    /// <summary>A place within this distance is neither outside the drawing nor the farthest so far; its nearest segment is irrelevant.</summary>
     private double Unremarkable => Math.Min(_found.Largest, _reach);
 
-    /// <summary>Tells what is found there as well.</summary>
+    /// <summary>Also reports the segment found there.</summary>
     private int Nearest(in Segment path, double at, out double distance)
     {
         var nearest = index.NearEnoughTo(path.PointAt(at), Unremarkable, out distance);
@@ -93,7 +95,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
     }
 
     /// <param name="Largest">Millimetres, at least what was known before.</param>
-    /// <param name="At">Where, as a fraction of the span; without meaning when nothing larger was found.</param>
+    /// <param name="At">Place as a fraction of the span; undefined when no larger deviation was found.</param>
     /// <param name="Extra">Length farther from the drawing than the coverage tolerance.</param>
     internal readonly record struct Result(double Largest, double At, double Extra);
 }

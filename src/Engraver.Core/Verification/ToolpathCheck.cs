@@ -6,20 +6,22 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Compares a toolpath with the drawing it was planned from, in both directions, before anything is sent or written. Shares no method with the planning: lines and arcs are found by entity and ends, curves by evaluation.</summary>
+/// <summary>Compares a toolpath with the drawing it was planned from, in both directions, before anything is sent or written. Shares no method with the
+/// planning: lines and arcs are found by entity and ends, curves by evaluation.</summary>
 /// <remarks>Linear in the number of unchanged segments, and n log n for the rest: curves, omitted duplicates, arcs that replace lines.</remarks>
 public static class ToolpathCheck
 {
-    /// <summary>Most findings: one is enough to refuse the path.</summary>
+    /// <summary>Maximum number of findings: one is sufficient to refuse the path.</summary>
     private const int MostFindings = 20;
 
-    /// <summary>Part by which the cut length of a curve may exceed its own, plus a multiple of the tolerance.</summary>
+    /// <summary>Fraction by which the cut length of a curve may exceed its length, plus a multiple of the tolerance.</summary>
     private const double LongerThanCurve = 1.1;
     private const double LongerByTolerances = 20.0;
 
-    /// <summary>Empty when the path cuts exactly what is drawn; otherwise errors (VER0020 to VER0022), one for each entity and kind, that name the entity.</summary>
+    /// <summary>Empty when the path cuts exactly what is drawn; otherwise errors (VER0020 to VER0022), one for each entity and kind, that name the
+    /// entity.</summary>
     /// <param name="drawn">The analysed table as drawn, duplicates included, millimetres, all coordinates finite.</param>
-    /// <param name="toolpath">The path for it, with ellipses and splines as arcs or as they are.</param>
+    /// <param name="toolpath">The path for it, with ellipses and splines as arcs or unchanged.</param>
     /// <param name="tolerances">Allowed differences.</param>
     /// <param name="sourceOf">Position of an entity in the drawing's file.</param>
     public static IReadOnlyList<Diagnostic> Findings(EntityTable drawn, Toolpath toolpath, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
@@ -30,7 +32,8 @@ public static class ToolpathCheck
         return [.. findings.Take(MostFindings).Select(found => Diagnostic(found.Key.Rule, found.Value, sourceOf(found.Key.Entity)))];
     }
 
-    /// <summary>Checks the gap between two moves: the tool stays on from the first move of a stroke to the last, so what lies between two moves is cut too.</summary>
+    /// <summary>Checks the gap between two moves: the tool stays on from the first move of a stroke to the last, so the gap between two moves is cut
+    /// too.</summary>
     private static void AddJump(in StrokeMove last, in StrokeMove move, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         if (last.Segment.End.IsNear(move.Segment.Start, tolerances.JoinTolerance)) return;
@@ -54,7 +57,7 @@ public static class ToolpathCheck
         AddMissing(match, toolpath, tolerances, findings);
     }
 
-    /// <summary>Finds arcs of a curve that are cut twice: they lie where they should, but their length is too large.</summary>
+    /// <summary>Finds arcs of a curve that are cut twice: their position is correct, but their length is too large.</summary>
     private static void AddRepeated(DrawnMatch match, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         var lengths = new Dictionary<int, double>();
@@ -72,7 +75,7 @@ public static class ToolpathCheck
         }
     }
 
-    /// <summary>Tests against the moves that replace curves and lines first, then against everything that is cut: a duplicate is covered by its double.</summary>
+    /// <summary>Tests against the moves that replace curves and lines first, then against all moves: a duplicate is covered by its counterpart.</summary>
     private static void AddMissing(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         var standing = new CutCover(match.Moves);
@@ -87,7 +90,7 @@ public static class ToolpathCheck
         }
     }
 
-    /// <summary>Lengths add up; of deviations the largest counts.</summary>
+    /// <summary>Lengths are added; of the deviations, the largest counts.</summary>
     private static void Add(Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings, DiagnosticRule rule, int entity, Misfit fault)
     {
         if (!findings.TryGetValue((rule, entity), out var known)) findings[(rule, entity)] = fault;

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Verification;
 
 /// <summary>Allowed differences between a toolpath and its drawing, millimetres.</summary>
-/// <param name="MaxError">Largest distance of arcs and lines from the ellipse or spline that they approximate, of a recovered arc from its lines, and of a duplicate from what is cut in its place.</param>
+/// <param name="MaxError">Largest distance of arcs and lines from the ellipse or spline that they approximate, of a recovered arc from its lines, and of a
+/// duplicate from the moves that replace it.</param>
 /// <param name="JoinTolerance">Largest gap between two moves of a stroke.</param>
 /// <param name="ArcsRecovered">True when arcs may replace lines.</param>
 public sealed record ToolpathTolerances(double MaxError, double JoinTolerance, bool ArcsRecovered)
@@ -24,7 +25,7 @@ public sealed record ToolpathTolerances(double MaxError, double JoinTolerance, b
         return (1.000001 * Math.Max(MaxError, Math.Max(FinestOfSize * (box.Width + box.Height), FinestOfPlace * place))) + RoundingOf(drawn);
     }
 
-    /// <summary>Rounding error of the segment's points, mm; for an arc its centre may be far away and enlarge it.</summary>
+    /// <summary>Rounding error of the segment's points, mm; for an arc, a distant centre can enlarge it.</summary>
     public static double RoundingOf(in Segment segment) => segment.Kind is SegmentKind.Arc or SegmentKind.Circle
         ? Rounding * (segment.Arc.Radius + Math.Abs(segment.Arc.Centre.X) + Math.Abs(segment.Arc.Centre.Y))
         : Rounding * (Math.Abs(segment.Start.X) + Math.Abs(segment.Start.Y));

@@ -2,11 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>The judge of a run that listens while it goes on: takes the drawing once, then samples and spans in order of time. Memory follows the drawing, time the number of samples and spans told.</summary>
+/// <summary>Judges a run while it is in progress: takes the drawing once, then samples and spans in order of time. Memory depends on the drawing, time on the
+/// number of samples and spans.</summary>
 /// <remarks>Meaning and numbers are those of <see cref="TraceComparison.Compare"/>. Not thread safe.</remarks>
 public sealed class TraceJudge : ITraceJudge
 {
-    /// <summary>Places that are looked at between two samples; a machine goes a few hundredths of a millimetre from one to the next.</summary>
+    /// <summary>Maximum number of places checked between two samples; a machine moves a few hundredths of a millimetre from one sample to the next.</summary>
     private const int MostStepsOfChord = 64;
 
     private readonly SegmentIndex _index;
@@ -20,8 +21,9 @@ public sealed class TraceJudge : ITraceJudge
     private TraceSample? _last;
     private bool _wasOff;
 
-    /// <param name="drawing">What was to be cut, millimetres; order and direction do not matter. Ellipses and splines are exact here, not the arcs that were cut for them.</param>
-    /// <param name="tolerances">What counts as cut, and how short a gap is none.</param>
+    /// <param name="drawing">The drawing to cut, millimetres; order and direction are irrelevant. Ellipses and splines are exact, not the arcs that were cut
+    /// for them.</param>
+    /// <param name="tolerances">Tolerances that define what counts as cut and which gaps are ignored.</param>
     public TraceJudge(IReadOnlyList<Segment> drawing, TraceTolerances tolerances)
     {
         ArgumentNullException.ThrowIfNull(tolerances);
@@ -32,10 +34,10 @@ public sealed class TraceJudge : ITraceJudge
         _spans = new SpanDeviation(pieces, _index, _coverage, tolerances);
     }
 
-    /// <summary>Segments and boxes that were looked at so far.</summary>
+    /// <summary>Number of segments and boxes checked so far.</summary>
     internal long Steps => _index.Steps + _coverage.Steps;
 
-    /// <summary>The machine was here; between two consecutive cutting samples it went straight.</summary>
+    /// <summary>Adds a machine position; between two consecutive cutting samples the machine moved straight.</summary>
     public void Add(in TraceSample sample)
     {
         if (sample.Cutting)
@@ -47,7 +49,7 @@ public sealed class TraceJudge : ITraceJudge
         _last = sample;
     }
 
-    /// <summary>The machine went along here.</summary>
+    /// <summary>Adds a span that the machine moved along.</summary>
     public void Add(in TraceSpan span)
     {
         if (span.Cutting)
@@ -64,7 +66,7 @@ public sealed class TraceJudge : ITraceJudge
         _last = span.At(1.0);
     }
 
-    /// <summary>What is known so far; with no more to come, the verdict.</summary>
+    /// <summary>The result so far; after the last sample, the final result.</summary>
     public TraceVerdict Verdict()
     {
         var (missing, at) = _coverage.Missing(_largest);
@@ -89,7 +91,7 @@ public sealed class TraceJudge : ITraceJudge
         _wasOff = isOff;
     }
 
-    /// <summary>Where it leads from one segment to another there may be shorter ones between them.</summary>
+    /// <summary>Where a chord runs from one segment to another, there can be shorter segments between them.</summary>
     private void AddChord(Point2D from, Point2D to, int nearest)
     {
         if (nearest != _coverage.Followed)
@@ -107,25 +109,28 @@ public sealed class TraceJudge : ITraceJudge
     }
 }
 
-/// <summary>What a trace says about a run, lengths in millimetres.</summary>
-/// <param name="CuttingSamples">Samples with the tool on; with none, nothing is known of the deviation.</param>
-/// <param name="MaxDeviation">Largest distance of a cutting sample from the drawing; 0 without cutting samples, infinite when something was cut and the drawing is empty.</param>
+/// <summary>Result of the comparison of a run with its drawing, lengths in millimetres.</summary>
+/// <param name="CuttingSamples">Number of samples with the tool on; when 0, the deviation is unknown.</param>
+/// <param name="MaxDeviation">Largest distance of a cutting sample from the drawing; 0 without cutting samples, infinite when the drawing is empty but a cut
+/// was made.</param>
 /// <param name="DeviationAt">The sample that deviates most; null without cutting samples.</param>
 /// <param name="MissingLength">Length of the drawing that was never cut.</param>
-/// <param name="MissingAt">A place in the first gap of the drawing; null when nothing is missing.</param>
-/// <param name="ExtraLength">Length that was cut beside the drawing: between consecutive cutting samples of which one lies off it by more than the coverage tolerance.</param>
+/// <param name="MissingAt">A place in the first gap of the drawing; null when the whole drawing was cut.</param>
+/// <param name="ExtraLength">Length that was cut outside the drawing: between consecutive cutting samples of which one is farther from it than the coverage
+/// tolerance.</param>
 public sealed record TraceVerdict(
     long CuttingSamples, double MaxDeviation, TraceSample? DeviationAt, double MissingLength, Point2D? MissingAt, double ExtraLength);
 
-/// <summary>Compares what a machine did with a drawing while it is told: in plan (<see cref="TraceJudge"/>), or in three coordinates (<see cref="HeightJudge"/>).</summary>
+/// <summary>Compares the motion of a machine with a drawing while it is reported: in plan (<see cref="TraceJudge"/>), or in three coordinates
+/// (<see cref="HeightJudge"/>).</summary>
 public interface ITraceJudge
 {
-    /// <summary>The machine was here; between two consecutive cutting samples it went straight.</summary>
+    /// <summary>Adds a machine position; between two consecutive cutting samples the machine moved straight.</summary>
     void Add(in TraceSample sample);
 
-    /// <summary>The machine went along here.</summary>
+    /// <summary>Adds a span that the machine moved along.</summary>
     void Add(in TraceSpan span);
 
-    /// <summary>What is known so far; with no more to come, the verdict.</summary>
+    /// <summary>The result so far; after the last sample, the final result.</summary>
     TraceVerdict Verdict();
 }
