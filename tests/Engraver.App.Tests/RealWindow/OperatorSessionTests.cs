@@ -39,7 +39,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         desktop.WaitForTitle(Drawing + " - NO ORIGIN");
 
         // By hand to the corner of the plate: a held key of the pad, then steps; the place becomes the zero.
-        desktop.Click(at["Step Hold"]);
+        desktop.Click(at["Step Continuous"]);
         await HoldAsync(desktop, machine, at["Pad X+"], place => place.A > 20 * RealMachine.Scale);
         await HoldAsync(desktop, machine, at["Pad Y+"], place => place.B > 15 * RealMachine.Scale);
         desktop.Click(at["Step 1"]);

@@ -50,6 +50,19 @@ public partial class PhraseTests
         AssertNone(wrong);
     }
 
+    [Fact]
+    public void No_line_of_a_comment_is_too_long()
+    {
+        var sources = SourceFile.Under("", ".cs").ToList();
+        Assert.NotEmpty(sources);
+        var wrong = from file in sources
+                    from line in file.Text.Split('\n').Index()
+                    where line.Item.TrimEnd().Length > LongestLine && line.Item.TrimStart().StartsWith("//", StringComparison.Ordinal)
+                    select $"{file.Name}({line.Index + 1}): {line.Item.TrimEnd().Length} characters";
+
+        AssertNone(wrong);
+    }
+
     [Theory]
     [InlineData("The job goes on.", "goes on")]
     [InlineData("It was Gone\non with.", "Gone\non")]
