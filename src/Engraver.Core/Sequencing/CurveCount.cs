@@ -2,16 +2,17 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Counts what is cut in the operator's units: a line or arc part is one, and so is an ellipse or spline, however many arcs approximate it.</summary>
-/// <remarks>A spline that is divided into several strokes counts in the first, so that the strokes add up to the whole.</remarks>
+/// <summary>Counts the cut curves in the operator's units: a line or arc part counts as one, as does an ellipse or spline, independent of the number of arcs
+/// that approximate it.</summary>
+/// <remarks>A spline that is divided into several strokes counts in the first, so that the sum over the strokes is the total.</remarks>
 internal sealed class CurveCount
 {
     private readonly Drawing? _drawing;
     private readonly HashSet<int> _counted = [];
 
-    public CurveCount(Drawing? drawing) => _drawing = drawing is not null && HasCurves(drawing) ? drawing : null; // without any the entities need not be looked up
+    public CurveCount(Drawing? drawing) => _drawing = drawing is not null && HasCurves(drawing) ? drawing : null; // without curves the entities need not be looked up
 
-    /// <param name="moves">Of a stroke.</param>
+    /// <param name="moves">Moves of a stroke.</param>
     public int Add(TableMoves moves)
     {
         if (_drawing is null) return moves.Count;

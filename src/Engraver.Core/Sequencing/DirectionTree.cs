@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Segment ends sorted into small squares, and within each by the direction into their segments, under a tree of boxes with four children to a node. Finds the near end that continues straightest.</summary>
+/// <summary>Segment ends sorted into small squares, and within each by the direction into their segments, under a tree of boxes with four children to a node.
+/// Finds the near end that continues straightest.</summary>
 internal sealed class DirectionTree
 {
     private const int Fanout = 4;
@@ -10,7 +11,7 @@ internal sealed class DirectionTree
     private const double SmallestSquare = 1e-9;
     private readonly int[] _ends;
 
-    /// <summary>By level, leaves first: box of the directions, box of the positions, lowest end that has not been removed.</summary>
+    /// <summary>For each level, leaves first: box of the directions, box of the positions, lowest end that has not been removed.</summary>
     private readonly Node[][] _levels;
 
     private DirectionTree(int[] ends, Node[] leaves)
@@ -26,7 +27,8 @@ internal sealed class DirectionTree
 
     /// <param name="ends">Numbers of ends.</param>
     /// <param name="places">Position of each end, by its number.</param>
-    /// <param name="reach">Largest distance that queries use, mm: squares are about as large, so that ends beyond it are in other boxes than those within.</param>
+    /// <param name="reach">Largest distance that queries use, mm: squares are about as large, so that ends beyond it are in other boxes than those
+    /// within.</param>
     /// <param name="travelInto">Direction into its segment, length 1.</param>
     public static DirectionTree Build(int[] ends, Point2D[] places, double reach, Func<int, Vector2D> travelInto)
     {
@@ -110,7 +112,7 @@ internal sealed class DirectionTree
     private static Bounds2D PointBox(Point2D place) => Bounds2D.FromCorners(place, place);
 
     /// <param name="Here">Present end of the contour.</param>
-    /// <param name="Reach">How far an end may lie from there, mm.</param>
+    /// <param name="Reach">Largest distance of an end from there, mm.</param>
     /// <param name="Travel">Direction of travel, length 1.</param>
     /// <param name="Counts">True for ends that may be chosen.</param>
     /// <param name="IsGone">True for ends that can never be chosen again.</param>

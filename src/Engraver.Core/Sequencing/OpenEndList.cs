@@ -7,7 +7,8 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>The discontinuities of a chained table in the operator's terms. Each is made when it is asked for: there may be two million of them, of which a screen shows a few.</summary>
+/// <summary>The discontinuities of a chained table in the operator's terms. Each is created on demand: there can be two million of them, of which a screen
+/// shows a few.</summary>
 public sealed class OpenEndList : IReadOnlyList<OpenEnd>
 {
     private readonly ContourEnds _ends;
@@ -32,10 +33,10 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
         }
     }
 
-    /// <summary>Where one of them lies, millimetres.</summary>
+    /// <summary>Position of one of the ends, millimetres.</summary>
     public Point2D PlaceOf(int index) => _ends.PlaceOf(index);
 
-    /// <summary>A table of the kept rows alone is not held for their entities.</summary>
+    /// <summary>Looks up the entity without a separate table of the kept rows.</summary>
     private static Func<int, int> EntitiesOf(ChainedTable chained)
     {
         if (ReferenceEquals(chained.Kept, chained.Analysed)) return chained.Analysed.EntityIndexOf;
@@ -52,8 +53,8 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
 
-/// <summary>A discontinuity in the operator's terms: where, which entity, how far to the nearest other open end, and under which diagnostic it is reported.</summary>
-/// <param name="Place">Millimetres.</param>
+/// <summary>A discontinuity in the operator's terms: its place, its entity, the distance to the nearest other open end, and its diagnostic.</summary>
+/// <param name="Place">Position, millimetres.</param>
 /// <param name="EntityIndex">The drawing entity that ends here.</param>
 /// <param name="Gap">Distance to the nearest other open end; null without one.</param>
 /// <param name="NearestEntityIndex">The entity of that other end; -1 without one.</param>

@@ -7,23 +7,23 @@ using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Analysed table to strokes in the order of cutting. In two steps, so that a caller can time or repeat the second alone.</summary>
+/// <summary>Converts an analysed table to strokes in the order of cutting. In two steps, so that a caller can time or repeat the second step alone.</summary>
 public static class Sequencer
 {
-    /// <summary>Chaining and ordering in one.</summary>
-    /// <param name="analysed">What <see cref="ArcAnalysis.Analyse"/> returned.</param>
-    /// <param name="drawing">The drawing behind the entity indices, for handles and for the parts of ellipses and splines. Null when there is none.</param>
+    /// <summary>Chaining and ordering in one step.</summary>
+    /// <param name="analysed">The result of <see cref="ArcAnalysis.Analyse"/>.</param>
+    /// <param name="drawing">The drawing of the entity indices, for handles and for the parts of ellipses and splines. Null when there is none.</param>
     /// <param name="options">Tolerances and requests.</param>
     public static SequencingResult Sequence(EntityTable analysed, Drawing? drawing, SequencingOptions options) =>
         Order(Chain(analysed, drawing, options), options);
 
-    /// <summary>Removes duplicates, recovers arcs where requested, joins contours, finds which lies inside which.</summary>
+    /// <summary>Removes duplicates, recovers arcs if requested, joins contours and determines their nesting.</summary>
     public static ChainedTable Chain(EntityTable analysed, Drawing? drawing, SequencingOptions options)
     {
         var segments = analysed.ToSegments();
         var kept = analysed;
         var findings = new SequencingFindings(drawing, options);
-        var ends = default(SegmentEnds); // of the segments as they are at last
+        var ends = default(SegmentEnds); // of the final segments
         if (!options.KeepDuplicates)
         {
             ends = new SegmentEnds(segments, options.JoinTolerance);

@@ -9,10 +9,10 @@ using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Collects what sequencing has to say, in the operator's terms.</summary>
+/// <summary>Collects the findings of sequencing, in the operator's terms.</summary>
 internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions options, IReadOnlyList<Diagnostic>? earlier = null)
 {
-    /// <summary>Of each rule so many are listed; the rest are counted.</summary>
+    /// <summary>Maximum number of listed findings of each rule; the rest are counted.</summary>
     private const int ShownPerRule = 100;
 
     private readonly List<Diagnostic> _diagnostics = [.. earlier ?? []];
@@ -20,8 +20,8 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     public IReadOnlyList<Diagnostic> Diagnostics => _diagnostics;
 
-    /// <param name="analysed">Before removal.</param>
-    /// <param name="kept">Rows that stay, ascending; at least one is missing.</param>
+    /// <param name="analysed">Table before the removal.</param>
+    /// <param name="kept">Remaining rows, ascending; at least one is missing.</param>
     public void AddDuplicates(EntityTable analysed, ReadOnlySpan<int> kept)
     {
         var first = 0;
@@ -56,7 +56,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, Number(options.SuspiciousGap), Number(ends.Count - nearby.Count), Number(place.X), Number(place.Y));
     }
 
-    /// <summary>Says of which rules there are more findings than are listed. To be called once, when all are in.</summary>
+    /// <summary>Reports the rules that have more findings than are listed. Must be called once, after all findings.</summary>
     public void SumUp()
     {
         foreach (var (rule, count) in _counts.Where(entry => entry.Value > ShownPerRule).OrderBy(entry => entry.Key.Id, StringComparer.Ordinal))
@@ -65,8 +65,8 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         }
     }
 
-    /// <param name="wish">What the operator named.</param>
-    /// <param name="enter">What that is cut as.</param>
+    /// <param name="wish">The operator's request.</param>
+    /// <param name="enter">The entity that is cut for the request.</param>
     public void AddEntry(EnterAt wish, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
     {
         if (enter != wish && (wish, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var standIn }))

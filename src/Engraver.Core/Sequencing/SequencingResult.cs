@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Strokes in the order of cutting with every figure of the runner's <c>sequence</c> object. Lengths in millimetres.</summary>
+/// <summary>Strokes in the order of cutting, with every figure of the <c>sequence</c> object of the command line. Lengths in millimetres.</summary>
 public sealed record SequencingResult
 {
     public required IReadOnlyList<SequencedStroke> Strokes { get; init; }
@@ -28,10 +28,10 @@ public sealed record SequencingResult
     /// <summary>Rapid distance from the tool start through every stroke in order.</summary>
     public required double Travel { get; init; }
 
-    /// <summary><see cref="Travel"/> plus the way back to the tool start.</summary>
+    /// <summary><see cref="Travel"/> plus the return to the tool start.</summary>
     public required double TravelAndBack { get; init; }
 
-    /// <summary>The rapid distance if every DXF curve were a stroke of its own, in file order and drawn direction, duplicates included.</summary>
+    /// <summary>The rapid distance if every DXF curve were a separate stroke, in file order and drawn direction, duplicates included.</summary>
     public required double TravelAsDrawn { get; init; }
 
     public required IReadOnlyList<Diagnostic> Diagnostics { get; init; }
@@ -43,12 +43,12 @@ public sealed record SequencingResult
     public int Open => Contours - Closed;
 }
 
-/// <summary>One contour in its place in the order of cutting, with its direction and start point.</summary>
+/// <summary>One contour at its position in the order of cutting, with its direction and start point.</summary>
 /// <param name="Index">0 is cut first.</param>
 /// <param name="Closed">True when it ends where it starts (within the join tolerance).</param>
 /// <param name="Moves">Its segments in order and direction, read from the sequenced table.</param>
 /// <param name="Segments">Lines, arcs, circles, ellipses and splines in it, each counted as one.</param>
-/// <param name="Length">Along the path, millimetres.</param>
+/// <param name="Length">Length along the path, millimetres.</param>
 /// <param name="Inside">Index of the closed stroke that directly encloses this one, -1 for none; always greater than <paramref name="Index"/>.</param>
 public sealed record SequencedStroke(int Index, bool Closed, IReadOnlyList<StrokeMove> Moves, int Segments, double Length, int Inside)
 {

@@ -3,10 +3,11 @@ using Engraver.Core.EntityTables;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Strokes as columns beside the sequenced table; each is made when it is asked for. A million of them kept as objects would be moved about in memory with every collection.</summary>
+/// <summary>Strokes as columns in addition to the sequenced table; each is created on demand. A million stored objects would be moved in memory with every
+/// garbage collection.</summary>
 internal sealed class StrokeList(EntityTable table, int count) : IReadOnlyList<SequencedStroke>
 {
-    /// <summary>By stroke its first row; one more than there are strokes.</summary>
+    /// <summary>The first row of each stroke; one element more than there are strokes.</summary>
     private readonly int[] _rows = new int[count + 1];
     private readonly bool[] _closed = new bool[count];
     private readonly int[] _segments = new int[count];
@@ -24,10 +25,10 @@ internal sealed class StrokeList(EntityTable table, int count) : IReadOnlyList<S
         }
     }
 
-    /// <summary>The next stroke, on the next rows.</summary>
-    /// <param name="closed">It ends where it begins.</param>
-    /// <param name="rows">How many rows it has.</param>
-    /// <param name="inside">The stroke around it, -1 for none.</param>
+    /// <summary>Adds the next stroke, on the next rows.</summary>
+    /// <param name="closed">True when it ends at its start.</param>
+    /// <param name="rows">Number of its rows.</param>
+    /// <param name="inside">The enclosing stroke, -1 for none.</param>
     /// <param name="curves">Counts lines, arcs and curves.</param>
     public void Add(bool closed, int rows, int inside, CurveCount curves)
     {

@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>A range of rows of a sequenced table as a list of moves; nothing is copied, so a million moves cost no memory besides the table.</summary>
+/// <summary>A range of rows of a sequenced table as a list of moves; rows are not copied, so a million moves need no memory in addition to the table.</summary>
 internal sealed class TableMoves(EntityTable table, int firstRow, int count) : IReadOnlyList<StrokeMove>
 {
     public int Count => count;
@@ -19,7 +19,7 @@ internal sealed class TableMoves(EntityTable table, int firstRow, int count) : I
         }
     }
 
-    /// <summary>Along the path, millimetres.</summary>
+    /// <summary>Length along the path, millimetres.</summary>
     public double Length
     {
         get
@@ -42,9 +42,10 @@ internal sealed class TableMoves(EntityTable table, int firstRow, int count) : I
 }
 
 /// <summary>One cutting move in millimetres with the drawing entity it came from.</summary>
-/// <param name="Segment">In plan.</param>
+/// <param name="Segment">Segment in plan.</param>
 /// <param name="StartZ">Drawn height at its start; a line rises evenly to its end, an arc is level.</param>
-/// <param name="EndZ">Drawn height at its end. Both are not a number where the height along the move is not known: a piece of an ellipse or spline that rises.</param>
+/// <param name="EndZ">Drawn height at its end. Both heights are NaN when the height along the move is unknown: a piece of an ellipse or spline that
+/// rises.</param>
 public readonly record struct StrokeMove(Segment Segment, int EntityIndex, double StartZ = 0.0, double EndZ = 0.0)
 {
     /// <summary>Every row of an analysed table.</summary>

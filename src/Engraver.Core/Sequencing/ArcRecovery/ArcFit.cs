@@ -5,17 +5,17 @@ namespace Engraver.Core.Sequencing.ArcRecovery;
 /// <summary>Fits the nearest circle (least squares) to vertices; <see cref="ChordProof"/> proves the fit.</summary>
 internal static class ArcFit
 {
-    /// <summary>An arc that rises less than this many times the error above its chord is nearly straight, and its lines are left as drawn.</summary>
+    /// <summary>An arc that rises less than this many times the error above its chord is nearly straight, and its lines stay as drawn.</summary>
     private const double LeastRise = 2.0;
 
-    /// <summary>Degrees. Vertices that come nearer to a whole turn without closing are left as two arcs.</summary>
+    /// <summary>Degrees. Vertices that are nearer to a full turn without closing stay as two arcs.</summary>
     private const double MostSweep = 350.0;
 
     /// <summary>True when an arc rises enough above its chord.</summary>
     public static bool Rises(in RecoveredArc found, double maxError) =>
         found.Arc.Radius * (1.0 - Math.Cos(Math.Min(Math.PI, found.Arc.Sweep.Abs().Radians / 2.0))) >= LeastRise * maxError;
 
-    /// <summary>The arc from the first vertex to the last, both kept exactly; null where there is none within the error.</summary>
+    /// <summary>The arc from the first vertex to the last, both kept exactly; null when there is no arc within the error.</summary>
     public static RecoveredArc? Arc(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances)
     {
         var (start, end) = (vertices[0], vertices[^1]);
@@ -35,7 +35,7 @@ internal static class ArcFit
         return IsOnce(length, arc) ? new RecoveredArc(arc, start, end, deviation) : null;
     }
 
-    /// <summary>The whole circle of a closed polygon; null where it is not one.</summary>
+    /// <summary>The full circle of a closed polygon; null when it is not a circle.</summary>
     public static RecoveredArc? Circle(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances)
     {
         var origin = vertices[0];
@@ -58,7 +58,8 @@ internal static class ArcFit
         return IsOnce(length, circle) ? new RecoveredArc(circle, circle.StartPoint, circle.StartPoint, deviation) : null;
     }
 
-    /// <summary>Height of the centre of the best circle through both ends above the chord's middle (left positive), and the side of the vertices (left +1).</summary>
+    /// <summary>Height of the centre of the best circle through both ends above the chord's middle (left positive), and the side of the vertices (left
+    /// +1).</summary>
     private static (double Height, double Side)? CentreHeight(ReadOnlySpan<Point2D> vertices, Point2D middle, Vector2D along, Vector2D left, double half)
     {
         double mixed = 0, squared = 0, sum = 0;
@@ -91,12 +92,12 @@ internal static class ArcFit
         return centre.IsFinite ? centre : null;
     }
 
-    /// <summary>True when the chords go round as far as the arc and not a whole turn more.</summary>
+    /// <summary>True when the chords turn as far as the arc and not a full turn more.</summary>
     private static bool IsOnce(double length, in ArcSegment arc) => Math.Abs(length - arc.Length) < arc.Radius;
 }
 
 /// <summary>An arc or circle that replaces straight pieces of a contour.</summary>
-/// <param name="Arc">A sweep of exactly +-360 degrees is a whole circle.</param>
+/// <param name="Arc">A sweep of exactly +-360 degrees is a full circle.</param>
 /// <param name="Start">Exactly where the first piece starts.</param>
 /// <param name="End">Exactly where the last piece ends.</param>
 /// <param name="Deviation">Largest distance between the pieces and the arc, in both directions, mm.</param>

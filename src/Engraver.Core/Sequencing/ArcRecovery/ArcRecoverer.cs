@@ -4,16 +4,17 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Recognises arcs and circles that a drawing holds as many short lines (an export flattened them) and replaces the lines by true arcs.</summary>
+/// <summary>Recognises arcs and circles that a drawing contains as many short lines (flattened by an export) and replaces the lines by true arcs.</summary>
 public static class ArcRecoverer
 {
-    /// <summary>Part of the error by which lines of one run may be apart: separate LINE entities meet only within rounding.</summary>
+    /// <summary>Fraction of the error by which lines of one run may be apart: separate LINE entities meet only within rounding.</summary>
     private const double GapShare = 0.05;
 
-    /// <summary>A table in which lines that approximate an arc within <paramref name="maxError"/> (mm, in both directions, proved at every chord) are one row. Nothing else changes.</summary>
-    /// <param name="analysed">Rows as drawn; lines of polylines and separate lines are joined end to end before arcs are searched.</param>
-    /// <param name="maxError">Above 0.</param>
-    /// <returns>The rows in their old order, each arc at its lowest row and with that row's entity; and what was replaced.</returns>
+    /// <summary>A table in which lines that approximate an arc within <paramref name="maxError"/> (mm, in both directions, proved at every chord) are one row.
+    /// All other rows are unchanged.</summary>
+    /// <param name="analysed">Rows as drawn; lines of polylines and separate lines are joined end to end before the search for arcs.</param>
+    /// <param name="maxError">Largest error, above 0.</param>
+    /// <returns>The rows in their original order, each arc at its lowest row and with that row's entity; and the replacements.</returns>
     public static ArcRecoveryResult Recover(EntityTable analysed, double maxError)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxError);
@@ -34,7 +35,7 @@ public static class ArcRecoverer
         return replacement.ToResult();
     }
 
-    /// <summary>The contours that may contain an arc.</summary>
+    /// <summary>The contours that can contain an arc.</summary>
     private static List<Contour> Contours(Segment[] segments, double maxError)
     {
         if (ChordJoints.RowsOf(segments, GapShare * maxError, maxError) is not { } rows || rows.Length == segments.Length) return new ContourWalker(segments, GapShare * maxError, EndHeights.Flat).WalkAll();

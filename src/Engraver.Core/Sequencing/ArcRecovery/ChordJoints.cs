@@ -2,15 +2,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Finds quickly which segments can be part of an arc made of chords, so that the others need not be joined to contours first.</summary>
-/// <remarks>Two lines are chords of one circle only when they meet at a corner that fits their lengths: chords within the error e of a circle are at most 4 sqrt(r e) long, and the corner bounds
-/// the radius r from above (see <see cref="ChordProof"/>). Where enough of them follow each other, everything connected to them is kept, so that contours come out as from the whole drawing.</remarks>
+/// <summary>Quickly finds the segments that can be part of an arc made of chords, so that the others need not be joined to contours first.</summary>
+/// <remarks>Two lines are chords of one circle only when they meet at a corner that fits their lengths: chords within the error e of a circle are at most 4
+/// sqrt(r e) long, and the corner bounds the radius r from above (see <see cref="ChordProof"/>). Where enough of them are consecutive, all segments connected
+/// to them are kept, so that the contours are the same as from the whole drawing.</remarks>
 internal sealed class ChordJoints(Segment[] segments, double maxError)
 {
     /// <summary>Arcs are recovered from coordinates with three decimals or more; this is the rounding of three.</summary>
     private const double CoarsestRounding = 1e-3;
 
-    /// <summary>The rows that may be part of an arc, ascending; null when all may.</summary>
+    /// <summary>The rows that can be part of an arc, ascending; null when all rows can.</summary>
     public static int[]? RowsOf(Segment[] segments, double gap, double maxError)
     {
         var ends = new NearEnds(segments, gap);
@@ -47,7 +48,8 @@ internal sealed class ChordJoints(Segment[] segments, double maxError)
         return turn <= 0.0 || longest * longest / (16.0 * maxError) <= (1.0 + ChordProof.UnevenTurn) * (first + second) / (2.0 * turn);
     }
 
-    /// <summary>Rounding of the vertices at a joint. Never finer than that of a longer run of chords, since more vertices never have fewer decimals in common.</summary>
+    /// <summary>Rounding of the vertices at a joint. Never finer than that of a longer run of chords, because more vertices never have fewer decimals in
+    /// common.</summary>
     private double RoundingAt(int one, int other) => ChordTolerances.For([Place(one), Place(one ^ 1), Place(other ^ 1)], maxError).Rounding;
 
     /// <summary>From an end of a line to its other end.</summary>

@@ -2,24 +2,26 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Decides whether chords follow a circle: near enough at every point, in both directions, and turning as the circle does.</summary>
+/// <summary>Decides whether chords follow a circle: near enough at every point, in both directions, and with the same turn as the circle.</summary>
 /// <remarks>
-/// Between two vertices in order round the centre, chord and arc cover the same directions from the centre, so each is as near to the other as their radii are. Along a chord the
-/// radius is extreme at its ends and at the foot of the perpendicular from the centre: checking those checks every point.
+/// Between two vertices in order round the centre, chord and arc cover the same directions from the centre, so their distance is the difference of their radii.
+/// Along a chord the radius is extreme at its ends and at the foot of the perpendicular from the centre: a check of these covers every point.
 /// </remarks>
 internal readonly ref struct ChordProof(Point2D centre, double radius, double turn, in ChordTolerances tolerances)
 {
-    /// <summary>Sine of the largest corner between two chords of an arc: 30 degrees. A hexagon turns by 60, an octagon by 45, and such polygons are meant as drawn.</summary>
+    /// <summary>Sine of the largest corner between two chords of an arc: 30 degrees. A hexagon turns by 60, an octagon by 45, and such polygons are kept as
+    /// drawn.</summary>
     public const double LargestCorner = 0.5;
 
-    /// <summary>Part by which a corner may differ from the circle's; exact chords of a circle have exactly its corners, even when they differ in length.</summary>
+    /// <summary>Fraction by which a corner may differ from that of the circle; exact chords of a circle have exactly its corners, even when they differ in
+    /// length.</summary>
     public const double UnevenTurn = 0.6;
 
     private readonly double _maxError = tolerances.MaxError;
     private readonly double _rounding = tolerances.Rounding;
 
-    /// <param name="vertices">In the order of travel.</param>
-    /// <param name="closed">The last chord ends at the first vertex.</param>
+    /// <param name="vertices">Vertices in the order of travel.</param>
+    /// <param name="closed">True when the last chord ends at the first vertex.</param>
     /// <param name="deviation">Largest distance between chords and circle; not meaningful when the result is false.</param>
     /// <param name="length">Total length of the chords.</param>
     public bool Holds(ReadOnlySpan<Point2D> vertices, bool closed, out double deviation, out double length)

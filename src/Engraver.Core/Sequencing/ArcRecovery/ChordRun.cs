@@ -5,11 +5,12 @@ namespace Engraver.Core.Sequencing.ArcRecovery;
 /// <summary>A run of straight pieces of a contour, end to start: finds the arcs in it, each as long as possible.</summary>
 internal static class ChordRun
 {
-    /// <summary>Fewest chords of an arc (five vertices): there is a circle through any three vertices, and four may lie on one by chance.</summary>
+    /// <summary>Fewest chords of an arc (five vertices): there is a circle through any three vertices, and four can be on a circle by chance.</summary>
     public const int FewestChords = 4;
 
     /// <summary>Passes every arc found to <paramref name="take"/>, with its first chord and the number of its chords.</summary>
-    /// <remarks>The longest arc from each vertex, by galloping and bisection: the work is linear in the number of vertices except for a small factor.</remarks>
+    /// <remarks>Finds the longest arc from each vertex by galloping search and bisection: the work is linear in the number of vertices except for a small
+    /// factor.</remarks>
     public static void Recover(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances, Action<int, int, RecoveredArc> take)
     {
         for (var from = 0; from + FewestChords < vertices.Length;)

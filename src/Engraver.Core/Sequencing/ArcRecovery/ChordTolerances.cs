@@ -2,15 +2,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>How exactly chords must follow an arc, mm.</summary>
-/// <param name="MaxError">Largest distance between them, either way.</param>
-/// <param name="Rounding">Rounding error of the coordinates, from the number of decimals they have; the direction of a short chord varies by it.</param>
+/// <summary>Tolerances of chords along an arc, mm.</summary>
+/// <param name="MaxError">Largest distance between them, in both directions.</param>
+/// <param name="Rounding">Rounding error of the coordinates, from their number of decimals; the direction of a short chord varies by it.</param>
 internal readonly record struct ChordTolerances(double MaxError, double Rounding)
 {
     private const double FinestRounding = 2e-6;
     private const int MostDecimals = 5;
 
-    /// <summary>With the rounding of these vertices: that of the fewest decimals (3 to 5) that write them all.</summary>
+    /// <summary>The tolerances with the rounding of these vertices: that of the fewest decimals (3 to 5) that represent them all.</summary>
     public static ChordTolerances For(ReadOnlySpan<Point2D> vertices, double maxError)
     {
         for (var decimals = 3; decimals <= MostDecimals; decimals++)

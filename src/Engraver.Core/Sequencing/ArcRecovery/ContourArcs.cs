@@ -4,10 +4,11 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Searches one contour for arcs: the whole of a closed one first, then runs of level lines. A vertex where another contour ends is kept, or the two would no longer meet.</summary>
+/// <summary>Searches one contour for arcs: first the whole of a closed contour, then runs of level lines. A vertex where another contour ends is kept, because
+/// otherwise the two would no longer meet.</summary>
 internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTable table, HashSet<Point2D> junctions, double maxError)
 {
-    /// <summary>Cosine of the corner at which a closed contour is opened: no arc goes through it.</summary>
+    /// <summary>Cosine of the corner at which a closed contour is opened: no arc passes through it.</summary>
     private const double CornerCosine = 0.85;
 
     private readonly ContourPiece[] _pieces = contour.Closed ? FromCorner(contour.Pieces.Span, segments) : contour.Pieces.ToArray();
@@ -48,7 +49,7 @@ internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTab
         return vertices;
     }
 
-    /// <summary>A closed contour, rotated to begin at a piece where no arc can be in progress; unchanged where there is none.</summary>
+    /// <summary>A closed contour, rotated to start at a piece where no arc can be in progress; unchanged when there is no such piece.</summary>
     private static ContourPiece[] FromCorner(ReadOnlySpan<ContourPiece> pieces, Segment[] segments)
     {
         var start = 0;

@@ -2,13 +2,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Every pair of segment ends within a distance of each other. Ends are sorted into squares first, so that memory is read in order.</summary>
-/// <remarks>End number 2 x row is a segment's start, 2 x row + 1 its end. An end near the side of its square is put into the neighbour too, so that a pair may be reported twice.</remarks>
+/// <summary>Finds every pair of segment ends within a distance of each other. Ends are first sorted into squares, so that memory is read in order.</summary>
+/// <remarks>End number 2 x row is a segment's start, 2 x row + 1 its end. An end near the side of its square is also put into the neighbour, so that a pair can
+/// be reported twice.</remarks>
 internal sealed class NearEnds
 {
     private const int EndsPerSquare = 4;
 
-    /// <summary>Most ends in one square: more are not a drawing of lines end to end, and comparing all pairs would take too long.</summary>
+    /// <summary>Maximum number of ends in one square: more do not occur in a drawing of lines end to end, and comparing all pairs would take too
+    /// long.</summary>
     private const int MostInSquare = 256;
 
     private readonly double _distance;

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Rows joined to groups, pair by pair (union-find, the smaller group under the larger).</summary>
+/// <summary>Joins rows to groups, pair by pair (union-find, the smaller group under the larger).</summary>
 internal sealed class RowGroups
 {
     /// <summary>The parent row in the group's tree; the root holds the group's size, negative.</summary>

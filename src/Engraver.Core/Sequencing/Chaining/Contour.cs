@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Segments joined end to start. An open contour begins at one of its ends, a closed one at its lowest row; both run in the direction of their lowest row.</summary>
+/// <summary>Segments joined end to start. An open contour starts at one of its ends, a closed contour at its lowest row; both run in the direction of their
+/// lowest row.</summary>
 /// <param name="Pieces">At least one.</param>
 /// <param name="Closed">True when the last piece ends within the join tolerance of the start of the first.</param>
 public readonly record struct Contour(ReadOnlyMemory<ContourPiece> Pieces, bool Closed)
@@ -11,11 +12,11 @@ public readonly record struct Contour(ReadOnlyMemory<ContourPiece> Pieces, bool 
 
     public Point2D EndIn(ReadOnlySpan<Segment> segments) => Pieces.Span[^1].EndIn(segments);
 
-    /// <summary>True for a whole circle drawn as one: it can start at either quadrant point.</summary>
+    /// <summary>True for a full circle drawn as a circle: it can start at either quadrant point.</summary>
     public bool IsCircleIn(ReadOnlySpan<Segment> segments) => Pieces.Length == 1 && segments[Pieces.Span[0].Row].Kind == SegmentKind.Circle;
 }
 
-/// <summary>One segment of a contour: its row, and whether the contour runs it backwards.</summary>
+/// <summary>One segment of a contour: its row, and true when the contour runs it backwards.</summary>
 public readonly record struct ContourPiece(int Row, bool Reversed)
 {
     /// <summary>Number of the end at which the contour enters the piece: 2 x row is a segment's start, 2 x row + 1 its end.</summary>

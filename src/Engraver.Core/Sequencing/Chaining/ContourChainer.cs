@@ -6,14 +6,15 @@ namespace Engraver.Core.Sequencing.Chaining;
 /// <summary>The paper's AUTOSEQUENCE: loose, arbitrarily directed segments become contours (paper 000, figure 2).</summary>
 public static class ContourChainer
 {
-    /// <summary>Joins segments end to start within <paramref name="joinTolerance"/> (millimetres). Every segment lands in exactly one contour.</summary>
+    /// <summary>Joins segments end to start within <paramref name="joinTolerance"/> (millimetres). Every segment is in exactly one contour.</summary>
     /// <returns>Contours in order of their lowest row, and one discontinuity for each end without a partner. Empty input gives an empty result.</returns>
-    /// <remarks>Linear in the number of segments (hash grid of ends); paper 000's repeated passes give the same contours. A contour grows from its lowest row
-    /// forwards, then, when it did not close, backwards. Two ends join when they lie within the tolerance of each other (not by way of a third).
-    /// At a branch: segments shorter than the tolerance first, nearest first (they lead nowhere else), then the straightest continuation, then the lowest row.</remarks>
+    /// <remarks>Linear in the number of segments (hash grid of ends); paper 000's repeated passes give the same contours. A contour is extended from its lowest
+    /// row forwards, then, when it did not close, backwards. Two ends join when they are within the tolerance of each other (not through a third end). At a
+    /// branch: segments shorter than the tolerance first, nearest first (they have no other continuation), then the straightest continuation, then the lowest
+    /// row.</remarks>
     public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance) => Chain(segments, joinTolerance, EndHeights.Flat);
 
-    /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are in plan.</summary>
+    /// <summary>The same for segments at different heights: ends at clearly different heights do not join, even when they are near in plan.</summary>
     public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance, EndHeights heights)
     {
         var read = segments.ToArray();
@@ -21,7 +22,7 @@ public static class ContourChainer
     }
 
     /// <summary>The same; the segments are read, not copied.</summary>
-    /// <param name="ends">Of the segments, within the join tolerance. Chaining uses them up.</param>
+    /// <param name="ends">Ends of the segments, within the join tolerance. Chaining consumes them.</param>
     internal static ChainResult Chain(Segment[] segments, SegmentEnds ends, double joinTolerance, EndHeights heights)
     {
         var walker = new ContourWalker(segments, ends, joinTolerance, heights);
@@ -30,8 +31,8 @@ public static class ContourChainer
     }
 }
 
-/// <summary>What chaining found.</summary>
-/// <param name="Contours">In order of their lowest row.</param>
+/// <summary>The result of chaining.</summary>
+/// <param name="Contours">Contours in order of their lowest row.</param>
 /// <param name="Discontinuities">Two for every open contour, start before end, in contour order.</param>
 /// <param name="Branches">Number of times a contour had several continuations.</param>
 public sealed record ChainResult(IReadOnlyList<Contour> Contours, ContourEnds Discontinuities, int Branches)

@@ -4,19 +4,20 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>The ends of open contours, two for each, start before end, in contour order. The distances of the nearest other ones are not kept until somebody asks for them: of two million a report may show a hundred.</summary>
+/// <summary>The ends of open contours, two for each, start before end, in contour order. The distances of the nearest other ends are computed only on request:
+/// a report shows perhaps a hundred of two million ends.</summary>
 public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 {
-    /// <summary>Two ends so far apart are no gap that somebody overlooked, millimetres.</summary>
+    /// <summary>Distance beyond which two ends are not considered an overlooked gap, millimetres.</summary>
     public const double WidestGap = 1.0;
 
     private readonly Point2D[] _places;
     private readonly int[] _rows;
 
-    /// <summary>Heights of the ends; empty where all are at one.</summary>
+    /// <summary>Heights of the ends; empty when all are at one height.</summary>
     private readonly double[] _levels;
 
-    /// <summary>By contour: it is one short segment whose ends are not nearly together, so that what lies between them is no gap.</summary>
+    /// <summary>By contour: true when it is one short segment whose ends are clearly apart, so that the space between them is not a gap.</summary>
     private readonly bool[] _isApart;
     private readonly Lazy<Discontinuity[]> _measured;
 
@@ -34,7 +35,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>Where one of them lies, millimetres.</summary>
+    /// <summary>Position of one of the ends, millimetres.</summary>
     public Point2D PlaceOf(int index) => _places[index];
 
     /// <summary>The row that ends there.</summary>
@@ -60,10 +61,10 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
         return new ContourEnds(places, rows, levels, isApart);
     }
 
-    /// <summary>Tells apart the ends that have another one nearby.</summary>
-    /// <param name="beyond">Millimetres; an end that is no farther away is none that a tolerance could join.</param>
-    /// <param name="within">Millimetres; an end just as far away does not count.</param>
-    /// <param name="listed">So many of those that have one are told with their distance.</param>
+    /// <summary>Separates the ends that have another end nearby from the others.</summary>
+    /// <param name="beyond">Lower limit in millimetres; a tolerance could not join an end within this distance.</param>
+    /// <param name="within">Upper limit in millimetres; an end at exactly this distance does not count.</param>
+    /// <param name="listed">Number of those ends that are reported with their distance.</param>
     internal NearbyEnds FindNearby(double beyond, double within, int listed)
     {
         var grid = _levels.Length == 0 ? PlaceGrid.TryBuild(_places) : null;
@@ -116,7 +117,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
         return End(index, other, gap);
     }
 
-    /// <summary>The nearest end that is not its own contour's, where that is one short segment.</summary>
+    /// <summary>The nearest end, without the other end of the same contour if this is one short segment.</summary>
     private int NearestIn(PlaceGrid grid, int index, double within, out double gap)
     {
         if (_isApart[index / 2]) grid.Hide(OtherEnd(index));
@@ -135,10 +136,10 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 
     private Discontinuity End(int index, int other, double gap) => new(_places[index], _rows[index], other < 0 ? null : gap, other < 0 ? -1 : _rows[other]);
 
-    /// <summary>Which ends have another one nearby.</summary>
-    /// <param name="Count">How many have one.</param>
+    /// <summary>The ends that have another end nearby.</summary>
+    /// <param name="Count">Number of these ends.</param>
     /// <param name="Measured">The first of them.</param>
-    /// <param name="FirstFar">The first end that has none; -1 when all have one.</param>
+    /// <param name="FirstFar">The first end without another end nearby; -1 when all have one.</param>
     internal readonly record struct NearbyEnds(int Count, IReadOnlyList<Discontinuity> Measured, int FirstFar);
 }
 
@@ -159,7 +160,8 @@ public readonly record struct Discontinuity
     /// <summary>The row that ends here.</summary>
     public int Row { get; }
 
-    /// <summary>Distance to the nearest other open end (it may be the other end of the same contour, but not that of a single short segment); null when there is no other.</summary>
+    /// <summary>Distance to the nearest other open end (it can be the other end of the same contour, but not that of a single short segment); null when there
+    /// is no other.</summary>
     public double? Gap => double.IsNaN(_gap) ? null : _gap;
 
     /// <summary>The row of that other end; -1 without one.</summary>

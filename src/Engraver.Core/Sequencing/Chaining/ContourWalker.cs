@@ -4,13 +4,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Goes from segment to segment until every one is in a contour. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+/// <summary>Follows segments until every segment is in a contour. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
 internal sealed class ContourWalker
 {
-    /// <summary>Two continuations whose cosines differ by less are equally straight; the lower row decides.</summary>
+    /// <summary>Two continuations whose cosines differ by less are equally straight; the lower row is preferred.</summary>
     private const double SameTurnCosine = 1e-9;
 
-    /// <summary>A contour no longer than twice the tolerance is closed when its ends are nearer to each other than this part of its length.</summary>
+    /// <summary>A contour with a length of at most twice the tolerance is closed when its ends are nearer to each other than this fraction of its
+    /// length.</summary>
     private const double SmallContourGap = 1e-3;
 
     private readonly Segment[] _segments;
@@ -34,9 +35,9 @@ internal sealed class ContourWalker
     }
 
     /// <param name="segments">Rows by index.</param>
-    /// <param name="ends">Theirs, within the join tolerance; the walk takes them.</param>
-    /// <param name="joinTolerance">Millimetres.</param>
-    /// <param name="heights">Of their ends.</param>
+    /// <param name="ends">Ends of the segments, within the join tolerance; the walk consumes them.</param>
+    /// <param name="joinTolerance">Join tolerance, millimetres.</param>
+    /// <param name="heights">Heights of the ends.</param>
     public ContourWalker(Segment[] segments, SegmentEnds ends, double joinTolerance, EndHeights heights)
     {
         _segments = segments;
@@ -69,7 +70,7 @@ internal sealed class ContourWalker
         return contours;
     }
 
-    /// <summary>The contour of a segment that is closed by itself: a circle, a whole ellipse, a closed spline.</summary>
+    /// <summary>The contour of a single closed segment: a circle, a full ellipse, a closed spline.</summary>
     private Contour Alone(int row)
     {
         _used[row] = true;
@@ -99,7 +100,8 @@ internal sealed class ContourWalker
         Grow(_behind, first.Turned(), closingRow: -1);
     }
 
-    /// <summary>Appends continuations of a first piece until there is none. True when the contour reached the start of <paramref name="closingRow"/> again.</summary>
+    /// <summary>Appends continuations of a first piece until there are no more. True when the contour reached the start of <paramref name="closingRow"/>
+    /// again.</summary>
     private bool Grow(List<ContourPiece> pieces, ContourPiece first, int closingRow)
     {
         pieces.Clear();
@@ -114,7 +116,7 @@ internal sealed class ContourWalker
             }
 
             pieces.Add(next);
-            if (!IsLong(length)) length += _segments[next.Row].Length; // of a long contour the length does not matter, and the segment need not be read
+            if (!IsLong(length)) length += _segments[next.Row].Length; // the exact length of a long contour is irrelevant, and the segment need not be read
             _used[next.Row] = true;
             TakeEnds(next.Row);
         }
@@ -132,7 +134,8 @@ internal sealed class ContourWalker
         _ends.Take((2 * row) + 1);
     }
 
-    /// <summary>The next piece, or null. In a contour no longer than twice the tolerance the start is always near the end: it closes only where the two really meet.</summary>
+    /// <summary>The next piece, or null. In a contour with a length of at most twice the tolerance the start is always near the end: it closes only where the
+    /// two actually meet.</summary>
     private ContourPiece? Next(ContourPiece last, int closingRow)
     {
         (_closingRow, _level) = (closingRow, _heights.LevelOf(last.EndNumber));
@@ -148,7 +151,7 @@ internal sealed class ContourWalker
 
     private static ContourPiece PieceFrom(int end) => new(end / 2, Reversed: (end & 1) == 1);
 
-    /// <summary>The same choice where too many ends are near to test each.</summary>
+    /// <summary>The same choice when too many ends are near to test each of them.</summary>
     private ContourPiece? NextInCrowd(Point2D here, Vector2D travel)
     {
         var junctions = _crowded.Near(here, _level, IsAtLevel, IsShort, TravelInto);
@@ -160,7 +163,7 @@ internal sealed class ContourWalker
         return PieceFrom(detour ?? NearerOf(end, here, travel, isBranch ? straightest!.Value.Cosine - SameTurnCosine : double.NegativeInfinity));
     }
 
-    /// <summary>The given end, or the other end of its segment when that is nearer, may be chosen too and is straight enough.</summary>
+    /// <summary>True when the given end, or the other end of its segment if that is nearer, can also be chosen and is straight enough.</summary>
     private int NearerOf(int end, Point2D here, Vector2D travel, double leastCosine)
     {
         var other = end ^ 1;
@@ -211,7 +214,7 @@ internal sealed class ContourWalker
 
     private Vector2D TravelInto(int end) => (end & 1) == 0 ? _segments[end / 2].StartTangent : -_segments[end / 2].EndTangent;
 
-    /// <summary>Hands out parts of large arrays: an array for each of a million contours would be an object more for each.</summary>
+    /// <summary>Allocates parts of large arrays: separate arrays for a million contours would be a million additional objects.</summary>
     private sealed class PieceMemory
     {
         private const int PiecesInBlock = 4096;

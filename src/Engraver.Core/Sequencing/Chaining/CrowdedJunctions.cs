@@ -2,23 +2,24 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Points where very many segments meet (the middle of a sunburst, a star smaller than the tolerance): the ends in such a square of the grid are put into trees, so that finding the next takes logarithmic time instead of a test of each.</summary>
+/// <summary>Points where very many segments meet (the centre of a sunburst, a star smaller than the tolerance): the ends in such a square of the grid are put
+/// into trees, so that finding the next end takes logarithmic time instead of a test of each end.</summary>
 internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double tolerance)
 {
     /// <summary>Up to this number of ends around one point, each is tested.</summary>
     public const int Crowd = 128;
 
-    /// <summary>Allowance for rounding, as a part of the tolerance; <see cref="Point2D.IsNear"/> makes the final decision whether an end is near.</summary>
+    /// <summary>Allowance for rounding, as a part of the tolerance; <see cref="Point2D.IsNear"/> finally decides whether an end is near.</summary>
     private const double Rounding = 1e-9;
 
     private readonly Dictionary<((long X, long Y) Cell, int Level), Junction> _junctions = [];
     private readonly List<int> _setAside = [];
     private long _looks;
 
-    /// <summary>Ends and boxes that were tested.</summary>
+    /// <summary>Number of ends and boxes that were tested.</summary>
     public long Looks => _looks + _junctions.Values.Sum(junction => junction.Others.Looks);
 
-    /// <summary>The junctions that may have ends near a point.</summary>
+    /// <summary>The junctions that can have ends near a point.</summary>
     /// <param name="here">Present end of the contour.</param>
     /// <param name="level">Height level of that end.</param>
     /// <param name="isAtLevel">True for the ends at that level.</param>
@@ -27,7 +28,7 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
     public Junction[] Near(Point2D here, int level, Predicate<int> isAtLevel, Predicate<int> isShort, Func<int, Vector2D> travelInto)
     {
         var found = new List<Junction>();
-        foreach (var cell in ends.CellsNear(here).ToArray().OrderByDescending(cell => cell == ends.CellAt(here))) // the nearest end is usually in the own square, and then no farther one need be searched elsewhere
+        foreach (var cell in ends.CellsNear(here).ToArray().OrderByDescending(cell => cell == ends.CellAt(here))) // the nearest end is usually in the same square, and then other squares need not be searched
         {
             if (!_junctions.TryGetValue((cell, level), out var junction))
             {
@@ -43,7 +44,7 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
         return [.. found];
     }
 
-    /// <summary>The nearest end of a short segment within the tolerance, ties to the lower number; null without one.</summary>
+    /// <summary>The nearest end of a short segment within the tolerance, the lower number in case of a tie; null when there is none.</summary>
     public int? NearestShort(Junction[] junctions, Point2D here, Predicate<int> counts)
     {
         int? best = null;
@@ -65,7 +66,7 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
         while (item >= 0 && (ends.IsTaken(junction.Shorts[item]) || !counts(junction.Shorts[item])))
         {
             junction.ShortPlaces.Hide(item);
-            if (!ends.IsTaken(junction.Shorts[item])) _setAside.Add(item); // not taken: the first segment of the contour, whose end may close it later
+            if (!ends.IsTaken(junction.Shorts[item])) _setAside.Add(item); // not taken: the first segment of the contour, whose end can close it later
             item = Nearest(junction, here, within);
         }
 
@@ -86,7 +87,8 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
     public bool IsAny(Junction[] junctions, Point2D here, Predicate<int> counts) =>
         NearestShort(junctions, here, counts) is not null || Straightest(junctions, here, default, 0.0, counts) is not null;
 
-    /// <summary>The end within the tolerance that continues straightest; of equals the one with the lowest number; null without one.</summary>
+    /// <summary>The end within the tolerance with the straightest continuation; of equal ends the one with the lowest number; null when there is
+    /// none.</summary>
     /// <param name="junctions">The result of <see cref="Near"/>.</param>
     /// <param name="here">Present end of the contour.</param>
     /// <param name="travel">Direction of travel, length 1.</param>

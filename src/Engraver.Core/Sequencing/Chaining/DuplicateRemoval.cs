@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Cuts a line that was drawn twice only once: finds whole segments that coincide, in the same or the opposite direction.</summary>
+/// <summary>Removes duplicate segments: finds whole segments that coincide, in the same or the opposite direction.</summary>
 public static class DuplicateRemoval
 {
     /// <summary>Points compared on each span of a curve.</summary>
@@ -11,13 +11,14 @@ public static class DuplicateRemoval
 
     /// <summary>Rows that are kept, ascending: of every group of duplicates the lowest row.</summary>
     /// <param name="segments">Rows by index.</param>
-    /// <param name="tolerance">Millimetres. Ends and midpoint must agree within it (of circles the distance of the centres and the difference of the radii, together), or within a hundredth of the segment's length when
-    /// that is less, so that a curve of tiny steps keeps every step. What is left out lies no farther than this from what stays.</param>
+    /// <param name="tolerance">Millimetres. Ends and midpoint must agree within it (for circles, the sum of the distance of the centres and the difference of
+    /// the radii), or within a hundredth of the segment's length when that is less, so that a curve of tiny steps keeps every step. Removed segments are within
+    /// this distance of the remaining ones.</param>
     public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance) => Keep(segments, tolerance, EndHeights.Flat);
 
     /// <param name="segments">Rows by index.</param>
-    /// <param name="tolerance">As above.</param>
-    /// <param name="heights">Of their ends: segments at different levels are not the same.</param>
+    /// <param name="tolerance">Tolerance as above.</param>
+    /// <param name="heights">Heights of the ends: segments at different levels are not duplicates.</param>
     public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance, EndHeights heights)
     {
         ArgumentNullException.ThrowIfNull(heights);
@@ -25,9 +26,9 @@ public static class DuplicateRemoval
     }
 
     /// <param name="segments">Rows by index.</param>
-    /// <param name="tolerance">As above.</param>
-    /// <param name="heights">Of their ends.</param>
-    /// <param name="candidates">The rows that may coincide with another one, ascending: the others are kept unseen.</param>
+    /// <param name="tolerance">Tolerance as above.</param>
+    /// <param name="heights">Heights of the ends.</param>
+    /// <param name="candidates">The rows that can coincide with another one, ascending: the others are kept without a check.</param>
     internal static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance, EndHeights heights, int[] candidates)
     {
         var middles = new Point2D[candidates.Length];
@@ -55,18 +56,18 @@ public static class DuplicateRemoval
         return [.. Enumerable.Range(0, segments.Length).Where(row => !isDuplicate[row])];
     }
 
-    /// <summary>At both ends, in the same or the opposite direction.</summary>
+    /// <summary>Compares the heights of both ends, in the same or the opposite direction.</summary>
     private static bool AreAsHigh(EndHeights heights, int row, int other)
     {
         var (start, end, otherStart, otherEnd) = (heights.LevelOf(2 * row), heights.LevelOf((2 * row) + 1), heights.LevelOf(2 * other), heights.LevelOf((2 * other) + 1));
         return (start == otherStart && end == otherEnd) || (start == otherEnd && end == otherStart);
     }
 
-    /// <summary>The midpoint; of a circle its left quadrant point, because concentric circles must not all lie in one cell of the grid.</summary>
+    /// <summary>The midpoint; for a circle its left quadrant point, so that concentric circles are in different cells of the grid.</summary>
     internal static Point2D MiddleOf(Segment segment) => segment.Kind == SegmentKind.Circle ? segment.Arc.Centre - new Vector2D(segment.Arc.Radius, 0.0) : segment.PointAt(0.5);
 
     /// <summary>True when two whole segments coincide in plan, in the same or the opposite direction.</summary>
-    /// <param name="middleDistance">Of their <see cref="MiddleOf"/>, millimetres.</param>
+    /// <param name="middleDistance">Distance of their <see cref="MiddleOf"/> points, millimetres.</param>
     internal static bool AreSame(Segment a, Segment b, double middleDistance, double tolerance)
     {
         if (a.Kind != b.Kind) return false;
@@ -77,7 +78,8 @@ public static class DuplicateRemoval
         return (a.Start.IsNear(b.Start, within) && a.End.IsNear(b.End, within)) || (a.Start.IsNear(b.End, within) && a.End.IsNear(b.Start, within));
     }
 
-    /// <summary>True when two curves with the same number of spans coincide; compared at points all along, because ends and middle do not distinguish them.</summary>
+    /// <summary>True when two curves with the same number of spans coincide; compared at points along the whole curve, because ends and middle do not
+    /// distinguish them.</summary>
     private static bool RunTogether(Segment a, Segment b, double within, bool backwards)
     {
         var places = CurvePlaces * a.Curve.Spans.Length;

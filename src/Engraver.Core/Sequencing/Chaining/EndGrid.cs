@@ -4,37 +4,38 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Sequencing.Chaining;
 
 /// <summary>A hash grid of points (segment ends, midpoints) that finds the points within the tolerance of another in constant time.</summary>
-/// <remarks>Cells are five times as wide as the tolerance, so at most four are searched, and in the mean two. The points of a cell lie side by side in memory, because a drawing's segments come in no order of place; points that were taken are removed as they are met.</remarks>
+/// <remarks>Cells are five times as wide as the tolerance, so at most four are searched, and two on average. The points of a cell are adjacent in memory,
+/// because the segments of a drawing are in no spatial order; taken points are removed when the search reaches them.</remarks>
 internal sealed class EndGrid
 {
     /// <summary>No point is near (<see cref="OnlyNeighbours"/>).</summary>
     public const int None = -1;
 
-    /// <summary>More than one point is near, or too many had to be tested to know.</summary>
+    /// <summary>More than one point is near, or too many points would have to be tested.</summary>
     public const int Several = -2;
 
-    /// <summary>Points that are tested for one neighbour.</summary>
+    /// <summary>Maximum number of points tested for one neighbour.</summary>
     private const int MostForNeighbour = 64;
     private const int BitsForEach = 8;
     private const double CellInTolerances = 5.0;
 
-    /// <summary>Binary logarithm of the number of blocks of buckets: as many as places of the memory can be written to in turn without waiting.</summary>
+    /// <summary>Binary logarithm of the number of blocks of buckets: the number of memory locations that can be written in turn without waiting.</summary>
     private const int BlockBits = 10;
     private const double OutermostCell = 1L << 60;
 
-    /// <summary>By bucket where its points begin and how many are left of them.</summary>
+    /// <summary>For each bucket, the index of its first point and the number of remaining points.</summary>
     private readonly int[] _starts;
     private readonly int[] _counts;
     private readonly Entry[] _entries;
 
-    /// <summary>One bit for some cells each: 0 where all of them are empty, so that most looks at an empty cell end without a walk through the memory.</summary>
+    /// <summary>One bit for each group of cells: 0 when all of them are empty, so that most queries of an empty cell need no further memory access.</summary>
     private readonly ulong[] _occupied;
     private readonly bool[] _taken;
     private readonly double _tolerance;
     private readonly double _cellsPerMillimetre;
 
-    /// <param name="places">Numbered by their index.</param>
-    /// <param name="tolerance">Millimetres, zero or more: zero finds exactly equal places only.</param>
+    /// <param name="places">Points, numbered by their index.</param>
+    /// <param name="tolerance">Tolerance in millimetres, zero or more: zero finds only exactly equal places.</param>
     public EndGrid(ReadOnlySpan<Point2D> places, double tolerance)
     {
         _tolerance = tolerance;
@@ -54,7 +55,8 @@ internal sealed class EndGrid
 
     public bool IsTaken(int place) => _taken[place];
 
-    /// <summary>For each place the only other one within the tolerance, <see cref="None"/>, or <see cref="Several"/>; taken ones count too. Reads the memory in its order, while a question about one place after another would wait for it each time.</summary>
+    /// <summary>For each place the only other one within the tolerance, <see cref="None"/>, or <see cref="Several"/>; taken points also count. Reads memory in
+    /// order, while separate queries for each place would wait for memory each time.</summary>
     public int[] OnlyNeighbours()
     {
         var neighbours = GC.AllocateUninitializedArray<int>(_entries.Length);
@@ -65,7 +67,8 @@ internal sealed class EndGrid
     /// <summary>Replaces the content of <paramref name="found"/> by every place within the tolerance that is not taken.</summary>
     public void Near(Point2D here, List<int> found) => TryNear(here, _ => true, int.MaxValue, found);
 
-    /// <summary>The same, limited to points for which <paramref name="counts"/> holds; false when more than <paramref name="most"/> would have to be tested: <paramref name="found"/> is then incomplete.</summary>
+    /// <summary>The same, limited to points for which <paramref name="counts"/> holds; false when more than <paramref name="most"/> would have to be tested:
+    /// <paramref name="found"/> is then incomplete.</summary>
     public bool TryNear(Point2D here, Predicate<int> counts, int most, List<int> found)
     {
         found.Clear();
@@ -77,7 +80,7 @@ internal sealed class EndGrid
         return true;
     }
 
-    /// <summary>The one, two or four cells in which places within the tolerance may lie.</summary>
+    /// <summary>The one, two or four cells that can contain places within the tolerance.</summary>
     public CellRange CellsNear(Point2D here) => new(CellOf(here.X - _tolerance), CellOf(here.X + _tolerance), CellOf(here.Y - _tolerance), CellOf(here.Y + _tolerance));
 
     public (long X, long Y) CellAt(Point2D here) => (CellOf(here.X), CellOf(here.Y));
@@ -140,7 +143,8 @@ internal sealed class EndGrid
         return true;
     }
 
-    /// <summary>Removes the taken points among the first of a bucket; those that stay are moved up to the untested ones, so that a crowd is not moved as a whole.</summary>
+    /// <summary>Removes the taken points among the first of a bucket; the remaining ones are moved up to the untested ones, so that a large bucket is not moved
+    /// as a whole.</summary>
     private void LeaveOut(ulong hash, Span<Entry> entries, int kept, int tested)
     {
         entries[..kept].CopyTo(entries[(tested - kept)..]);
@@ -149,7 +153,8 @@ internal sealed class EndGrid
         _counts[bucket] -= tested - kept;
     }
 
-    /// <summary>Sorts the points by bucket; those of one stay in ascending order. First by blocks of buckets, because points in no order of place that are written to their bucket at once wait for the memory each time.</summary>
+    /// <summary>Sorts the points by bucket; those of one bucket stay in ascending order. Sorts first by blocks of buckets, because writing spatially unordered
+    /// points directly to their buckets would wait for memory each time.</summary>
     private void Distribute(ReadOnlySpan<Point2D> places)
     {
         var shift = Math.Max(0, BitOperations.Log2((uint)_starts.Length) - BlockBits);
@@ -180,7 +185,7 @@ internal sealed class EndGrid
     /// <param name="begin">The first entry of the block.</param>
     /// <param name="length">Number of its entries.</param>
     /// <param name="buckets">The first bucket of the block, and how many it has.</param>
-    /// <param name="unsorted">Room for the entries as they were; grows.</param>
+    /// <param name="unsorted">Buffer for the unsorted entries; grows.</param>
     private void SortBlock(int begin, int length, (int First, int Count) buckets, ref Entry[] unsorted)
     {
         if (unsorted.Length < length) unsorted = new Entry[length];
@@ -200,7 +205,7 @@ internal sealed class EndGrid
         return _entries.AsSpan(_starts[bucket], _counts[bucket]);
     }
 
-    /// <summary>The cell of a coordinate. Extreme coordinates share the outermost cell, because a number that overflowed would never be found again.</summary>
+    /// <summary>The cell of a coordinate. Extreme coordinates share the outermost cell, because an overflowed number could not be found again.</summary>
     private long CellOf(double coordinate) => (long)Math.Floor(Math.Clamp(coordinate * _cellsPerMillimetre, -OutermostCell, OutermostCell));
 
     private int IndexOf(ulong hash) => (int)(hash >> 33) & (_starts.Length - 1);

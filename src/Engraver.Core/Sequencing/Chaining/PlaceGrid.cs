@@ -3,25 +3,28 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Places in square cells, about two to a cell: the nearest one is mostly found by a look at a few cells, otherwise by way of larger squares that know how many are shown in them.</summary>
-/// <remarks>For places that are spread evenly, many times faster than a <see cref="BoxTree"/>; for others there is none. Places can be hidden and shown again. Not safe for use from several threads while places are hidden or shown.</remarks>
+/// <summary>Places in square cells, about two to a cell: the nearest one is mostly found in a few cells, otherwise through larger squares that store their
+/// number of shown places.</summary>
+/// <remarks>For evenly spread places, many times faster than a <see cref="BoxTree"/>; no grid is made for other places. Places can be hidden and shown again.
+/// Not safe for use from several threads while places are hidden or shown.</remarks>
 internal sealed class PlaceGrid
 {
     private const double PlacesInCell = 2.0;
 
-    /// <summary>Of the cell of a place, the mean over all places: where there are more, the places crowd together and a tree is faster.</summary>
+    /// <summary>Limit of the number of places in the cell of a place, as the mean over all places: above it, the places are crowded and a tree is
+    /// faster.</summary>
     private const double MostInCell = 24.0;
 
-    /// <summary>Cells to either side that are looked at before larger squares are.</summary>
+    /// <summary>Number of cells to either side that are searched before larger squares.</summary>
     private const int Rings = 3;
 
-    /// <summary>Squares of a level along the side of one of the next.</summary>
+    /// <summary>Number of squares of a level along the side of a square of the next level.</summary>
     private const int Fanout = 4;
 
-    /// <summary>Part of a cell that the rounding of its edges may be.</summary>
+    /// <summary>Largest rounding of the edges of a cell, as a fraction of the cell.</summary>
     private const double MostMargin = 0.25;
 
-    /// <summary>Distances that are squared are as exact as this.</summary>
+    /// <summary>Accuracy of squared distances.</summary>
     private const double Rounding = 1e-9;
 
     private readonly Bounds2D _bounds;
@@ -32,15 +35,15 @@ internal sealed class PlaceGrid
     /// <summary>Margin for the rounding of a cell's edges, millimetres.</summary>
     private readonly double _margin;
 
-    /// <summary>By cell its first entry; one more than there are cells.</summary>
+    /// <summary>The first entry of each cell; one element more than there are cells.</summary>
     private readonly int[] _starts;
 
-    /// <summary>By cell how many of its entries, from the first, are shown: the lowest of the levels.</summary>
+    /// <summary>For each cell, the number of its entries, from the first, that are shown: the lowest level.</summary>
     private readonly int[] _shown;
     private readonly Level[] _levels;
     private readonly Entry[] _entries;
 
-    /// <summary>By place its entry.</summary>
+    /// <summary>The entry of each place.</summary>
     private readonly int[] _entryOf;
 
     private PlaceGrid(ReadOnlySpan<Point2D> places, Bounds2D bounds, double cell, int columns, int rows)
@@ -55,7 +58,8 @@ internal sealed class PlaceGrid
         _levels = LevelsOver(new Level(_shown, columns, rows, cell));
     }
 
-    /// <summary>A grid of places, all shown, numbered by their index; null where they crowd together, coincide, or lie so far from zero that cells cannot be told apart.</summary>
+    /// <summary>A grid of places, all shown, numbered by their index; null when they are crowded, coincide, or are so far from zero that cells cannot be
+    /// distinguished.</summary>
     public static PlaceGrid? TryBuild(ReadOnlySpan<Point2D> places)
     {
         var bounds = Bounds2D.Empty;
@@ -69,7 +73,7 @@ internal sealed class PlaceGrid
         return grid.IsEven() ? grid : null;
     }
 
-    /// <summary>The shown places cell by cell: asked in this order, questions that follow each other look at the same memory.</summary>
+    /// <summary>The shown places cell by cell: in this order, consecutive queries use the same memory.</summary>
     public IEnumerable<int> ByCell()
     {
         for (var cell = 0; cell < _shown.Length; cell++)
@@ -78,7 +82,7 @@ internal sealed class PlaceGrid
         }
     }
 
-    /// <summary>Leaves a place out of every answer until it is shown again. Hiding it twice has no further effect.</summary>
+    /// <summary>Excludes a place from every result until it is shown again. Hiding it twice has no further effect.</summary>
     public void Hide(int place)
     {
         var entry = _entryOf[place];
@@ -101,11 +105,11 @@ internal sealed class PlaceGrid
         Count(column, row, 1);
     }
 
-    /// <summary>The nearest shown place, of equally near ones the lower number; -1 when none is shown that near.</summary>
+    /// <summary>The nearest shown place, of equally near ones the lower number; -1 when no shown place is within the distance.</summary>
     /// <param name="from">Point to measure from.</param>
-    /// <param name="except">A place that is left out; -1 for none.</param>
+    /// <param name="except">A place to exclude; -1 for none.</param>
     /// <param name="within">Largest distance of interest; positive infinity for any.</param>
-    /// <param name="distance">Distance of the answer; <paramref name="within"/> without one.</param>
+    /// <param name="distance">Distance of the result; <paramref name="within"/> when there is none.</param>
     public int Nearest(Point2D from, int except, double within, out double distance)
     {
         var best = new Best(within);
@@ -142,7 +146,7 @@ internal sealed class PlaceGrid
         }
     }
 
-    /// <returns>False when the cells around do not tell which is the nearest.</returns>
+    /// <returns>False when the surrounding cells do not determine the nearest place.</returns>
     private bool TryRings(Point2D from, int except, ref Best best)
     {
         var (column, row) = CellOf(from);
@@ -155,7 +159,7 @@ internal sealed class PlaceGrid
         return false;
     }
 
-    /// <summary>Looks through a square for a nearer place, the nearest of the squares in it first.</summary>
+    /// <summary>Searches a square for a nearer place, starting with the nearest of the squares in it.</summary>
     private void Descend(int level, int column, int row, Point2D from, int except, ref Best best)
     {
         if (level == 0)
@@ -166,7 +170,7 @@ internal sealed class PlaceGrid
 
         var below = _levels[level - 1];
         Span<double> distances = stackalloc double[Fanout * Fanout];
-        var left = 0u; // a bit for each square in it that is still to be looked through
+        var left = 0u; // a bit for each square in it that must still be searched
         for (var i = 0; i < distances.Length; i++)
         {
             var (x, y) = ((column * Fanout) + (i % Fanout), (row * Fanout) + (i / Fanout));
@@ -184,7 +188,7 @@ internal sealed class PlaceGrid
         }
     }
 
-    /// <summary>A place in a square is at least so far away.</summary>
+    /// <summary>Lower bound of the distance of a place in a square.</summary>
     private double DistanceTo(double side, int column, int row, Point2D from)
     {
         var (left, low) = (_bounds.MinX + (column * side), _bounds.MinY + (row * side));
@@ -196,7 +200,7 @@ internal sealed class PlaceGrid
     private static double MarginOf(in Bounds2D bounds, double cell) =>
         (1e-6 * cell) + (1e-12 * Math.Max(Math.Max(Math.Abs(bounds.MinX), Math.Abs(bounds.MaxX)), Math.Max(Math.Abs(bounds.MinY), Math.Abs(bounds.MaxY))));
 
-    /// <param name="of">A bit for each value that counts; at least one.</param>
+    /// <param name="of">A bit for each value to consider; at least one.</param>
     private static int IndexOfSmallest(ReadOnlySpan<double> values, uint of)
     {
         var smallest = BitOperations.TrailingZeroCount(of);
@@ -260,7 +264,7 @@ internal sealed class PlaceGrid
         }
     }
 
-    /// <summary>Places outside of the rings are at least so far away.</summary>
+    /// <summary>Lower bound of the distance of places outside the rings.</summary>
     private double Beyond(int column, int row, int ring, Point2D from)
     {
         var beyond = double.PositiveInfinity;
@@ -287,8 +291,8 @@ internal sealed class PlaceGrid
     }
 
     /// <summary>Squares of one size.</summary>
-    /// <param name="Shown">How many places are shown in each, row by row.</param>
-    /// <param name="Side">Millimetres.</param>
+    /// <param name="Shown">Number of shown places in each square, row by row.</param>
+    /// <param name="Side">Side length, millimetres.</param>
     private sealed record Level(int[] Shown, int Columns, int Rows, double Side);
 
     private readonly record struct Entry(Point2D At, int Place);
@@ -299,7 +303,7 @@ internal sealed class PlaceGrid
 
         public double Distance { get; private set; } = within;
 
-        /// <summary>A little more than the square of the distance, so that no equally near place is left out.</summary>
+        /// <summary>Slightly more than the square of the distance, so that equally near places are included.</summary>
         public double Squared { get; private set; } = SquareOf(within);
 
         private static double SquareOf(double distance) => distance * distance * (1.0 + Rounding);

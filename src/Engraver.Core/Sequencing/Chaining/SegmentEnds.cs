@@ -2,13 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>The ends of segments in a grid, with what lies near each. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+/// <summary>The ends of segments in a grid, with the neighbours of each. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
 internal sealed class SegmentEnds
 {
     private readonly double _tolerance;
 
     /// <param name="segments">Rows by index.</param>
-    /// <param name="tolerance">Within which two ends are near, millimetres.</param>
+    /// <param name="tolerance">Distance within which two ends are near, millimetres.</param>
     public SegmentEnds(Segment[] segments, double tolerance)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(tolerance);
@@ -23,10 +23,12 @@ internal sealed class SegmentEnds
 
     public EndGrid Grid { get; }
 
-    /// <summary>For each end what <see cref="EndGrid.OnlyNeighbours"/> says: at most junctions the one segment that goes on, so that nothing need be searched.</summary>
+    /// <summary>For each end the result of <see cref="EndGrid.OnlyNeighbours"/>: at most junctions the single continuing segment, which makes a search
+    /// unnecessary.</summary>
     public int[] OnlyNeighbours { get; }
 
-    /// <summary>The rows that may coincide with another one within <paramref name="tolerance"/>, ascending; null when that cannot be told from the ends. The others have an end where no other segment ends, or ends at two different segments.</summary>
+    /// <summary>The rows that can coincide with another one within <paramref name="tolerance"/>, ascending; null when the ends do not determine this. The
+    /// others have an end where no other segment ends, or ends at two different segments.</summary>
     public int[]? MayCoincide(Segment[] segments, double tolerance)
     {
         if (tolerance > _tolerance) return null;

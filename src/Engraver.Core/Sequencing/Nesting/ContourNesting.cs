@@ -3,28 +3,30 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>Finds which closed contour directly encloses which contour. Cutting must respect it: an inner contour is cut before the one that holds its material.</summary>
+/// <summary>Finds the closed contour that directly encloses each contour. The order of cutting depends on it: an inner contour is cut before the contour that
+/// holds its material.</summary>
 public static class ContourNesting
 {
     private const int Witnesses = 5;
 
-    /// <summary>For each contour the index of the closed contour that directly encloses it, -1 for none. Never a cycle.</summary>
-    /// <param name="contours">Open and closed.</param>
+    /// <summary>For each contour the index of the closed contour that directly encloses it, -1 for none. Cycles cannot occur.</summary>
+    /// <param name="contours">Open and closed contours.</param>
     /// <param name="segments">Rows of the contours by index.</param>
-    /// <param name="tolerance">Millimetres by which a contour may extend over the box of the one around it (touching from inside).</param>
-    /// <remarks>A contour is inside when most of five points spread over it are (arcs are exact). Contours that cross each other are decided by the same majority.</remarks>
+    /// <param name="tolerance">Millimetres by which a contour may extend beyond the box of the enclosing contour (when it touches from inside).</param>
+    /// <remarks>A contour is inside when most of five points spread over it are (arcs are exact). The same majority decides for contours that cross each
+    /// other.</remarks>
     public static int[] Find(IReadOnlyList<Contour> contours, ReadOnlyMemory<Segment> segments, double tolerance)
     {
         var outlines = new ContourOutline[contours.Count];
         for (var i = 0; i < outlines.Length; i++) outlines[i] = new ContourOutline(contours[i], segments);
-        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].IsClosed)]; // long lines of a drawing lie in each other's boxes by the thousand
+        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].IsClosed)]; // thousands of long lines of a drawing can be in each other's boxes
         var tree = BoxTree.Build([.. closed.Select(i => outlines[i].Bounds.Grown(tolerance))]);
         var inside = new int[outlines.Length];
         var candidates = new List<int>();
         for (var i = 0; i < inside.Length; i++)
         {
             candidates.Clear();
-            tree.Containing(outlines[i].Bounds, candidates); // not those around one point: a star's contours all meet in its middle
+            tree.Containing(outlines[i].Bounds, candidates); // not those around one point: all contours of a star meet at its centre
             for (var at = 0; at < candidates.Count; at++) candidates[at] = closed[candidates[at]];
             inside[i] = DirectlyAround(i, outlines, candidates, tolerance);
         }
@@ -34,10 +36,10 @@ public static class ContourNesting
 
     private static int DirectlyAround(int inner, ContourOutline[] outlines, List<int> candidates, double tolerance)
     {
-        candidates.RemoveAll(outer => outer == inner || !outlines[outer].CanEnclose(outlines[inner], tolerance)); // each lies in its own box: its size need not be compared with itself
+        candidates.RemoveAll(outer => outer == inner || !outlines[outer].CanEnclose(outlines[inner], tolerance)); // each is in its own box: its size need not be compared with itself
         while (candidates.Count > 0)
         {
-            var smallest = SmallestOf(candidates, outlines); // nearly always the answer, so that sorting would be wasted on concentric rings
+            var smallest = SmallestOf(candidates, outlines); // almost always the result, so that sorting concentric rings is unnecessary
             var outer = candidates[smallest];
             if (HoldsMost(outlines[outer].Region, outlines[inner])) return outer;
             candidates[smallest] = candidates[^1];

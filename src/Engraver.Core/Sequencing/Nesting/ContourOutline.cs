@@ -4,20 +4,20 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>A contour with what nesting needs: its box; segments in travel order and, when it is closed, the region, where they are asked for.</summary>
+/// <summary>A contour with the data for nesting: its box and, on demand, its segments in travel order and, when it is closed, its region.</summary>
 internal sealed class ContourOutline
 {
-    /// <summary>Fraction of a segment at which its test point lies: away from ends, middles and quadrant points, where contours often touch.</summary>
+    /// <summary>Fraction of a segment of its test point: away from ends, middles and quadrant points, where contours often touch.</summary>
     private const double WitnessFraction = 0.3819660112501051;
 
-    /// <summary>Largest distance of the arcs that approximate a curve, as a part of the curve's size.</summary>
+    /// <summary>Largest distance of the arcs that approximate a curve, as a fraction of the curve's size.</summary>
     private const double CurveNearness = 1e-4;
 
     private readonly Contour _contour;
     private readonly ReadOnlyMemory<Segment> _rows;
     private readonly float _boxSize;
 
-    /// <summary>In travel order; made when a question is asked that the box does not answer, which few contours are.</summary>
+    /// <summary>Segments in travel order; created when the box does not answer a query, which is necessary for few contours.</summary>
     private Segment[]? _segments;
     private ContourRegion? _region;
 
@@ -74,7 +74,7 @@ internal sealed class ContourOutline
         return box;
     }
 
-    /// <summary>Ellipses and splines as arcs, near enough to decide what lies inside what.</summary>
+    /// <summary>Ellipses and splines as arcs, near enough to decide which contour is inside which.</summary>
     private static Segment[] ArcsFor(Segment[] segments)
     {
         if (!Array.Exists(segments, segment => segment.IsFreeCurve)) return segments;
@@ -92,7 +92,8 @@ internal sealed class ContourOutline
         return segments[segment].PointAt(segments.Length >= count ? WitnessFraction : place - segment);
     }
 
-    /// <summary>Orders by size of the box, equal boxes (within rounding) by area. An enclosing contour is always larger in this order, so that there are no cycles.</summary>
+    /// <summary>Orders by size of the box, equal boxes (within rounding) by area. An enclosing contour is always larger in this order, which excludes
+    /// cycles.</summary>
     public int CompareSize(ContourOutline other) => _boxSize != other._boxSize ? _boxSize.CompareTo(other._boxSize) : Area.CompareTo(other.Area);
 
     /// <summary>True when this contour is closed, larger, and its box contains the other's.</summary>

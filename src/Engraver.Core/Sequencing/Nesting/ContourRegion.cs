@@ -2,14 +2,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>The region inside a closed contour, with exact arcs: its area, and whether a point lies inside (even-odd rule).</summary>
+/// <summary>The region inside a closed contour, with exact arcs: its area, and whether a point is inside (even-odd rule).</summary>
 public sealed class ContourRegion
 {
     private readonly Segment[] _segments;
     private readonly Lazy<BoxTree> _boxes;
     private readonly List<int> _crossed = [];
 
-    /// <param name="segments">In order and direction of travel, end joined to start (a gap within the join tolerance counts as nothing).</param>
+    /// <param name="segments">In order and direction of travel, end joined to start (a gap within the join tolerance is ignored).</param>
     public ContourRegion(Segment[] segments)
     {
         _segments = segments;
@@ -22,7 +22,8 @@ public sealed class ContourRegion
     /// <summary>Counter-clockwise positive, mm2: the polygon of the ends plus the cap of every arc (Green's theorem).</summary>
     public double SignedArea => _segments.Sum(segment => Cross(segment) + Cap(segment)) / 2.0;
 
-    /// <summary>True when a ray from <paramref name="place"/> to the right crosses the contour an odd number of times. For a point on the contour either result is possible.</summary>
+    /// <summary>True when a ray from <paramref name="place"/> to the right crosses the contour an odd number of times. For a point on the contour either result
+    /// is possible.</summary>
     public bool Contains(Point2D place)
     {
         if (!Bounds.Contains(place)) return false;
@@ -55,7 +56,7 @@ public sealed class ContourRegion
         return line.Start.X + (fraction * (line.End.X - line.Start.X)) > place.X ? 1 : 0;
     }
 
-    /// <summary>The chord's crossings, plus one when the point lies between chord and arc.</summary>
+    /// <summary>The chord's crossings, plus one when the point is between chord and arc.</summary>
     private static int ArcCrossings(Segment segment, Point2D place)
     {
         var arc = segment.Arc;

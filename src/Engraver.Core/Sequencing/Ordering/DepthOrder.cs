@@ -4,8 +4,10 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>What depth asks of the order of cutting, so that no tool plunges into work that should have been cleared before: a contour waits until what lies over it has been cut, and an open one that goes down is entered at its upper end.</summary>
-/// <remarks>One contour lies over another when a segment of each coincides in plan and its lowest end is higher. That is what cutting the same path at several depths looks like; contours that only cross each other in plan are left to the order.</remarks>
+/// <summary>Constraints of depth on the order of cutting, which prevent the tool from plunging into material that should have been cleared first: a contour
+/// waits until the contours above it have been cut, and an open contour that descends is entered at its upper end.</summary>
+/// <remarks>One contour is above another when a segment of each coincides in plan and its lowest end is higher. This is the case when the same path is cut at
+/// several depths; contours that only cross in plan are not constrained.</remarks>
 internal sealed class DepthOrder
 {
     private readonly double _tolerance;
@@ -13,10 +15,10 @@ internal sealed class DepthOrder
 
     private DepthOrder(IReadOnlyCollection<(int Upper, int Lower)> over, double[] rises, double tolerance) => (Over, _rises, _tolerance) = (over, rises, tolerance);
 
-    /// <summary>All at one height.</summary>
+    /// <summary>All contours are at one height.</summary>
     public static DepthOrder None { get; } = new([], [], 0.0);
 
-    /// <summary>Every contour may be begun at either end.</summary>
+    /// <summary>Every contour can be started at either end.</summary>
     public bool IsNone => _rises.Length == 0;
 
     /// <summary>Each contour with the next one below it, by their indices.</summary>
@@ -24,7 +26,7 @@ internal sealed class DepthOrder
 
     /// <param name="contours">All contours of the segments.</param>
     /// <param name="segments">Rows of the contours by index.</param>
-    /// <param name="heights">Of their ends.</param>
+    /// <param name="heights">Heights of the ends.</param>
     /// <param name="tolerance">Millimetres within which segments coincide in plan.</param>
     /// <param name="heightTolerance">Millimetres by which heights must differ.</param>
     public static DepthOrder From(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, EndHeights heights, double tolerance, double heightTolerance)
@@ -49,7 +51,7 @@ internal sealed class DepthOrder
 
     /// <summary>False for the lower end of an open contour.</summary>
     /// <param name="contour">Index of the contour.</param>
-    /// <param name="isTurned">It is begun at its far end.</param>
+    /// <param name="isTurned">True when it is started at its far end.</param>
     public bool MayBegin(int contour, bool isTurned)
     {
         if (IsNone) return true;
@@ -57,7 +59,7 @@ internal sealed class DepthOrder
         return ahead <= _tolerance;
     }
 
-    /// <summary>Takes out of the nesting what would cut a contour before what lies over it: nothing is inside of what it coincides with.</summary>
+    /// <summary>Removes the nesting that would cut a contour before the contours above it: a contour is not inside a contour with which it coincides.</summary>
     /// <param name="inside">The contour directly around each one, -1 for none.</param>
     public void Untangle(Span<int> inside)
     {

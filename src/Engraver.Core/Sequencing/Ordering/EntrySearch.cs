@@ -3,10 +3,10 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>Finds how to begin a contour from the entity or point that the operator chose to enter at.</summary>
+/// <summary>Finds the start of a contour from the entity or point that the operator selected for the entry.</summary>
 internal static class EntrySearch
 {
-    /// <summary>The entry; null when the entity is not cut, or nothing is.</summary>
+    /// <summary>The entry; null when the entity is not cut or there are no contours.</summary>
     public static StrokeEntry? Find(EnterAt enter, ChainedTable chained, Point2D toolStart) => enter switch
     {
         EnterAt.AtEntity { EntityIndex: var entity } => AtEntity(entity, chained, toolStart),
@@ -14,7 +14,8 @@ internal static class EntrySearch
         _ => throw new ArgumentOutOfRangeException(nameof(enter)),
     };
 
-    /// <summary>Among the contours with the entity, the start at it that is nearest to the tool; an open contour that has it only in the middle is entered at an end.</summary>
+    /// <summary>Among the contours with the entity, the start at it that is nearest to the tool; an open contour that has the entity only in the middle is
+    /// entered at an end.</summary>
     private static StrokeEntry? AtEntity(int entity, ChainedTable chained, Point2D toolStart)
     {
         var entries = AllEntries(chained).Where(entry => Holds(entry.Contour, entity, chained)).ToList();
@@ -55,14 +56,15 @@ internal static class EntrySearch
     private static int FirstRow(StrokeEntry entry, ChainedTable chained) => chained.Chain.Contours[entry.Contour].Pieces.Span[entry.Piece].Row;
 }
 
-/// <summary>The entering entity of paper 000: the stroke that is cut first. (Strokes inside it are cut before it all the same.)</summary>
+/// <summary>The entering entity of paper 000: the stroke that is cut first. (Strokes inside it are still cut before it.)</summary>
 public abstract record EnterAt
 {
     private EnterAt()
     {
     }
 
-    /// <summary>The stroke that holds this drawing entity, started at the entity where that is possible: at any of a closed stroke's joints, at an open one's ends.</summary>
+    /// <summary>The stroke that contains this drawing entity, started at the entity where that is possible: at any joint of a closed stroke, at the ends of an
+    /// open stroke.</summary>
     public sealed record AtEntity(int EntityIndex) : EnterAt;
 
     /// <summary>The stroke with the start point nearest to this point (millimetres), started there; a circle may start at any of its points.</summary>

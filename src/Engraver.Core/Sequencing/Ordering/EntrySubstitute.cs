@@ -3,10 +3,10 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>Finds the entity under which a requested entity is cut, when it was removed as a duplicate or replaced by a recovered arc.</summary>
+/// <summary>Finds the entity that is cut in place of a requested entity, when it was removed as a duplicate or replaced by a recovered arc.</summary>
 internal static class EntrySubstitute
 {
-    /// <summary>The request itself, unless it names an entity that was to be cut and is no longer in the table.</summary>
+    /// <summary>The request itself, unless it names an entity that should be cut but is no longer in the table.</summary>
     public static EnterAt Resolve(EnterAt requested, ChainedTable chained)
     {
         if (requested is not EnterAt.AtEntity { EntityIndex: var entity } || RowOf(entity, chained.Kept) >= 0) return requested;
@@ -24,7 +24,7 @@ internal static class EntrySubstitute
         return -1;
     }
 
-    /// <summary>A substitute coincides with the segment all along, so ends and middle together find it even where other contours cross.</summary>
+    /// <summary>A substitute coincides with the whole segment, so ends and middle together identify it even where other contours cross.</summary>
     private static int Nearest(Segment drawn, ChainedTable chained)
     {
         var (nearest, least) = (0, double.PositiveInfinity);

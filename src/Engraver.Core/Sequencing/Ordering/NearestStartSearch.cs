@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>Searches the nearest start among contours that may be cut next: those with nothing uncut inside them or over them.</summary>
+/// <summary>Searches the nearest start among contours that may be cut next: those without uncut contours inside or above them.</summary>
 internal sealed class NearestStartSearch
 {
     private readonly IReadOnlyList<Contour> _contours;
@@ -11,7 +11,7 @@ internal sealed class NearestStartSearch
     private readonly int[] _inside;
     private readonly int[] _waitsFor;
 
-    /// <summary>By contour those that wait for it because they lie below; empty where none does.</summary>
+    /// <summary>For each contour, those that wait for it because they are below it; empty when there are none.</summary>
     private readonly List<int>?[] _below;
     private readonly bool[] _done;
     private readonly ShownStarts _starts;
@@ -44,22 +44,22 @@ internal sealed class NearestStartSearch
         }
     }
 
-    /// <summary>The nearest start, or null when nothing is left to choose.</summary>
+    /// <summary>The nearest start, or null when no contour remains.</summary>
     public StrokeEntry? Next(Point2D tool)
     {
         var start = _starts.Nearest(tool);
         if (start is null && _left > 0 && _within is null)
         {
-            ForEach(contour => !_done[contour], contour => _starts.Set(contour, true)); // they wait for each other, as where an outline lies over parts of what it encloses: nothing is left out for that
+            ForEach(contour => !_done[contour], contour => _starts.Set(contour, true)); // they wait for each other, for example when an outline is above parts of its inside: all are still cut
             start = _starts.Nearest(tool);
         }
 
         if (start is not var (index, number, place)) return null;
         var contour = _contours[index];
-        return contour.Closed ? StrokeEntry.At(number, index, contour, _segments.Span) : StrokeEntry.AtEnd(number, index, contour, place); // a segment that need not be read saves a walk through the memory for each of a million
+        return contour.Closed ? StrokeEntry.At(number, index, contour, _segments.Span) : StrokeEntry.AtEnd(number, index, contour, place); // not reading the segment saves a memory access for each of a million contours
     }
 
-    /// <summary>Removes a contour that was cut, and admits those that waited for it alone.</summary>
+    /// <summary>Removes a contour that was cut, and admits those that waited only for it.</summary>
     public void Done(int contour)
     {
         _left--;
@@ -70,7 +70,7 @@ internal sealed class NearestStartSearch
         foreach (var lower in _below[contour] ?? []) Release(lower);
     }
 
-    /// <summary>Until further notice only contours inside <paramref name="contour"/>, at any depth, can be chosen.</summary>
+    /// <summary>From now on only contours inside <paramref name="contour"/>, at any nesting depth, can be chosen.</summary>
     public void RestrictTo(int contour)
     {
         var within = _within = WithinFlags(contour);

@@ -4,7 +4,8 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>Writes the table in the order of cutting: rows reversed where the contour runs them backwards, circles started where the tool arrives, slot 13 numbered from 1.</summary>
+/// <summary>Writes the table in the order of cutting: rows reversed where the contour runs them backwards, circles started at the arrival point of the tool,
+/// slot 13 numbered from 1.</summary>
 internal static class SequencedTable
 {
     /// <returns>The table, and the number of rows that run against their drawn direction.</returns>

@@ -3,23 +3,24 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>The possible starts of the contours that may be cut next; the nearest one is found in a grid of places where many contours are spread evenly, otherwise in a tree of boxes.</summary>
+/// <summary>The possible starts of the contours that may be cut next. The nearest one is found in a grid of places when many contours are spread evenly,
+/// otherwise in a tree of boxes.</summary>
 internal sealed class ShownStarts
 {
-    /// <summary>Fewer starts are searched as fast in a tree.</summary>
+    /// <summary>A search of fewer starts is as fast in a tree.</summary>
     private const int FewestForGrid = 256;
 
-    /// <summary>Starts for each contour: with more, a grid takes longer to make than it saves.</summary>
+    /// <summary>Starts for each contour: with more, creating a grid takes longer than it saves.</summary>
     private const int MostForGrid = 8;
 
     private readonly StartRuns _starts;
     private readonly DepthOrder _depth;
     private readonly PlaceGrid? _grid;
 
-    /// <summary>With a grid, by start its contour.</summary>
+    /// <summary>With a grid, the contour of each start.</summary>
     private readonly int[] _contourOf = [];
 
-    /// <summary>Of the runs; null with a grid.</summary>
+    /// <summary>Tree of the runs; null with a grid.</summary>
     private readonly BoxTree? _tree;
     private readonly BoxTree.Measure _measure;
 
@@ -50,8 +51,8 @@ internal sealed class ShownStarts
         }
     }
 
-    /// <summary>The nearest shown start, ties to the lower contour and its drawn start; null when none is shown.</summary>
-    /// <returns>Its contour, its number among the starts of that, and where it lies.</returns>
+    /// <summary>The nearest shown start, in case of a tie the lower contour and its drawn start; null when none is shown.</summary>
+    /// <returns>Its contour, its number among the starts of the contour, and its position.</returns>
     public (int Contour, int Number, Point2D Place)? Nearest(Point2D tool)
     {
         if (_grid is { } grid) return grid.Nearest(tool, -1, double.PositiveInfinity, out _) is >= 0 and var start ? (_contourOf[start], start - _starts.NumbersOf(_contourOf[start]).First, _starts.Places[start]) : null;

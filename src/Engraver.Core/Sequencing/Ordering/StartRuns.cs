@@ -3,8 +3,9 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>The possible starts of all contours, in their order (what a grid is built over) and in short runs of neighbours: what a tree of boxes is built over, because a box for each joint of a million would be built far longer than it is searched.</summary>
-/// <remarks>The two ends of an open contour are runs of their own: they may lie far apart, and depth may allow only one of them.</remarks>
+/// <summary>The possible starts of all contours, in their order (for a grid) and in short runs of neighbours (for a tree of boxes, because building a box for
+/// each of a million joints would take far longer than the search).</summary>
+/// <remarks>The two ends of an open contour are separate runs: they can be far apart, and depth may allow only one of them.</remarks>
 internal sealed class StartRuns
 {
     private const int LongestRun = 16;
@@ -12,7 +13,7 @@ internal sealed class StartRuns
     private readonly IReadOnlyList<Contour> _contours;
     private readonly Point2D[] _places;
 
-    /// <summary>By contour its first start and its first run; one more than there are contours.</summary>
+    /// <summary>The first start and the first run of each contour; one element more than there are contours.</summary>
     private readonly int[] _starts;
     private readonly int[] _runs;
 
@@ -34,19 +35,19 @@ internal sealed class StartRuns
         }
     }
 
-    /// <summary>The first run of a contour; of the number of contours the number of runs.</summary>
+    /// <summary>The first run of a contour; for the number of contours, the number of runs.</summary>
     public int FirstOf(int contour) => _runs[contour];
 
     /// <summary>All starts, contour by contour.</summary>
     public ReadOnlySpan<Point2D> Places => _places;
 
     /// <summary>The numbers of a contour's starts among all.</summary>
-    /// <returns>The first, and the one behind the last.</returns>
+    /// <returns>The first, and the one after the last.</returns>
     public (int First, int End) NumbersOf(int contour) => (_starts[contour], _starts[contour + 1]);
 
     public bool IsOpen(int contour) => !_contours[contour].Closed;
 
-    /// <summary>By start its contour.</summary>
+    /// <summary>The contour of each start.</summary>
     public int[] Contours()
     {
         var contours = GC.AllocateUninitializedArray<int>(_places.Length);
@@ -82,7 +83,7 @@ internal sealed class StartRuns
     }
 
     /// <summary>The first start of a run at that distance.</summary>
-    /// <returns>Its contour and its number among the starts of that.</returns>
+    /// <returns>Its contour and its number among the starts of the contour.</returns>
     public (int Contour, int Number) StartAt(int run, Point2D tool, double distance)
     {
         var contour = ContourOf(run);

@@ -4,15 +4,17 @@ using Engraver.Core.Sequencing.Nesting;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>Decides in which order contours become strokes, and where each begins. Inner contours always come before the one around them.</summary>
+/// <summary>Decides the order of contours as strokes, and the start of each. Inner contours always come before the enclosing contour.</summary>
 public static class TravelOrder
 {
-    /// <summary>File order: each contour as drawn, in the order of their lowest rows; one that encloses others waits for them and then follows at once.</summary>
+    /// <summary>File order: each contour as drawn, in the order of their lowest rows; a contour that encloses others waits for them and then follows
+    /// directly.</summary>
     /// <param name="contours">In order of their lowest row.</param>
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="inside">The contour directly around each one, -1 for none (see <see cref="ContourNesting"/>).</param>
-    /// <param name="toolStart">Position of the tool at the start: a circle begins at its left or right quadrant point, whichever is nearer to where the tool comes from (paper 001, section 4.1; tie: right).</param>
-    /// <param name="first">The entry of the contour that must come first (after what lies inside it); null when none must.</param>
+    /// <param name="toolStart">Position of the tool at the start: a circle starts at its left or right quadrant point, whichever is nearer to the tool (paper
+    /// 001, section 4.1; tie: right).</param>
+    /// <param name="first">The entry of the contour that must come first (after the contours inside it); null for no requirement.</param>
     public static IReadOnlyList<StrokeEntry> Drawn(
         IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, Point2D toolStart, StrokeEntry? first)
     {
@@ -27,14 +29,16 @@ public static class TravelOrder
         return order;
     }
 
-    /// <summary>Nearest first: from the tool's position to the nearest start of any contour that may be cut, ties to the lower contour and its drawn start.</summary>
-    /// <remarks>Open contours are entered from either end, closed ones at the nearest joint, circles at the nearer of two quadrant points. Logarithmic per step.</remarks>
+    /// <summary>Nearest first: from the tool's position to the nearest start of any contour that may be cut, in case of a tie the lower contour and its drawn
+    /// start.</summary>
+    /// <remarks>Open contours are entered from either end, closed ones at the nearest joint, circles at the nearer of two quadrant points. Logarithmic per
+    /// step.</remarks>
     /// <param name="contours">In order of their lowest row.</param>
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="inside">The contour directly around each one, -1 for none.</param>
-    /// <param name="depth">What waits for what lies over it, and where it may be entered.</param>
+    /// <param name="depth">Constraints of depth: the contours that wait for contours above them, and the allowed entries.</param>
     /// <param name="toolStart">Position of the tool at the start.</param>
-    /// <param name="first">The entry of the contour that must come first (after what lies inside it); null when none must.</param>
+    /// <param name="first">The entry of the contour that must come first (after the contours inside it); null for no requirement.</param>
     internal static IReadOnlyList<StrokeEntry> Nearest(
         IReadOnlyList<Contour> contours, ReadOnlyMemory<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth, Point2D toolStart, StrokeEntry? first)
     {
@@ -77,7 +81,8 @@ public static class TravelOrder
         return entries.MinBy(entry => entry.Place.DistanceTo(tool));
     }
 
-    /// <summary>Contours in index order, each after everything inside it; <paramref name="first"/> with its inside at the very front. Uses a stack of its own, because drawings may nest deeper than a thread's stack.</summary>
+    /// <summary>Contours in index order, each after all contours inside it; <paramref name="first"/> with its inside comes first. Uses an explicit stack,
+    /// because drawings can nest deeper than a thread's stack.</summary>
     private static List<int> InnerFirst(ReadOnlySpan<int> inside, int? first)
     {
         var children = new List<int>?[inside.Length];
@@ -107,12 +112,12 @@ public static class TravelOrder
     }
 }
 
-/// <summary>Orders of strokes. In each, an inner stroke comes before the one around it.</summary>
+/// <summary>Orders of strokes. In each order, an inner stroke comes before the enclosing stroke.</summary>
 public enum StrokeOrder
 {
     /// <summary>File order of each contour's lowest row, drawn directions and start points.</summary>
     Drawn,
 
-    /// <summary>Always the nearest next start, contours started where the tool is nearest.</summary>
+    /// <summary>Always the nearest next start; contours start at the point nearest to the tool.</summary>
     Nearest,
 }

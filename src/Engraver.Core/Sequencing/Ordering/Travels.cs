@@ -18,7 +18,7 @@ internal static class Travels
         return travel;
     }
 
-    /// <summary>Travel with every DXF curve as a stroke of its own: successive rows of one entity are one curve.</summary>
+    /// <summary>Travel with every DXF curve as a separate stroke: successive rows of one entity are one curve.</summary>
     public static double AsDrawn(Point2D toolStart, EntityTable analysed)
     {
         var (tool, travel) = (toolStart, 0.0);
