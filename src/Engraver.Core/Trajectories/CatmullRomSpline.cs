@@ -2,19 +2,20 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>The uniform Catmull-Rom spline that a controller runs through a trajectory's points: the tangent at a point is half the way from its predecessor to its successor (paper 004; sace-xps-agie.md 2.3).</summary>
+/// <summary>The uniform Catmull-Rom spline that a controller runs through a trajectory's points: the tangent at a point is half the vector from its predecessor
+/// to its successor (paper 004; sace-xps-agie.md 2.3).</summary>
 internal sealed class CatmullRomSpline
 {
     private readonly Point2D[] _lines;
 
-    /// <param name="lines">As they stand in the file: a phantom point, the points visited, a phantom point.</param>
+    /// <param name="lines">Points as in the file: a phantom point, the visited points, a phantom point.</param>
     public CatmullRomSpline(Point2D[] lines)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(lines.Length, 4);
         _lines = lines;
     }
 
-    /// <summary>Phantom, points visited, phantom.</summary>
+    /// <summary>Phantom point, visited points, phantom point.</summary>
     public IReadOnlyList<Point2D> Lines => _lines;
 
     /// <summary>Number of cubics.</summary>
@@ -30,7 +31,7 @@ internal sealed class CatmullRomSpline
         }
     }
 
-    /// <summary>Largest ratio of two neighbouring chords; 1 for a single one.</summary>
+    /// <summary>Largest ratio of two neighbouring chords; 1 for a single chord.</summary>
     public double SpacingRatio(bool closed)
     {
         var ratio = 1.0;
@@ -63,7 +64,7 @@ internal readonly record struct Cubic(Point2D A, Point2D B, Point2D C, Point2D D
         return (((B - A) * (v * v)) + ((C - B) * (2.0 * v * u)) + ((D - C) * (u * u))) * 3.0;
     }
 
-    /// <summary>Both parts at a parameter.</summary>
+    /// <summary>Both parts when split at a parameter.</summary>
     public (Cubic First, Cubic Second) Split(double u)
     {
         Point2D ab = A + ((B - A) * u), bc = B + ((C - B) * u), cd = C + ((D - C) * u);

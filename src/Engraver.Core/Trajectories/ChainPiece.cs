@@ -2,20 +2,21 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>One piece of a chain: a line, an arc or circle, or a nearly straight part of an ellipse or spline. Places on it are fractions of its parameter, 0 to 1, or lengths from its start.</summary>
+/// <summary>One piece of a chain: a line, an arc or circle, or a nearly straight part of an ellipse or spline. Places on it are fractions of its parameter, 0
+/// to 1, or lengths from its start.</summary>
 internal sealed class ChainPiece
 {
     /// <summary>Steps of the table of lengths of a free piece; pieces are nearly straight and of nearly constant speed (<see cref="CurvePieces"/>).</summary>
     private const int TableSteps = 8;
 
-    /// <summary>Millimetres that a control point of a straight curve may lie off its chord: rounding.</summary>
+    /// <summary>Allowed distance of a control point of a straight curve from its chord, millimetres: only rounding.</summary>
     private const double StraightWithin = 1e-9;
 
     private const int MostNewtonSteps = 8;
 
     private const int MostLengthSteps = 60;
 
-    /// <summary>Part of its length to which a place on a free piece is found by <see cref="FractionAtArcLength"/>.</summary>
+    /// <summary>Accuracy, as a fraction of its length, of a place on a free piece found by <see cref="FractionAtArcLength"/>.</summary>
     private const double LengthShare = 1e-13;
 
     private readonly Segment _segment;
@@ -40,7 +41,7 @@ internal sealed class ChainPiece
         }
     }
 
-    /// <summary>Length of the chain before it, millimetres.</summary>
+    /// <summary>Length of the chain before this piece, millimetres.</summary>
     public double Start { get; }
 
     public double Length { get; }
@@ -58,7 +59,7 @@ internal sealed class ChainPiece
 
     public Point2D EndPoint => _segment.End;
 
-    /// <summary>The pieces of a segment, which together are it exactly.</summary>
+    /// <summary>The pieces of a segment, which together are exactly the segment.</summary>
     public static IEnumerable<ChainPiece> Of(Segment segment, double start)
     {
         IEnumerable<Segment> parts = segment.IsFreeCurve ? segment.Curve.Pieces().Select(piece => IsStraight(piece.Spans[0]) ? Segment.FromLine(piece.Start, piece.End) : Segment.FromCurve(piece)) : [segment];
@@ -82,7 +83,7 @@ internal sealed class ChainPiece
         return new ChainPlace(_span.PointAt(fraction), _span.TangentAt(fraction), Curvature(fraction));
     }
 
-    /// <summary>Point and direction of travel, quickly: for measuring at samples, on which no proof rests.</summary>
+    /// <summary>Point and direction of travel by a fast method: for measurements at samples, which are not part of a proof.</summary>
     public (Point2D Point, Vector2D Tangent) Near(double fraction)
     {
         if (_powers is null) return At(fraction) is var place ? (place.Point, place.Tangent) : default;
@@ -105,7 +106,8 @@ internal sealed class ChainPiece
         return (cell + Math.Clamp(share, 0.0, 1.0)) / TableSteps;
     }
 
-    /// <summary>The length from the start of the chain at a fraction. The inverse of <see cref="FractionAt"/>; of a free piece it is linear between the places of its table, which only moves points along the curve.</summary>
+    /// <summary>The length from the start of the chain at a fraction. The inverse of <see cref="FractionAt"/>; for a free piece it is linear between the
+    /// entries of its table, which only moves points along the curve.</summary>
     public double LengthAt(double fraction)
     {
         if (_span is null) return Start + (fraction * Length);
@@ -114,7 +116,8 @@ internal sealed class ChainPiece
         return Start + _lengths[cell] + ((place - cell) * (_lengths[cell + 1] - _lengths[cell]));
     }
 
-    /// <summary>The length of the chain up to a fraction, by quadrature: for times, which <see cref="LengthAt"/> is too coarse for where the curve's speed changes much within a step of its table, as behind a doubled control point.</summary>
+    /// <summary>The length of the chain up to a fraction, by quadrature: for times, for which <see cref="LengthAt"/> is too coarse where the curve's speed
+    /// changes much within a step of its table, for example after a double control point.</summary>
     public double ArcLengthAt(double fraction)
     {
         if (_span is null) return LengthAt(fraction);
@@ -130,7 +133,7 @@ internal sealed class ChainPiece
         return InCell(Math.Clamp(cell < 0 ? ~cell - 1 : cell, 0, TableSteps - 1), length - Start, FractionAt(length));
     }
 
-    /// <summary>The fraction at which a place lies abeam, beginning the search at a guess; below 0 or above 1 when that is beyond an end.</summary>
+    /// <summary>The fraction whose normal passes through a place, with a search from an initial guess; below 0 or above 1 when it is beyond an end.</summary>
     public double Foot(Point2D place, double guess, double near = 1e-6)
     {
         if (_span is not null) return FreeFoot(place, guess, near);
@@ -141,7 +144,7 @@ internal sealed class ChainPiece
         return guess + (Math.Atan2(ahead, outwards) / Math.Abs(arc.Sweep.Radians));
     }
 
-    /// <summary>The part between two fractions as a Bezier span, exact within rounding; of an arc at most a third of a turn.</summary>
+    /// <summary>The part between two fractions as a Bezier span, exact within rounding; for an arc at most a third of a turn.</summary>
     /// <returns>Null for an arc that is too long.</returns>
     public BezierSpan? Part(double from, double to)
     {
@@ -159,8 +162,8 @@ internal sealed class ChainPiece
     /// <summary>Length of a free piece from its start to a fraction within a step of the table.</summary>
     private double FreeLength(int cell, double fraction) => _lengths[cell] + ArcLength.Measure(_powers!.Speed, (double)cell / TableSteps, fraction);
 
-    /// <summary>Newton's steps on the length; where the curve nearly stands still, halves of what is left.</summary>
-    /// <param name="along">Length from the start of the piece: beside that of a long chain its last digits would be rounded away.</param>
+    /// <summary>Newton's steps on the length; where the curve's speed is nearly 0, bisection of the remaining interval.</summary>
+    /// <param name="along">Length from the start of the piece: added to the length of a long chain, its last digits would be lost by rounding.</param>
     private double InCell(int cell, double along, double fraction)
     {
         var (low, high) = ((double)cell / TableSteps, (cell + 1.0) / TableSteps);
@@ -196,7 +199,7 @@ internal sealed class ChainPiece
         return fraction;
     }
 
-    /// <summary>Signed curvature by differences of the tangent; it steers the density of points only, no proof rests on it.</summary>
+    /// <summary>Signed curvature by differences of the tangent; it only controls the density of points and is not part of a proof.</summary>
     private double Curvature(double fraction)
     {
         const double Step = 1e-4;
@@ -207,7 +210,8 @@ internal sealed class ChainPiece
         return chord > 0.0 ? Math.Atan2(first.Cross(second), first.Dot(second)) / chord : 0.0;
     }
 
-    /// <summary>True when the control points go straight from end to end, as between the triple points with which some programs write the corners of a polygon: the curve may stand still there, where its curvature is that of rounding, and is a line all the same.</summary>
+    /// <summary>True when the control points are on a straight line from end to end, as between the triple points with which some programs write the corners of
+    /// a polygon: the curve's speed can be 0 there, where its curvature is only due to rounding, but it is a line.</summary>
     private static bool IsStraight(BezierSpan span)
     {
         var chord = span.End - span.Start;

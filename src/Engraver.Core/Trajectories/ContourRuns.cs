@@ -5,13 +5,13 @@ namespace Engraver.Core.Trajectories;
 /// <summary>Divides a contour at its corners.</summary>
 internal static class ContourRuns
 {
-    /// <summary>Part of the allowed error that a gap between two segments may be without a line that bridges it.</summary>
+    /// <summary>Largest gap between two segments without a bridging line, as a fraction of the allowed error.</summary>
     private const double GapShare = 0.1;
 
     /// <summary>Largest value of t (1 - t)^2, the cubic with slope 1 at one end of a unit length and 0 at the other.</summary>
     private const double LargestBulge = 4.0 / 27.0;
 
-    /// <summary>Runs in the order of travel; of a closed contour with corners the first begins at one.</summary>
+    /// <summary>Runs in the order of travel; for a closed contour with corners, the first starts at a corner.</summary>
     public static IEnumerable<(IReadOnlyList<Segment> Segments, bool Closed)> Split(IReadOnlyList<Segment> contour, bool closed, CornerMode mode, double maxError)
     {
         var segments = Joined(contour, closed, GapShare * maxError);
@@ -25,7 +25,7 @@ internal static class ContourRuns
         return runs;
     }
 
-    /// <summary>Without points, splines cut where their own spans meet at an angle, and with a line in every gap that counts.</summary>
+    /// <summary>Segments without zero-length ones, with splines cut where their spans meet at an angle, and with a line in every relevant gap.</summary>
     private static List<Segment> Joined(IReadOnlyList<Segment> contour, bool closed, double gap)
     {
         var joined = new List<Segment>();
@@ -65,7 +65,8 @@ internal static class ContourRuns
         return corners;
     }
 
-    /// <summary>How far a line would be bent out when it is gone through without a stop at a bend of this turn, mm: a cubic element as long as the line, at one end turned from it. Lines are not divided.</summary>
+    /// <summary>Deviation of a line that is run without a stop at a bend of this turn, mm: a cubic element as long as the line, turned from it at one end.
+    /// Lines are not divided.</summary>
     private static double Bulge(Segment before, Segment after)
     {
         var line = Math.Max(before.Kind == SegmentKind.Line ? before.Length : 0.0, after.Kind == SegmentKind.Line ? after.Length : 0.0);

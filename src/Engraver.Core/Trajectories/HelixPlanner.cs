@@ -2,23 +2,24 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>The trajectory of a hole that is bored by a helix: whole turns down to the depth, then once round at the bottom.</summary>
-/// <remarks>All steps turn by the same angle th. With m = (9 cos(th/2) - cos(3 th/2)) / 8 points at the radius R lie R (1 - m) too far inside in the middle of a step; at 2 R / (1 + m) the error is on both sides (sace-xps-agie.md 3.4).</remarks>
+/// <summary>The trajectory of a hole that is bored by a helix: full turns down to the depth, then one turn at the bottom.</summary>
+/// <remarks>All steps turn by the same angle th. With m = (9 cos(th/2) - cos(3 th/2)) / 8 points at the radius R give an error of R (1 - m) to the inside in
+/// the middle of a step; at 2 R / (1 + m) the error is on both sides (sace-xps-agie.md 3.4).</remarks>
 public static class HelixPlanner
 {
     private const int FewestSteps = 8;
 
     private const int MostSteps = 100_000;
 
-    /// <summary>Most turns of one hole.</summary>
+    /// <summary>Maximum number of turns of one hole.</summary>
     public const int MostTurns = 10_000;
 
-    /// <param name="centre">Of the hole, millimetres.</param>
-    /// <param name="radius">Of the tool's centre, above 0.</param>
+    /// <param name="centre">Centre of the hole, millimetres.</param>
+    /// <param name="radius">Radius of the tool centre path, above 0.</param>
     /// <param name="top">Height of the start.</param>
-    /// <param name="depth">Below the top, above 0.</param>
-    /// <param name="pitch">Largest descent in a turn, above 0; it is made smaller so that turns are whole.</param>
-    /// <param name="clockwise">As seen from above.</param>
+    /// <param name="depth">Depth below the top, above 0.</param>
+    /// <param name="pitch">Largest descent per turn, above 0; it is reduced so that the number of turns is whole.</param>
+    /// <param name="clockwise">True for clockwise as seen from above.</param>
     /// <param name="maxError">Largest distance in space from the helix, above 0.</param>
     /// <returns>Null when there would be too many turns or points.</returns>
     public static Trajectory? Plan(Point2D centre, double radius, double top, double depth, double pitch, bool clockwise, double maxError)

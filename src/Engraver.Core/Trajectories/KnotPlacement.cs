@@ -1,12 +1,12 @@
 namespace Engraver.Core.Trajectories;
 
-/// <summary>The lengths along a chain at which points are visited: steps between fixed places are rounded up to whole ones (sace-xps-agie.md 3.5 step 2).</summary>
+/// <summary>The lengths along a chain of the visited points: the number of steps between fixed places is rounded up (sace-xps-agie.md 3.5 step 2).</summary>
 internal static class KnotPlacement
 {
-    /// <summary>Part of a step that may be missing before another one is taken.</summary>
+    /// <summary>Fraction of a step that may be missing before another step is added.</summary>
     private const double Missing = 0.02;
 
-    /// <summary>Fewest steps of a round: with fewer the ends of a periodic spline would be their own neighbours.</summary>
+    /// <summary>Minimum number of steps of a closed chain: with fewer, the ends of a periodic spline would be their own neighbours.</summary>
     private const int FewestOfRound = 4;
 
     /// <returns>Increasing; of a closed chain the last is the first plus one round.</returns>

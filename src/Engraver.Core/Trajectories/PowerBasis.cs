@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>A span as plain polynomials, quick to evaluate thousands of times. Less exact than the span for high degrees, which are left to it.</summary>
+/// <summary>A span as plain polynomials, for fast repeated evaluation. For high degrees it is less exact than the span, which is then used instead.</summary>
 internal sealed class PowerBasis
 {
     private const int HighestDegree = 7;

@@ -2,13 +2,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>The largest distance of what is run from its chain at dense samples, millimetres: what is reached, so never above a proven bound.</summary>
+/// <summary>The largest distance of the executed path from its chain at dense samples, millimetres: a distance that is reached and therefore never above a
+/// proven bound.</summary>
 internal static class SampledDistance
 {
-    /// <summary>Steps between the samples of one element, its ends included.</summary>
+    /// <summary>Number of steps between the samples of one element, including its ends.</summary>
     private const int Dense = 32;
 
-    /// <param name="knots">The lengths along the chain near which the cubics begin and end, one more than cubics.</param>
+    /// <param name="knots">The lengths along the chain near which the cubics start and end, one more than cubics.</param>
     public static double Of(int count, Func<int, Cubic> cubics, SmoothChain chain, IReadOnlyList<double> knots, int steps = Dense)
     {
         var largest = 0.0;
@@ -25,7 +26,7 @@ internal static class SampledDistance
         return largest;
     }
 
-    /// <param name="run">Lines and arcs that follow the chain from its start to its end, at nearly its length.</param>
+    /// <param name="run">Lines and arcs that follow the chain from its start to its end, with nearly its length.</param>
     public static double Of(IReadOnlyList<Segment> run, SmoothChain chain)
     {
         var (largest, before, share) = (0.0, 0.0, chain.Length / run.Sum(element => element.Length));

@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>Pieces joined end to start that one trajectory follows: what lies between two corners of a contour, a whole contour that has none, or a contour with its corners as joints.</summary>
+/// <summary>Pieces joined end to start that one trajectory follows: the part between two corners of a contour, a whole contour without corners, or a contour
+/// with its corners as joints.</summary>
 internal sealed class SmoothChain
 {
     private readonly ChainPiece[] _pieces;
@@ -20,11 +21,11 @@ internal sealed class SmoothChain
 
     public double Length => _pieces[^1].End;
 
-    /// <summary>Where curvature or direction jumps, in order of length; of a closed chain also at 0.</summary>
+    /// <summary>Joints where curvature or direction jumps, in order of length; for a closed chain also at 0.</summary>
     public IReadOnlyList<ChainJoint> Joints { get; }
 
     /// <param name="segments">At least one with a length, joined end to start.</param>
-    /// <param name="closed">The last ends where the first starts.</param>
+    /// <param name="closed">True when the last segment ends where the first starts.</param>
     public static SmoothChain From(IEnumerable<Segment> segments, bool closed)
     {
         var pieces = new List<ChainPiece>();
@@ -33,7 +34,7 @@ internal sealed class SmoothChain
         return new SmoothChain([.. pieces], closed);
     }
 
-    /// <summary>The piece at a length; at a joint the one that begins there.</summary>
+    /// <summary>The piece at a length; at a joint the piece that starts there.</summary>
     public int PieceAt(double length)
     {
         var (low, high) = (0, _pieces.Length - 1);
@@ -63,7 +64,7 @@ internal sealed class SmoothChain
         return (piece.At(fraction), piece.LengthAt(fraction));
     }
 
-    /// <summary>The length within 0 and <see cref="Length"/>; of an open chain what is beyond an end is the end.</summary>
+    /// <summary>The length within 0 and <see cref="Length"/>; for an open chain, a length beyond an end gives the end.</summary>
     public double Wrapped(double length)
     {
         if (!Closed) return Math.Clamp(length, 0.0, Length);
@@ -71,8 +72,9 @@ internal sealed class SmoothChain
         return length < 0.0 ? length + Length : length;
     }
 
-    /// <summary>The place beside a point, searched from a guess of the length: its signed distance (left positive) and the direction of travel there.</summary>
-    /// <param name="near">Part of a piece to which the place is sought.</param>
+    /// <summary>The place nearest to a point, searched from an initial guess of the length: its signed distance (left positive) and the direction of travel
+    /// there.</summary>
+    /// <param name="near">Accuracy of the search, as a fraction of a piece.</param>
     public (double Distance, Vector2D Tangent) Beside(Point2D point, double guess, double near = 1e-6)
     {
         guess = Wrapped(guess);
@@ -117,11 +119,11 @@ internal sealed class SmoothChain
 
 /// <summary>A joint of two pieces.</summary>
 /// <param name="At">Length from the start of the chain.</param>
-/// <param name="CurvatureJump">1/mm.</param>
-/// <param name="Turn">Signed; near 0 where the pieces are tangent.</param>
+/// <param name="CurvatureJump">Jump of the curvature, 1/mm.</param>
+/// <param name="Turn">Signed turn; near 0 when the pieces are tangent.</param>
 internal readonly record struct ChainJoint(double At, double CurvatureJump, Angle Turn)
 {
-    /// <summary>Turns of more are corners (sace-xps-agie.md 3.5 step 0).</summary>
+    /// <summary>Larger turns are corners (sace-xps-agie.md 3.5 step 0).</summary>
     public const double CornerDegrees = 0.05;
 
     public bool IsCorner => Turn.Abs().Degrees > CornerDegrees;

@@ -2,10 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>A proven bound in space of a spline whose points have heights, against its chain with heights that change evenly from knot to knot: both are passed at the same part of every step.</summary>
+/// <summary>A proven bound in space of the distance between a spline whose points have heights and its chain with heights that change evenly from knot to knot:
+/// both are evaluated at the same fraction of every step.</summary>
 /// <remarks>
-/// The difference D(u) of both is known at equal places, and between two of them |D| is at most the larger of its ends plus du^2/8 max|D''| (error of linear interpolation). D'' is that of the cubic, which is
-/// linear in u, and that of the chain, step^2 times its curvature; so chains of lines and arcs without corners only.
+/// The difference D(u) of both is known at equal places, and between two of them |D| is at most the larger of its ends plus du^2/8 max|D''| (error of linear
+/// interpolation). D'' is that of the cubic, which is linear in u, and that of the chain, step^2 times its curvature; so only chains of lines and arcs without
+/// corners are supported.
 /// </remarks>
 internal static class SpaceBound
 {
@@ -37,7 +39,7 @@ internal static class SpaceBound
         return largest + (Rounding * (far + chain.Length));
     }
 
-    /// <summary>The heights as a Bezier polygon, as the plan has its own.</summary>
+    /// <summary>The heights as a Bezier polygon, like the plan.</summary>
     public static double[] HeightControls(IReadOnlyList<double> heights, int segment)
     {
         var (before, start, end, after) = (heights[segment], heights[segment + 1], heights[segment + 2], heights[segment + 3]);

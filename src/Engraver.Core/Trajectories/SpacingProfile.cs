@@ -1,15 +1,16 @@
 namespace Engraver.Core.Trajectories;
 
-/// <summary>How far apart the points of a spline may stand along a chain (sace-xps-agie.md 3.5 step 1), on a grid of cells that is fine near joints.</summary>
+/// <summary>Allowed spacing of the points of a spline along a chain (sace-xps-agie.md 3.5 step 1), on a grid of cells that is fine near joints.</summary>
 internal sealed class SpacingProfile
 {
     /// <summary>Constant of the error of third order, sqrt(3)/108 (sace-xps-agie.md 3.1).</summary>
     private const double ThirdOrder = 0.016037507477489603;
 
-    /// <summary>Weight of the error of fourth order where the spacing changes, for the greatest errors of both orders are not at the same place of a step.</summary>
+    /// <summary>Weight of the error of fourth order where the spacing changes, because the greatest errors of both orders are not at the same place of a
+    /// step.</summary>
     private const double FourthOrderShare = 0.64;
 
-    /// <summary>A joint counts when at the spacing around it its error could reach this part of what is allowed.</summary>
+    /// <summary>A joint counts when its error at the spacing around it could reach this fraction of the allowed error.</summary>
     private const double JointShare = 0.1;
 
     /// <summary>At a corner that is a control point the deviation is 2/27 h |sin(turn)| (sace-xps-agie.md 3.3).</summary>
@@ -56,13 +57,13 @@ internal sealed class SpacingProfile
         MeasureCurvature();
     }
 
-    /// <summary>For each cell, millimetres.</summary>
+    /// <summary>Spacing for each cell, millimetres.</summary>
     public double[] Spacing { get; }
 
-    /// <summary>Where knots have a fixed place, in order: corners and ends at a knot, jumps of curvature in the middle of a step.</summary>
+    /// <summary>Fixed positions of knots, in order: corners and ends at a knot, jumps of curvature in the middle of a step.</summary>
     public List<KnotBreak> Breaks { get; } = [];
 
-    /// <summary>Equal steps of at most a length.</summary>
+    /// <summary>A profile with equal steps of at most this length.</summary>
     public void FillEvenly(double spacing)
     {
         Array.Fill(Spacing, spacing);
@@ -70,8 +71,9 @@ internal sealed class SpacingProfile
         Breaks.Clear();
     }
 
-    /// <summary>The first family: as much as the error allows, within limits of growth; the second: proportional to curvature to the power -1/3, softened at a part of the mean curvature.</summary>
-    /// <param name="error">The error that the spacing aims at, millimetres.</param>
+    /// <summary>The first family: the largest spacing that the error allows, within limits of growth; the second: proportional to curvature to the power -1/3,
+    /// softened at a fraction of the mean curvature.</summary>
+    /// <param name="error">Target error of the spacing, millimetres.</param>
     /// <param name="growth">Largest change of spacing for each millimetre.</param>
     /// <param name="soft">Null for the first family.</param>
     public void Fill(double error, double growth, double? soft)
@@ -106,9 +108,9 @@ internal sealed class SpacingProfile
         return sum;
     }
 
-    /// <summary>The lengths at which equal shares of the steps between two lengths end: the share number k is first + k for every whole k.</summary>
+    /// <summary>The lengths at which equal shares of the steps between two lengths end: share number k is first + k for every whole k.</summary>
     /// <param name="first">Share of the first place, in steps, above 0.</param>
-    /// <param name="count">Steps in all.</param>
+    /// <param name="count">Total number of steps.</param>
     public IEnumerable<double> Places(double from, double to, double first, double count)
     {
         var all = Steps(from, to);
@@ -168,7 +170,7 @@ internal sealed class SpacingProfile
 
     private double OfError(double error, int cell) => Math.Min(_most[cell], _perError[cell] * Math.Sqrt(Math.Sqrt(error)));
 
-    /// <summary>For each cell the longest step that its turn allows, and what the fourth root of the error is multiplied by: (128 error / (3 |k|^3))^(1/4).</summary>
+    /// <summary>For each cell the longest step that its turn allows, and the factor of the fourth root of the error: (128 error / (3 |k|^3))^(1/4).</summary>
     private void MeasureCurvature()
     {
         for (var i = 0; i < _curvature.Length; i++)
@@ -260,7 +262,7 @@ internal sealed class SpacingProfile
         }
     }
 
-    /// <summary>Largest growth for which the error of both orders stays within what is allowed.</summary>
+    /// <summary>Largest growth for which the error of both orders stays within the allowed error.</summary>
     private static double Slope(double error, double h, double curvature, double change)
     {
         if (curvature == 0.0) return double.PositiveInfinity;
@@ -270,7 +272,7 @@ internal sealed class SpacingProfile
     }
 }
 
-/// <summary>A place where knots stand in a fixed phase.</summary>
+/// <summary>A place where knots have a fixed phase.</summary>
 /// <param name="At">Length from the start of the chain.</param>
 /// <param name="Phase">0 for a knot, 0.5 for the middle of a step.</param>
 internal readonly record struct KnotBreak(double At, double Phase);

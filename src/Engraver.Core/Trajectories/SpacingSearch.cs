@@ -1,36 +1,37 @@
 namespace Engraver.Core.Trajectories;
 
-/// <summary>Finds the spacing with the fewest points whose proven bound is within the error: families of profiles, each on the coarsest scale that passes (sace-xps-agie.md 3.5 steps 1 and 5).</summary>
+/// <summary>Finds the spacing with the fewest points whose proven bound is within the error: families of profiles, each on the coarsest scale that passes
+/// (sace-xps-agie.md 3.5 steps 1 and 5).</summary>
 internal sealed class SpacingSearch(SmoothChain chain, double maxError)
 {
-    /// <summary>Longest step over its neighbour.</summary>
+    /// <summary>Largest ratio of a step to its neighbour.</summary>
     public const double MostRatio = 4.0;
 
-    /// <summary>The samples must stay below this part of the error, for the bound is a little larger than they are.</summary>
+    /// <summary>The samples must stay below this fraction of the error, because the bound is slightly larger than they are.</summary>
     private const double SampleShare = 0.996;
 
     private const int Rounds = 12;
 
     private const double MostBoost = 1.1;
 
-    /// <summary>Moving points across the chain can halve an error, hardly more: beyond this multiple of what is allowed it is in vain.</summary>
+    /// <summary>Moving points across the chain can at most halve an error: beyond this multiple of the allowed error it does not help.</summary>
     private const double Hopeless = 2.5;
 
-    /// <summary>Steps that may be measured for any chain, and for each point of it, in search of fewer points.</summary>
+    /// <summary>Maximum number of measured steps for any chain, and for each of its points, in the search for fewer points.</summary>
     private const int MeasuredAtLeast = 60_000;
     private const int MeasuredForPoint = 40;
 
-    /// <summary>Scales of the error that are tried, finest and coarsest.</summary>
+    /// <summary>Finest and coarsest scale of the error that are tried.</summary>
     private const double Finest = 1.0 / 4096.0;
     private const double Coarsest = 100.0;
 
     private const int MostTries = 10;
 
-    /// <summary>Equal steps of the whole chain: the fewest and the most that are tried.</summary>
+    /// <summary>Equal steps of the whole chain: the smallest and the largest number that are tried.</summary>
     private const double FewestEven = 16.0;
     private const double MostEven = 100_000.0;
 
-    /// <summary>Over three halvings of equal steps the error falls by 64 on a smooth curve, and by 8 at a cusp, where halving goes on in vain.</summary>
+    /// <summary>Over three halvings of equal steps the error falls by 64 on a smooth curve, and by 8 at a cusp, where further halving does not help.</summary>
     private const double FallsBy = 14.0;
 
     private const int EvenTries = 4;
@@ -44,13 +45,13 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     private readonly SpacingProfile _profile = new(chain);
     private SplineCandidate? _best;
 
-    /// <summary>The last one that was sought: the next is near it.</summary>
+    /// <summary>The last result of the search: the next one is near it.</summary>
     private double _lastScale = 1.0;
 
     /// <summary>Steps measured so far.</summary>
     private long _measured;
 
-    /// <summary>What the search has cost: knots that were placed and steps that were measured.</summary>
+    /// <summary>Work of the search: number of placed knots and measured steps.</summary>
     public long Work { get; private set; }
 
     public SplineCandidate? Find()
@@ -66,7 +67,8 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         return _best;
     }
 
-    /// <summary>For a curve that is long for its bends: the families know the error of fourth order, and along tens of metres that of third order and the cells of the profile count for more.</summary>
+    /// <summary>For a curve that is long compared with its bends: the families account for the error of fourth order, while along tens of metres the error of
+    /// third order and the cells of the profile dominate.</summary>
     private void FindEven()
     {
         var errors = new List<double>();
@@ -92,7 +94,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         return IsTaken(fit, knots);
     }
 
-    /// <summary>Two points and nothing to search.</summary>
+    /// <summary>Two points without a search.</summary>
     private SplineCandidate? Straight()
     {
         List<double> knots = [0.0, chain.Length];
@@ -101,7 +103,8 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         return bound <= maxError ? new SplineCandidate(fit.Spline, bound, knots) : null;
     }
 
-    /// <summary>The first spline that passes, then fewer and fewer points: what is tried is the coarsest scale of the family with so many.</summary>
+    /// <summary>Finds the first spline within the error, then reduces the number of points: each trial is the coarsest scale of the family with this
+    /// number.</summary>
     private void Refine(double growth, double? soft)
     {
         for (var scale = 1.0; _best is null && scale >= Finest; scale /= 3.0) Try(scale, growth, soft, int.MaxValue);
@@ -109,17 +112,18 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         for (var (fewer, tries) = (1 + (Count / 40), 0); fewer > 0 && tries < MostTries && MayGoOn; tries++) fewer = TryFewer(fewer, growth, soft) ? 2 * fewer : fewer / 2;
     }
 
-    /// <summary>From the finest scale that needs so much fewer points, and from coarser ones, which repairs make dense where they must be.</summary>
+    /// <summary>Tries the finest scale that needs correspondingly fewer points, and coarser scales, which repairs make denser where necessary.</summary>
     private bool TryFewer(int fewer, double growth, double? soft)
     {
         var (before, scale) = (Count, ScaleFor(Count - fewer, growth, soft));
         return Coarser.Any(factor => Try(scale * factor, growth, soft, before));
     }
 
-    /// <summary>Until a first spline passes nothing is too much; then steps are measured as often as the length of the chain allows, so that the time is linear in it.</summary>
+    /// <summary>There is no limit until the first spline is within the error; after that the number of measured steps is limited by the length of the chain, so
+    /// that the time is linear in it.</summary>
     private bool MayGoOn => _best is null || _measured < MeasuredAtLeast + ((long)MeasuredForPoint * Count);
 
-    /// <summary>Points of the best so far.</summary>
+    /// <summary>Number of points of the best spline so far.</summary>
     private int Count => _best!.Value.Spline.Lines.Count - 2;
 
     /// <summary>The finest scale at which a family needs no more than a number of points.</summary>
@@ -144,8 +148,8 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         }
     }
 
-    /// <summary>One scale, made denser where it must be.</summary>
-    /// <param name="below">So many points or more are of no use.</param>
+    /// <summary>Tries one scale, made denser where necessary.</summary>
+    /// <param name="below">This number of points or more is not useful.</param>
     private bool Try(double scale, double growth, double? soft, int below)
     {
         _profile.Fill(scale * maxError, growth, soft);
@@ -171,7 +175,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         return fit;
     }
 
-    /// <summary>The spline passes, and is the best so far.</summary>
+    /// <summary>True when the spline is within the error and the best so far.</summary>
     private bool IsTaken(SplineFit fit, List<double> knots)
     {
         if (fit.RunsBack || fit.LargestError > SampleShare * maxError || fit.Spline.SpacingRatio(chain.Closed) > MostRatio) return false;
@@ -180,7 +184,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         return bound <= maxError;
     }
 
-    /// <summary>Known without placing them: near a cusp a spacing may ask for millions.</summary>
+    /// <summary>Number of points, computed without placing them: near a cusp a spacing can require millions.</summary>
     private bool NeedsMoreThan(int points) => _profile.Steps(0.0, chain.Length) > points + (2.0 * (_profile.Breaks.Count + 2));
 
     private List<double> Placed()

@@ -2,33 +2,36 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>A proven upper bound of the distance between a spline and its chain, in both directions: the curves are walked together, and no two places that are passed at the same moment are farther apart (a bound of the Frechet distance).</summary>
+/// <summary>A proven upper bound of the distance between a spline and its chain, in both directions: both curves are traversed together, and no two points
+/// passed at the same parameter are farther apart (a bound of the Frechet distance).</summary>
 /// <remarks>
-/// Each cubic is cut into parts and each part is paired with a part of the chain, one after the other without gaps. Both are Bezier curves on the same parameter, the chain's with weights; their
-/// difference is a rational Bezier curve too, with the control points D(k) = sum of C(3,i) C(d,j) w(j) (S(i) - P(j)) over sum of C(3,i) C(d,j) w(j), i + j = k, which encloses it: the largest |D(k)| is the bound.
-/// Where the pairs are cut decides how tight the bound is, never whether it holds; no sample enters it. Rounding has its own allowance.
+/// Each cubic is cut into parts and each part is paired with a part of the chain, in sequence without gaps. Both are Bezier curves on the same parameter, the
+/// chain's with weights; their difference is also a rational Bezier curve, with the control points D(k) = sum of C(3,i) C(d,j) w(j) (S(i) - P(j)) over sum of
+/// C(3,i) C(d,j) w(j), i + j = k, which encloses it: the largest |D(k)| is the bound. The cuts between the pairs determine how tight the bound is, never
+/// whether it is valid; samples are not used. Rounding has a separate allowance.
 /// </remarks>
 internal static class SplineBound
 {
-    /// <summary>Parts are halved until they add no more than this part to the distance that is surely there.</summary>
+    /// <summary>Parts are halved until they add at most this fraction to the lower bound of the distance.</summary>
     private const double Slack = 0.004;
 
     private const int MostHalvings = 9;
 
-    /// <summary>Distances below this are not looked into further, millimetres.</summary>
+    /// <summary>Distances below this are not refined further, millimetres.</summary>
     private const double Least = 1e-9;
 
-    /// <summary>Rounding of all steps as a part of the coordinates, generous.</summary>
+    /// <summary>Rounding of all steps as a fraction of the coordinates, generous.</summary>
     private const double Rounding = 64.0 * 2.220446049250313e-16;
 
-    /// <summary>Length of the chain, as a part of all of it, that rounding may leave out between two pairs.</summary>
+    /// <summary>Length of the chain, as a fraction of its total length, that rounding may leave out between two pairs.</summary>
     private const double SkippedLength = 1e-12;
 
     /// <summary>The bound in millimetres; infinite when the pairing fails.</summary>
     /// <param name="spline">One cubic for each step of <paramref name="knots"/>.</param>
-    /// <param name="chain">What it approximates.</param>
-    /// <param name="knots">Increasing lengths along the chain that belong to the points visited; of a closed chain the last is the first plus one round. The first and the last of an open chain are its ends.</param>
-    /// <param name="within">Above it the search ends: the answer is then some larger number.</param>
+    /// <param name="chain">The chain that it approximates.</param>
+    /// <param name="knots">Increasing lengths along the chain of the visited points; for a closed chain the last is the first plus the chain length. The first
+    /// and the last of an open chain are its ends.</param>
+    /// <param name="within">Above this value the search stops: the result is then some larger number.</param>
     public static double Measure(CatmullRomSpline spline, SmoothChain chain, IReadOnlyList<double> knots, double within = double.PositiveInfinity) =>
         Measure(spline.Count, i => spline[i], chain, knots, within);
 
@@ -43,7 +46,7 @@ internal static class SplineBound
 
     private sealed class Pairing(SmoothChain chain, double within)
     {
-        /// <summary>A distance that is reached: it only tells where halving would be in vain.</summary>
+        /// <summary>A distance that is reached: it only shows where halving would not help.</summary>
         public double Sure { get; init; }
 
         public double Bound { get; private set; }
@@ -110,7 +113,8 @@ internal static class SplineBound
             Pair(second, piece, middle, to, halvings - 1);
         }
 
-        /// <summary>The same for a line however unevenly the cubic runs along it: a cubic whose control points advance along the line advances too, so that each of its places can be paired with the one abeam, the ends with the ends.</summary>
+        /// <summary>The same for a line, independent of the speed of the cubic along it: a cubic whose control points advance along the line also advances, so
+        /// that each of its points can be paired with its projection onto the line, and the ends with the ends.</summary>
         /// <returns>Infinite when the control points do not advance.</returns>
         private static double BesideLine(in Cubic cubic, Point2D start, Point2D end)
         {

@@ -2,16 +2,17 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>Points of a spline for given knots: on the chain first, then moved along its normals so that the error of each step lies on both sides of it (sace-xps-agie.md 3.5 steps 3 and 4).</summary>
+/// <summary>Points of a spline for given knots: on the chain first, then moved along its normals so that the error of each step is on both sides of it
+/// (sace-xps-agie.md 3.5 steps 3 and 4).</summary>
 internal sealed class SplineFit
 {
-    /// <summary>Decimals of every coordinate, millimetres: what is proven is what stands in the file.</summary>
+    /// <summary>Decimals of every coordinate, millimetres: the proof applies to the numbers in the file.</summary>
     public const int Decimals = 9;
 
-    /// <summary>An odd number has the middle of a step among them, where the error of fourth order is greatest.</summary>
+    /// <summary>Number of samples; an odd number includes the middle of a step, where the error of fourth order is greatest.</summary>
     private const int Samples = 9;
 
-    /// <summary>A foot point is sought to this part of its piece, which is enough to steer by.</summary>
+    /// <summary>Accuracy of a foot point as a fraction of its piece, sufficient for moving the points.</summary>
     private const double FootShare = 1e-5;
 
     private const int Sweeps = 10;
@@ -48,7 +49,8 @@ internal sealed class SplineFit
     /// <summary>Largest distance at the samples.</summary>
     public double LargestError => Enumerable.Range(0, _errors.Length).Max(ErrorOf);
 
-    /// <summary>Measures, and moves the points until it no longer helps or the error is small enough, or so large that moving cannot help.</summary>
+    /// <summary>Measures the error and moves the points until there is no further improvement, the error is small enough, or it is too large for moving to
+    /// help.</summary>
     public void Centre(double enough, double hopeless)
     {
         Measure();
@@ -67,10 +69,10 @@ internal sealed class SplineFit
         Measure();
     }
 
-    /// <summary>Steps that were measured so far: what the fit has cost.</summary>
+    /// <summary>Number of steps measured so far: the work of the fit.</summary>
     public int Measured { get; private set; }
 
-    /// <summary>Measures the points as they are.</summary>
+    /// <summary>Measures the points without moving them.</summary>
     public void Measure()
     {
         Measured += _errors.Length;

@@ -2,14 +2,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>A trajectory whose points have heights (a helix) as straight lines in space: for machines that have neither splines nor arcs that rise.</summary>
+/// <summary>A trajectory whose points have heights (a helix) as straight lines in space: for machines without splines and rising arcs.</summary>
 public static class TrajectoryChords
 {
-    /// <summary>Chords of one step at most.</summary>
+    /// <summary>Maximum number of chords of one step.</summary>
     private const double Most = 100_000.0;
 
-    /// <summary>The curve that a controller runs, passed through at places so near to each other that no chord leaves it by more than the error (du^2/8 max|D''|, as in the proof of its bound).</summary>
-    /// <param name="trajectory">With heights.</param>
+    /// <summary>The curve that a controller runs, sampled at points so close together that every chord is within the error of it (du^2/8 max|D''|, as in the
+    /// proof of its bound).</summary>
+    /// <param name="trajectory">A trajectory with heights.</param>
     /// <param name="maxError">Millimetres, above 0.</param>
     public static IReadOnlyList<RaisedSegment> OfCurve(Trajectory trajectory, double maxError)
     {
@@ -26,8 +27,8 @@ public static class TrajectoryChords
         return Joined(places);
     }
 
-    /// <summary>What the trajectory follows: its source, rising evenly from knot to knot.</summary>
-    /// <param name="trajectory">With heights.</param>
+    /// <summary>The source of the trajectory, rising evenly from knot to knot.</summary>
+    /// <param name="trajectory">A trajectory with heights.</param>
     /// <param name="maxError">Millimetres, above 0.</param>
     public static IReadOnlyList<RaisedSegment> OfSource(Trajectory trajectory, double maxError)
     {
@@ -62,5 +63,5 @@ public static class TrajectoryChords
     }
 }
 
-/// <summary>A segment with its heights, millimetres; only a line has two different ones.</summary>
+/// <summary>A segment with its heights, millimetres; only a line has two different heights.</summary>
 public readonly record struct RaisedSegment(Segment Segment, double StartZ, double EndZ);

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>The curve that a controller runs through the points of a trajectory, for eyes and for machines that have no splines.</summary>
+/// <summary>The curve that a controller runs through the points of a trajectory, for display and for machines without splines.</summary>
 public static class TrajectoryCurve
 {
     /// <summary>The whole curve, exactly: a cubic for each step.</summary>
@@ -13,8 +13,8 @@ public static class TrajectoryCurve
         return new RationalCurve(SegmentKind.Spline, [.. Enumerable.Range(0, spline.Count).Select(i => SpanOf(spline[i]))]);
     }
 
-    /// <summary>The curve in parts, each exact, with how far it is from the source there: for colours.</summary>
-    /// <param name="parts">Of each step, at least 1.</param>
+    /// <summary>The curve in exact parts, each with its distance from the source, for colours.</summary>
+    /// <param name="parts">Number of parts of each step, at least 1.</param>
     public static IReadOnlyList<TrajectoryPart> Parts(Trajectory trajectory, int parts)
     {
         ArgumentNullException.ThrowIfNull(trajectory);
@@ -35,7 +35,8 @@ public static class TrajectoryCurve
         return made;
     }
 
-    /// <summary>The places of the source where it turns sharply: between two trajectories of one contour, and within one that runs through them.</summary>
+    /// <summary>The places where the source turns sharply: between two trajectories of one contour, and within a trajectory that runs through
+    /// corners.</summary>
     public static IReadOnlyList<Point2D> CornersOf(Trajectory trajectory)
     {
         ArgumentNullException.ThrowIfNull(trajectory);
@@ -46,6 +47,6 @@ public static class TrajectoryCurve
     private static BezierSpan SpanOf(in Cubic cubic) => new([cubic.A.X, cubic.A.Y, 0.0, 1.0, cubic.B.X, cubic.B.Y, 0.0, 1.0, cubic.C.X, cubic.C.Y, 0.0, 1.0, cubic.D.X, cubic.D.Y, 0.0, 1.0]);
 }
 
-/// <summary>A part of the curve that is run.</summary>
-/// <param name="Deviation">In its middle, millimetres.</param>
+/// <summary>A part of the executed curve.</summary>
+/// <param name="Deviation">Deviation in its middle, millimetres.</param>
 public readonly record struct TrajectoryPart(Segment Curve, double Deviation);

@@ -2,15 +2,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>Contours to trajectories: the fewest points found for which the proven bound holds (sace-xps-agie.md 3.5).</summary>
+/// <summary>Converts contours to trajectories with the fewest points found for which the proven bound is within the error (sace-xps-agie.md 3.5).</summary>
 public static class TrajectoryPlanner
 {
-    /// <summary>Points nearer than this are one.</summary>
+    /// <summary>Points nearer to each other than this are the same.</summary>
     private const double LeastLength = 1e-8;
 
     /// <summary>One trajectory for each run between two corners, or one for the contour (<see cref="TrajectoryOptions.Corners"/>).</summary>
     /// <param name="contour">Lines, arcs, circles, ellipses and splines joined end to start, millimetres; gaps are bridged by lines.</param>
-    /// <param name="closed">The last ends where the first starts.</param>
+    /// <param name="closed">True when the last segment ends where the first starts.</param>
     public static TrajectoryResult Plan(IReadOnlyList<Segment> contour, bool closed, TrajectoryOptions options)
     {
         ArgumentNullException.ThrowIfNull(contour);
@@ -45,7 +45,7 @@ public static class TrajectoryPlanner
     }
 }
 
-/// <summary>What became of a contour.</summary>
-/// <param name="Trajectories">In the order of travel.</param>
-/// <param name="Unproven">Runs for which no spline could be proven to keep the error, as at a cusp inside a curve.</param>
+/// <summary>The result for a contour.</summary>
+/// <param name="Trajectories">Trajectories in the order of travel.</param>
+/// <param name="Unproven">Runs for which no spline could be proven to be within the error, for example at a cusp inside a curve.</param>
 public sealed record TrajectoryResult(IReadOnlyList<Trajectory> Trajectories, IReadOnlyList<IReadOnlyList<Segment>> Unproven);

@@ -2,18 +2,18 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories;
 
-/// <summary>Proves the bound of points that come from elsewhere (a file), so that no bound is ever believed.</summary>
+/// <summary>Proves the bound of points from another source (a file), so that every bound is proven.</summary>
 public static class TrajectoryProof
 {
-    /// <summary>Part of the length by which ends may differ from those of the source.</summary>
+    /// <summary>Fraction of the length by which ends may differ from those of the source.</summary>
     private const double EndShare = 1e-12;
 
-    /// <param name="lines">As in <see cref="Trajectory.Lines"/>.</param>
-    /// <param name="knots">As in <see cref="Trajectory.Knots"/>.</param>
+    /// <param name="lines">Points as in <see cref="Trajectory.Lines"/>.</param>
+    /// <param name="knots">Knots as in <see cref="Trajectory.Knots"/>.</param>
     /// <param name="source">At least one segment with a length, joined end to start.</param>
-    /// <param name="closed">The last ends where the first starts.</param>
-    /// <param name="heights">As in <see cref="Trajectory.Heights"/>; every source of such a one is of lines and arcs.</param>
-    /// <returns>Null when these do not belong together, or nothing can be proven.</returns>
+    /// <param name="closed">True when the last segment ends where the first starts.</param>
+    /// <param name="heights">As in <see cref="Trajectory.Heights"/>; every such source consists of lines and arcs.</param>
+    /// <returns>Null when the arguments do not match, or no bound can be proven.</returns>
     public static Trajectory? Prove(IReadOnlyList<Point2D> lines, IReadOnlyList<double> knots, IReadOnlyList<Segment> source, bool closed, IReadOnlyList<double>? heights = null)
     {
         ArgumentNullException.ThrowIfNull(lines);
@@ -31,7 +31,7 @@ public static class TrajectoryProof
         return Describe(new SplineCandidate(spline, bound, exact), chain, source) with { Z = heights is null ? 0.0 : heights[1], Heights = heights };
     }
 
-    /// <summary>What is told of points with their bound, at height 0.</summary>
+    /// <summary>The trajectory of points with their bound, at height 0.</summary>
     internal static Trajectory Describe(in SplineCandidate candidate, SmoothChain chain, IReadOnlyList<Segment> source)
     {
         var spline = candidate.Spline;

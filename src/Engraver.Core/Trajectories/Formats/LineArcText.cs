@@ -5,20 +5,22 @@ using Engraver.Core.Geometry.Biarcs;
 
 namespace Engraver.Core.Trajectories.Formats;
 
-/// <summary>Lines and arcs of an XPS controller's XY group: each element goes on from the end and the direction of the one before (sace-xps-agie.md 2.2).</summary>
-/// <remarks>What is bounded is what the text says: each element is followed from the text's own rounded numbers, so that roundings that add up are in the bound.</remarks>
+/// <summary>Lines and arcs of an XPS controller's XY group: each element continues from the end and the direction of the previous one (sace-xps-agie.md
+/// 2.2).</summary>
+/// <remarks>The bound applies to the text: each element is followed from the rounded numbers of the text, so that the bound includes accumulated
+/// rounding.</remarks>
 public sealed class LineArcText
 {
     /// <summary>Largest change of direction between two elements that the file allows, degrees, when they are tangent.</summary>
     private const double SmoothDegrees = 0.01;
 
-    /// <summary>Arcs with less radius or length are left to the line that they are.</summary>
+    /// <summary>Arcs with a smaller radius or length are written as lines.</summary>
     private const double LeastLength = 1e-6;
 
-    /// <summary>The most that a double of some degrees has.</summary>
+    /// <summary>Maximum number of decimals of an angle in degrees in a double.</summary>
     private const int MaxDecimals = 14;
 
-    /// <summary>Rounding of the calculation itself as a part of the coordinates and of each element, generous.</summary>
+    /// <summary>Rounding of the calculation itself as a fraction of the coordinates and of each element, generous.</summary>
     private const double Rounding = 64.0 * 2.220446049250313e-16;
 
     private readonly StringBuilder _text = new();
@@ -36,8 +38,8 @@ public sealed class LineArcText
 
     /// <summary>The file of one run without corners.</summary>
     /// <param name="segments">Tangent to each other; ellipses and splines become arcs within the error.</param>
-    /// <param name="closed">The last ends where the first starts.</param>
-    /// <returns>Null when the file's arcs would leave the drawing by more than the error.</returns>
+    /// <param name="closed">True when the last segment ends where the first starts.</param>
+    /// <returns>Null when the file's arcs would differ from the drawing by more than the error.</returns>
     internal static TrajectoryFile? From(IReadOnlyList<Segment> segments, bool closed, TrajectoryOptions options, TrajectoryMotion motion)
     {
         const double FitShare = 0.98;
@@ -81,7 +83,7 @@ public sealed class LineArcText
         _text.Append("Line = ").Append(TrajectoryFile.LongNumber(x)).Append(", ").Append(TrajectoryFile.LongNumber(y)).Append('\n');
     }
 
-    /// <summary>The arc that the controller runs differs from the drawn one by place, direction, curvature and length.</summary>
+    /// <summary>The arc that the controller runs differs from the drawn one in position, direction, curvature and length.</summary>
     private void AddArc(Segment segment)
     {
         var (arc, side) = (segment.Arc, Math.Sign(segment.Arc.Sweep.Degrees));
@@ -101,11 +103,12 @@ public sealed class LineArcText
         _text.Append("Arc = ").Append(TrajectoryFile.LongNumber(radius)).Append(", ").Append(Exact(sweep, "0.000000", decimals)).Append('\n');
     }
 
-    /// <summary>The distance is at most that of the centres and radii plus what the angles differ by.</summary>
+    /// <summary>The distance is at most that of the centres and radii plus the difference of the angles.</summary>
     private static double OfPlaces(double centres, ArcSegment arc, double radius, double start, double sweep) =>
         centres + Math.Abs(radius - arc.Radius) + (Math.Max(radius, arc.Radius) * (start + (Math.Abs(arc.Sweep.Degrees - sweep) * Math.PI / 180.0)));
 
-    /// <summary>Along both arcs their directions differ by what they differ by at the start, and by the difference of the curvatures for each millimetre: two integrals. Near an inflection, where the radius is large, this is the smaller bound.</summary>
+    /// <summary>The directions of both arcs differ by the difference at the start plus the difference of the curvatures for each millimetre: two integrals.
+    /// Near an inflection, where the radius is large, this is the smaller bound.</summary>
     private static double OfDirections(ArcSegment arc, double radius, double start, double sweep)
     {
         var (drawn, ran) = (arc.Radius * Math.Abs(arc.Sweep.Radians), radius * Math.Abs(sweep) * Math.PI / 180.0);
@@ -115,7 +118,7 @@ public sealed class LineArcText
 
     private static string Exact(double angle, string least, int decimals) => (angle + 0.0).ToString(least.PadRight(decimals + 2, '#'), CultureInfo.InvariantCulture);
 
-    /// <summary>So many that the rounded angle moves nothing at this distance by more than 1e-7 mm.</summary>
+    /// <summary>Number of decimals for which the rounded angle moves a point at this distance by at most 1e-7 mm.</summary>
     private static int AngleDecimals(double distance) => Math.Clamp((int)Math.Ceiling(Math.Log10(distance * (Math.PI / 180.0) / 1e-7)), SplineFit.Decimals, MaxDecimals);
 
     private void Turn(Vector2D to) => _turn = Math.Max(_turn, _way.TurnTo(to).Abs().Degrees);

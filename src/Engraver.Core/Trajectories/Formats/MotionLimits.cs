@@ -3,13 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories.Formats;
 
-/// <summary>What a machine would have to do to run a file: how far its axes go, and how fast it may be run before one of them needs more acceleration than it has.</summary>
+/// <summary>Requirements of a file for a machine: the travel of its axes, and the speed above which an axis needs more than its acceleration.</summary>
 internal static class MotionLimits
 {
-    /// <summary>Samples of a cubic for its curvature.</summary>
+    /// <summary>Number of samples of a cubic for its curvature.</summary>
     private const int Samples = 32;
 
-    /// <summary>Names an axis whose travel is shorter than what the cubics need; the file says nothing of where on it.</summary>
+    /// <summary>Names an axis whose travel is shorter than the cubics need; the file does not state the position on it.</summary>
     public static IEnumerable<string> BrokenTravel(IEnumerable<Segment> run, TrajectoryMotion motion)
     {
         var box = run.Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
@@ -18,7 +18,8 @@ internal static class MotionLimits
         if (box.Height > motion.TravelY) yield return Wording.Get("Xps.TravelExceeded", "Y", Fact(box.Height), Fact(motion.TravelY.Value));
     }
 
-    /// <summary>The largest speed along the path at which no axis needs more acceleration than it has: at an even speed v the acceleration is v^2 times the curvature, across the path.</summary>
+    /// <summary>The largest speed along the path at which no axis exceeds its acceleration: at a constant speed v the acceleration is v^2 times the curvature,
+    /// across the path.</summary>
     /// <returns>mm/s; infinite for a straight line.</returns>
     public static double SpeedOf(CatmullRomSpline spline, double acceleration)
     {
@@ -32,13 +33,13 @@ internal static class MotionLimits
         return Speed(most, acceleration);
     }
 
-    /// <summary>The same of lines and arcs.</summary>
+    /// <summary>The same for lines and arcs.</summary>
     public static double SpeedOf(IEnumerable<Segment> run, double acceleration) =>
         Speed(run.Where(segment => segment.Kind != SegmentKind.Line).Select(segment => 1.0 / segment.Arc.Radius).DefaultIfEmpty().Max(), acceleration);
 
     private static double Speed(double curvature, double acceleration) => curvature > 0.0 ? Math.Sqrt(acceleration / curvature) : double.PositiveInfinity;
 
-    /// <summary>The larger part along an axis of the curvature vector.</summary>
+    /// <summary>The larger axis component of the curvature vector.</summary>
     private static double AxisCurvature(in Cubic cubic, double u)
     {
         var slope = cubic.SlopeAt(u);

@@ -1,18 +1,19 @@
 namespace Engraver.Core.Trajectories.Formats;
 
-/// <summary>Speed along a chain from rest to rest: as fast as asked, slower where the curvature or the ends demand it, never accelerating faster than allowed.</summary>
+/// <summary>Speed along a chain from rest to rest: at the requested speed, slower where the curvature or the ends require it, within the allowed
+/// acceleration.</summary>
 internal sealed class PvtSpeeds
 {
-    /// <summary>Part of the acceleration that turning takes; the rest is for speeding up and slowing down.</summary>
+    /// <summary>Fraction of the acceleration used for turning; the rest is for speeding up and slowing down.</summary>
     private const double TurningShare = 0.5;
 
-    /// <summary>Part of what an element may need and take that is aimed at where it needs too much.</summary>
+    /// <summary>Target, as a fraction of the limits, for an element that exceeds its limits.</summary>
     private const double Aim = 0.98;
 
-    /// <summary>An element is not made slower by more at a time, for its need may be infinite where its time is rounded away.</summary>
+    /// <summary>Largest slowdown of an element in one step, because its requirement can be infinite when its time is rounded to 0.</summary>
     private const double MostAtOnce = 1e4;
 
-    /// <summary>How often elements are made slower by themselves; then all are.</summary>
+    /// <summary>Number of passes in which elements are slowed down individually; after these, all are slowed down.</summary>
     private const int MostRounds = 60;
 
     private readonly double _along;
@@ -42,10 +43,10 @@ internal sealed class PvtSpeeds
         for (var i = _at.Length - 2; i >= 0; i--) _squared[i] = Math.Min(_squared[i], _squared[i + 1] + (_along * (_at[i + 1] - _at[i])));
     }
 
-    /// <summary>Lengths at which the speed of rest has become the speed of travel, and at which it begins to fall.</summary>
+    /// <summary>Lengths at which the speed reaches the speed of travel, and at which it starts to fall.</summary>
     public IReadOnlyList<double> Ramps { get; }
 
-    /// <summary>mm/s at a length.</summary>
+    /// <summary>Speed at a length, mm/s.</summary>
     public double At(double length)
     {
         var found = Array.BinarySearch(_at, length);
@@ -55,9 +56,11 @@ internal sealed class PvtSpeeds
         return Math.Sqrt(_squared[next - 1] + (Math.Clamp(share, 0.0, 1.0) * (_squared[next] - _squared[next - 1])));
     }
 
-    /// <summary>The speeds at knots, from rest to rest. An element that needs more than it may is made slower, and those beside it so that its speed can be reached.</summary>
-    /// <param name="knots">Lengths in order.</param>
-    /// <param name="excess">What an element needs over what it may, by its number and the speeds at its ends; it falls with the square of the speeds. Above 1: too much.</param>
+    /// <summary>The speeds at knots, from rest to rest. An element that exceeds its limits is slowed down, and its neighbours so that its speed can be
+    /// reached.</summary>
+    /// <param name="knots">Knots as lengths in order.</param>
+    /// <param name="excess">Requirement of an element divided by its limit, by its number and the speeds at its ends; it falls with the square of the speeds.
+    /// Above 1: too much.</param>
     public double[] AtKnots(IReadOnlyList<double> knots, Func<int, double, double, double> excess)
     {
         var squared = knots.Select((knot, i) => i == 0 || i == knots.Count - 1 ? 0.0 : At(knot) * At(knot)).ToArray();
@@ -78,7 +81,7 @@ internal sealed class PvtSpeeds
         }
     }
 
-    /// <summary>Makes the ends of the ramps places of the table, for the squared speed is linear between its places.</summary>
+    /// <summary>Adds the ends of the ramps to the table, because the squared speed is linear between its entries.</summary>
     private void InsertRamps()
     {
         foreach (var ramp in Ramps)

@@ -4,34 +4,37 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories.Formats;
 
-/// <summary>Positions, velocities and times of an XPS controller's MultipleAxes group with the positioners X and Y: <c>dt, dx, vx, dy, vy</c>, from rest to rest (sace-xps-agie.md 2.4).</summary>
-/// <remarks>The speed rises and falls inside the contour, so that nothing beside it is run. Each element is the cubic fixed by its two places and velocities; with exact tangents its error is h^4 k^3 / 384 at an even speed; where the speed changes from v to w, k (h d)^2 / 32 with d = (w - v) / (w + v) is added, because along the curve the cubic is quadratic in time.</remarks>
+/// <summary>Positions, velocities and times of an XPS controller's MultipleAxes group with the positioners X and Y: <c>dt, dx, vx, dy, vy</c>, from rest to
+/// rest (sace-xps-agie.md 2.4).</summary>
+/// <remarks>The speed rises and falls inside the contour, so that only the contour is run. Each element is the cubic fixed by its two places and velocities;
+/// with exact tangents its error is h^4 k^3 / 384 at a constant speed; where the speed changes from v to w, k (h d)^2 / 32 with d = (w - v) / (w + v) is added,
+/// because along the curve the cubic is quadratic in time.</remarks>
 internal static class PvtText
 {
-    /// <summary>Shortest element, seconds: what is known to be taken.</summary>
+    /// <summary>Shortest element, seconds: known to be accepted.</summary>
     private const double ShortestSeconds = 0.0005;
 
-    /// <summary>Part of the acceleration that is used; the rest is for the rounding of the text.</summary>
+    /// <summary>Fraction of the acceleration that is used; the rest is for the rounding of the text.</summary>
     private const double AccelerationShare = 0.9;
 
     private const int MostRounds = 14;
 
-    /// <summary>Curvature at an end of a part over that inside: above it the part is halved.</summary>
+    /// <summary>Ratio of the curvature at an end of a part to that inside: above it the part is halved.</summary>
     private const double MostUneven = 16.0;
 
-    /// <summary>Curvature by length, radians, of what is taken for straight.</summary>
+    /// <summary>Curvature times length, radians, below which a part counts as straight.</summary>
     private const double Straight = 1e-9;
 
-    /// <summary>A part that is shorter than this part of the error is not divided any more: what runs through it cannot leave it by more.</summary>
+    /// <summary>A part shorter than this fraction of the error is not divided further: a path through it cannot deviate by more.</summary>
     private const double ShortPart = 0.5;
 
-    /// <summary>Part of the error that an uneven speed may take.</summary>
+    /// <summary>Fraction of the error reserved for a changing speed.</summary>
     private const double RampShare = 0.5;
 
-    /// <summary>Shortest element as a part of the chain that is made for the end of a ramp.</summary>
+    /// <summary>Shortest element at the end of a ramp, as a fraction of the chain.</summary>
     private const double LeastPart = 1e-6;
 
-    /// <returns>Null when no division keeps the error.</returns>
+    /// <returns>Null when no division is within the error.</returns>
     public static TrajectoryFile? From(SmoothChain chain, IReadOnlyList<Segment> source, TrajectoryOptions options, TrajectoryMotion motion)
     {
         var plan = new PvtSpeeds(chain, motion.Velocity, AccelerationShare * motion.Acceleration);
@@ -46,7 +49,7 @@ internal static class PvtText
         return null;
     }
 
-    /// <summary>Lengths by quadrature: ends and joints always, between them steps of the size that the error allows.</summary>
+    /// <summary>Knots as lengths by quadrature: always the ends and joints, between them steps of the size that the error allows.</summary>
     private static List<double> Knots(SmoothChain chain, PvtSpeeds plan, double error, double scale)
     {
         var knots = new List<double> { 0.0 };
@@ -68,8 +71,9 @@ internal static class PvtText
         return Graded(chain, plan, knots, RampShare * error * scale * scale * scale * scale);
     }
 
-    /// <summary>Parts of a piece, and into how many elements the error divides each. Where the curvature at an end is far from that inside, as at the end of a spline whose first two control points are one (there it has no bound), the part is halved until one element is enough.</summary>
-    /// <returns>Where each part ends, as a length of the chain, in order, and the number of its elements.</returns>
+    /// <summary>Parts of a piece, and the number of elements that the error requires for each. Where the curvature at an end differs much from that inside, as
+    /// at the end of a spline whose first two control points are one (there it has no bound), the part is halved until one element is sufficient.</summary>
+    /// <returns>The end of each part, as a length of the chain, in order, and the number of its elements.</returns>
     private static IEnumerable<(double End, int Count)> Divided(ChainPiece piece, double from, double to, double error, double scale)
     {
         var curvatures = Enumerable.Range(0, 9).Select(i => Math.Abs(piece.At(from + ((to - from) * i / 8.0)).Curvature)).ToArray();
@@ -87,8 +91,9 @@ internal static class PvtText
         return Math.Max(1, (int)Math.Ceiling(length / step));
     }
 
-    /// <summary>Elements in which the speed changes on a bend are divided into equal changes of speed: the error of what the change adds falls with the fourth power of their number.</summary>
-    /// <param name="allowed">Of that error, millimetres.</param>
+    /// <summary>Elements in which the speed changes on a bend are divided into equal changes of speed: the additional error of the change falls with the fourth
+    /// power of their number.</summary>
+    /// <param name="allowed">Largest allowed additional error, millimetres.</param>
     private static List<double> Graded(SmoothChain chain, PvtSpeeds plan, List<double> knots, double allowed)
     {
         var graded = new List<double> { knots[0] };
@@ -126,7 +131,7 @@ internal static class PvtText
         }
     }
 
-    /// <summary>What an element needs over what it may: of its acceleration, and of the square of its shortest time.</summary>
+    /// <summary>Requirement of an element divided by its limits: of the acceleration, and of the square of the shortest time.</summary>
     private static double Excess(in Station from, in Station to, double acceleration) =>
         Math.Max(MostAcceleration(from, to) / acceleration, ShortestSeconds * ShortestSeconds / (to.Seconds * to.Seconds));
 
@@ -151,7 +156,7 @@ internal static class PvtText
         return new TrajectoryFile(text.ToString(), rows[0].Place, options.Z, rows.Count, SampledDistance.Of(rows.Count - 1, i => CubicOf(rows[i], rows[i + 1]), chain, knots), bound, 1.0, chain.Length, chain.Closed, source) { BrokenLimits = [.. broken, .. MotionLimits.BrokenTravel(source, motion)] };
     }
 
-    /// <summary>Of an axis: the acceleration of a cubic is linear in time, so that it is greatest at an end.</summary>
+    /// <summary>Acceleration of an axis: that of a cubic is linear in time and therefore greatest at an end.</summary>
     private static double MostAcceleration(in Station from, in Station to)
     {
         var (way, t) = (to.Place - from.Place, to.Seconds);
@@ -171,6 +176,6 @@ internal static class PvtText
 
     private static string Fact(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 
-    /// <param name="At">The place as a length of the chain.</param>
+    /// <param name="At">Position as a length of the chain.</param>
     private readonly record struct Station(double Seconds, Point2D Place, Vector2D Velocity, double At);
 }

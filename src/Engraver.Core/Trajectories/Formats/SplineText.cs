@@ -6,15 +6,17 @@ namespace Engraver.Core.Trajectories.Formats;
 /// <summary>Splines as lines of points, for the SACE bench and for the XYZ group of an XPS controller.</summary>
 public static class SplineText
 {
-    /// <summary>One point a line, <c>x, y, z</c>, Windows line ends, no header, places of the drawing; the first and the last line are the phantoms (sace-xps-agie.md 1.3).</summary>
+    /// <summary>One point per line, <c>x, y, z</c>, Windows line ends, no header, positions of the drawing; the first and the last line are the phantom points
+    /// (sace-xps-agie.md 1.3).</summary>
     public static TrajectoryFile Sace(Trajectory trajectory)
     {
         ArgumentNullException.ThrowIfNull(trajectory);
         return FileOf(trajectory, Lines(trajectory, default, 0.0, ", ", "\r\n"));
     }
 
-    /// <summary>One point a line, <c>x,y,z</c>, moved so that the second line is exactly 0,0,0: a controller that adds it and one that does not then run the same (sace-xps-agie.md 2.3).</summary>
-    /// <param name="motion">What its machine may do.</param>
+    /// <summary>One point per line, <c>x,y,z</c>, moved so that the second line is exactly 0,0,0: a controller that adds it and one that does not then run the
+    /// same path (sace-xps-agie.md 2.3).</summary>
+    /// <param name="motion">Limits of its machine.</param>
     public static TrajectoryFile Xps(Trajectory trajectory, TrajectoryMotion motion)
     {
         ArgumentNullException.ThrowIfNull(trajectory);

@@ -5,9 +5,9 @@ namespace Engraver.Core.Trajectories.Formats;
 /// <summary>A contour as files of one format.</summary>
 public static class TrajectoryFiles
 {
-    /// <summary>One file for each run between two corners, or one for the contour where its corners are rounded within the error (splines only).</summary>
+    /// <summary>One file for each run between two corners, or one for the contour when its corners are rounded within the error (splines only).</summary>
     /// <param name="contour">See <see cref="TrajectoryPlanner.Plan"/>.</param>
-    /// <param name="motion">For the formats that say how fast.</param>
+    /// <param name="motion">Limits for the formats that contain speeds.</param>
     public static TrajectoryFilesResult Write(IReadOnlyList<Segment> contour, bool closed, TrajectoryOptions options, TrajectoryFormat format, TrajectoryMotion motion)
     {
         ArgumentNullException.ThrowIfNull(options);
@@ -30,7 +30,7 @@ public static class TrajectoryFiles
     }
 }
 
-/// <summary>What became of a contour.</summary>
-/// <param name="Files">In the order of travel.</param>
-/// <param name="Unproven">Runs for which the error could not be kept.</param>
+/// <summary>The result for a contour.</summary>
+/// <param name="Files">Files in the order of travel.</param>
+/// <param name="Unproven">Number of runs for which the error could not be proven.</param>
 public sealed record TrajectoryFilesResult(IReadOnlyList<TrajectoryFile> Files, IReadOnlyList<IReadOnlyList<Segment>> Unproven);

@@ -7,10 +7,11 @@ using Engraver.Core.Trajectories.Reading;
 
 namespace Engraver.Core.Trajectories.Posting;
 
-/// <summary>The job as trajectories of an XPS controller (sace-xps-agie.md 2), all of them in one text: a line says where the machine must stand, the lines of one file follow. The verb <c>trajectory</c> writes the same files one by one.</summary>
+/// <summary>The job as trajectories of an XPS controller (sace-xps-agie.md 2), all of them in one text: a line states the required machine position, then the
+/// lines of one file follow. The verb <c>trajectory</c> writes the same files one by one.</summary>
 /// <param name="format">One of the XPS formats.</param>
-/// <param name="name">As <c>--target</c> has it.</param>
-/// <param name="ending">Of its files.</param>
+/// <param name="name">Name as in <c>--target</c>.</param>
+/// <param name="ending">Extension of its files.</param>
 public sealed class XpsPost(TrajectoryFormat format, string name, string ending) : IPost
 {
     public string Name => name;

@@ -3,18 +3,19 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories.Reading;
 
-/// <summary>Lines and arcs: a line goes to a place counted from the start; an arc goes on in the direction of the element before.</summary>
-/// <remarks>The head says the direction of the first element and by how much an element may turn away from the one before; what the elements do must agree with both (sace-xps-agie.md 2.2).</remarks>
+/// <summary>Lines and arcs: a line moves to a position counted from the start; an arc continues in the direction of the previous element.</summary>
+/// <remarks>The header states the direction of the first element and the largest turn between two elements; the elements must comply with both
+/// (sace-xps-agie.md 2.2).</remarks>
 internal sealed class LineArcRun : TrajectoryRun
 {
-    /// <summary>Turns below it are roundings, degrees: of a line of a micrometre whose ends are said to a picometre.</summary>
+    /// <summary>Turns below this are due to rounding, degrees: of a line of a micrometre whose ends are written to a picometre.</summary>
     private const double Rounding = 0.0001;
 
-    /// <summary>The angle of a file without turns, and the largest turn that is none of a corner, degrees.</summary>
+    /// <summary>The angle of a file without turns, and the largest turn that does not count as a corner, degrees.</summary>
     private const double UsualAngle = 0.01;
     private const double CornerAngle = 0.5;
 
-    /// <summary>Of one arc, degrees: ten turns.</summary>
+    /// <summary>Largest sweep of one arc, degrees: ten turns.</summary>
     private const double MostSweep = 3600.0;
 
     private readonly Point2D _start;
@@ -66,7 +67,7 @@ internal sealed class LineArcRun : TrajectoryRun
         Teller.LineTo(_place = end);
     }
 
-    /// <summary>In quarters of a turn at most, as the judges take arcs.</summary>
+    /// <summary>In quarters of a turn at most, as the judges require arcs.</summary>
     private void Arc(double radius, double sweep)
     {
         var (side, heading) = (Math.Sign(sweep), _heading ?? 0.0);

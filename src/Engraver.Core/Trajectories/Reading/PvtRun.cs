@@ -3,17 +3,19 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories.Reading;
 
-/// <summary>Positions, velocities and times, from rest: each row adds its displacements in its time by the cubic fixed by both velocities, and the last ends at rest.</summary>
-/// <remarks>What is run is as fast as the machine's feed at most, accelerates no axis more than it can, and takes the time of a row at the mean of the speeds at its ends: a time or a speed that does not agree with the others is told.</remarks>
+/// <summary>Positions, velocities and times, from rest: each row adds its displacements in its time by the cubic fixed by both velocities, and the last ends at
+/// rest.</summary>
+/// <remarks>The motion must not exceed the machine's feed or the acceleration of any axis, and the time of a row must match the mean of the speeds at its ends:
+/// a time or a speed that does not match is reported.</remarks>
 internal sealed class PvtRun : TrajectoryRun
 {
-    /// <summary>Part of a speed, an acceleration or a way that is left to the cubic, which goes along a bend and speeds up at once.</summary>
+    /// <summary>Tolerance of a speed, an acceleration or a distance, as a fraction, for a cubic that follows a bend and accelerates at the same time.</summary>
     private const double Share = 0.01;
 
-    /// <summary>A way that is none, millimetres.</summary>
+    /// <summary>Distance that counts as zero, millimetres.</summary>
     private const double Nothing = 1e-6;
 
-    /// <summary>Chords of a cubic for its length.</summary>
+    /// <summary>Number of chords of a cubic for its length.</summary>
     private const int Chords = 64;
 
     private Point2D _place;

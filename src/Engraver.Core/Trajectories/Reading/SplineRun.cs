@@ -3,9 +3,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories.Reading;
 
-/// <summary>A uniform Catmull-Rom spline: the first and the last row only turn the ends; between the others u runs from 0 to 1 through 1/2 (2 p1 + (p2 - p0) u + (2 p0 - 5 p1 + 4 p2 - p3) u^2 + (3 p1 - p0 - 3 p2 + p3) u^3), which leaves p1 by (p2 - p0) / 2 and arrives by (p3 - p1) / 2.</summary>
-/// <param name="start">What the points count from.</param>
-/// <param name="isRelative">The machine stands there: the second row must be 0.</param>
+/// <summary>A uniform Catmull-Rom spline: the first and the last row only set the directions at the ends; between the others u runs from 0 to 1 through 1/2 (2
+/// p1 + (p2 - p0) u + (2 p0 - 5 p1 + 4 p2 - p3) u^2 + (3 p1 - p0 - 3 p2 + p3) u^3), which leaves p1 with (p2 - p0) / 2 and arrives with (p3 - p1) /
+/// 2.</summary>
+/// <param name="start">Origin of the points.</param>
+/// <param name="isRelative">True when this is the machine position: the second row must be 0.</param>
 internal sealed class SplineRun(Point2D start, bool isRelative, TrajectoryTeller teller) : TrajectoryRun(teller)
 {
     private Point2D _before;

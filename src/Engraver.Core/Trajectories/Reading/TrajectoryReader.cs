@@ -5,14 +5,16 @@ using Engraver.Core.Posts;
 
 namespace Engraver.Core.Trajectories.Reading;
 
-/// <summary>Reads trajectory files back and runs them as their controller does, from what is known of the controller alone (sace-xps-agie.md 2); shares no code with what wrote them.</summary>
-/// <remarks>Several files are one text: each follows a line <c>; trajectory X Y</c>, the place where the machine stands when it is started. Without that line it stands where the request says. One row is held at a time, of a spline four.</remarks>
+/// <summary>Reads trajectory files back and runs them as their controller does, based only on the documentation of the controller (sace-xps-agie.md 2); shares
+/// no code with the post.</summary>
+/// <remarks>Several files are one text: each follows a line <c>; trajectory X Y</c>, the machine position at its start. Without that line the request gives the
+/// machine position. One row is in memory at a time, for a spline four.</remarks>
 public sealed class TrajectoryReader(ControllerLanguage language) : IProgramReader
 {
-    /// <summary>What stands before a file.</summary>
+    /// <summary>The start of the line before a file.</summary>
     public const string Mark = "; trajectory ";
 
-    /// <summary>After so many findings nothing more is read.</summary>
+    /// <summary>Number of findings after which reading stops.</summary>
     private const int MostFindings = 100;
 
     public bool TellsHeights => false;
@@ -25,7 +27,7 @@ public sealed class TrajectoryReader(ControllerLanguage language) : IProgramRead
         return Task.FromResult<IReadOnlyList<Diagnostic>>(new Replay(language, new TrajectoryTeller(request), start).Run(new ProgramRows(text), cancellation));
     }
 
-    /// <summary>The way through a text. What is wrong with a file is one finding: its rows behind are left out, and the next file is read.</summary>
+    /// <summary>Reads through a text. An error in a file is one finding: its remaining rows are skipped, and the next file is read.</summary>
     private sealed class Replay(ControllerLanguage language, TrajectoryTeller teller, Point2D start)
     {
         private readonly List<Diagnostic> _findings = [];
@@ -77,13 +79,13 @@ public sealed class TrajectoryReader(ControllerLanguage language) : IProgramRead
     }
 }
 
-/// <summary>What a controller reads a trajectory file as.</summary>
+/// <summary>Format in which a controller reads a trajectory file.</summary>
 public enum ControllerLanguage
 {
     /// <summary>Points of the drawing.</summary>
     AbsoluteSpline,
 
-    /// <summary>Points counted from where the machine stands.</summary>
+    /// <summary>Points relative to the machine position.</summary>
     RelativeSpline,
 
     LineArc,
@@ -94,7 +96,7 @@ public enum ControllerLanguage
 /// <summary>One trajectory while its controller runs it, row by row.</summary>
 internal abstract class TrajectoryRun(TrajectoryTeller teller)
 {
-    /// <summary>A number from here on means nothing to a machine, and what is done with it leaves what a double can hold.</summary>
+    /// <summary>Limit of numbers: larger numbers are not valid for a machine, and calculations with them would exceed the range of a double.</summary>
     private const double TooLarge = 1e12;
 
     private int _line;
@@ -109,32 +111,32 @@ internal abstract class TrajectoryRun(TrajectoryTeller teller)
         _ => new PvtRun(start, teller),
     };
 
-    /// <returns>Why the row cannot be run; null when it was.</returns>
+    /// <returns>The reason why the row cannot be run; null when it was run.</returns>
     public Diagnostic? Take(string words, int line)
     {
         _line = line;
         return Run(words);
     }
 
-    /// <summary>No row comes any more.</summary>
+    /// <summary>Called after the last row.</summary>
     public abstract Diagnostic? End();
 
     protected abstract Diagnostic? Run(string words);
 
     protected Diagnostic Unreadable(string words) => Unreadable(_line, words);
 
-    /// <summary>The row that was taken last asks the controller for something else than the job does.</summary>
+    /// <summary>Reports that the last row differs from the requirements of the job.</summary>
     protected void Differ(string said, string expected, int? line = null) => Teller.Request.Terms?.Differ(line ?? _line, said, expected);
 
-    /// <summary>The row that was taken last, from 1.</summary>
+    /// <summary>Number of the last row, from 1.</summary>
     protected int Line => _line;
 
-    /// <summary>At the row that was taken last.</summary>
+    /// <summary>A finding at the last row.</summary>
     protected Diagnostic Wrong(string reason) => Wrong(_line, reason);
 
     public static Diagnostic Unreadable(int line, string words) => Wrong(line, Wording.Get("Xps.LineContent", words.Trim() is { Length: > 40 } all ? all[..40] : words.Trim()));
 
-    /// <summary>Apart by commas; null for anything else, and for numbers that no machine can mean.</summary>
+    /// <summary>Numbers separated by commas; null for any other text, and for numbers beyond the limit.</summary>
     public static double[]? Numbers(string words)
     {
         var parts = words.Split(',');

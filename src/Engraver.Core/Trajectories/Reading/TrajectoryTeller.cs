@@ -4,10 +4,10 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Trajectories.Reading;
 
-/// <summary>Tells the judges where the tool goes. The time is only an order.</summary>
+/// <summary>Passes the tool path to the judges. The time only gives the order.</summary>
 internal sealed class TrajectoryTeller(ReplayRequest request)
 {
-    /// <summary>A chord of a cubic leaves it by no more, millimetres.</summary>
+    /// <summary>Largest distance of a chord from its cubic, millimetres.</summary>
     private const double ChordError = 1e-5;
 
     private const int MostHalvings = 10;
@@ -16,10 +16,10 @@ internal sealed class TrajectoryTeller(ReplayRequest request)
     private Point2D _place;
     private double _seconds;
 
-    /// <summary>What is asked of the program.</summary>
+    /// <summary>The requirements for the program.</summary>
     public ReplayRequest Request => request;
 
-    /// <summary>With the tool off.</summary>
+    /// <summary>Moves with the tool off.</summary>
     public void GoTo(Point2D place)
     {
         _place = place;
@@ -33,7 +33,8 @@ internal sealed class TrajectoryTeller(ReplayRequest request)
 
     public void ArcTo(ArcSegment arc) => Tell(Segment.FromArc(arc));
 
-    /// <summary>Along a cubic, by its control points as Bezier has them: it lies in the hull of its ends and of both. Where both lie on the chord it is the chord, however the speed changes along it.</summary>
+    /// <summary>Moves along a cubic, given by its Bezier control points: it is in the hull of its ends and both control points. When both control points are on
+    /// the chord, it is the chord, independent of the speed along it.</summary>
     public void CurveTo(Point2D leaving, Point2D arriving, Point2D end) => CurveTo(leaving, arriving, end, MostHalvings);
 
     private void CurveTo(Point2D leaving, Point2D arriving, Point2D end, int halvings)
