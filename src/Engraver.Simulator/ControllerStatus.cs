@@ -7,7 +7,7 @@ namespace Engraver.Simulator;
 /// <param name="IsDry">A started sequence ran out of segments without VE (galil-dmc.md B.7).</param>
 /// <param name="RunningThreads">Bit mask as _NO: bit 0 is thread 0.</param>
 /// <param name="Outputs">Outputs 1 to 8, bit 0 is output 1.</param>
-/// <param name="Underruns">How often a sequence ran dry since power up.</param>
+/// <param name="Underruns">Number of times that a sequence ran dry since power up.</param>
 /// <param name="OpenHandles">Handles in use.</param>
 /// <param name="SegmentsExecuted">Vector segments executed since power up, over all sequences.</param>
 public readonly record struct ControllerStatus(

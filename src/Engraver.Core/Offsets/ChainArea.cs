@@ -5,8 +5,8 @@ namespace Engraver.Core.Offsets;
 /// <summary>The area inside a closed chain of lines and arcs, exactly (Green's theorem).</summary>
 public static class ChainArea
 {
-    /// <summary>mm2, counter-clockwise positive; the polygon of the ends plus the cap of every arc. Sums relative to the first start, so that a drawing far
-    /// from the origin loses no digits.</summary>
+    /// <summary>Signed area, mm2, counter-clockwise positive; the polygon of the ends plus the cap of every arc. Sums relative to the first start, so that a
+    /// drawing far from the origin loses no digits.</summary>
     public static double Of(IReadOnlyList<Segment> segments)
     {
         if (segments.Count == 0) return 0.0;

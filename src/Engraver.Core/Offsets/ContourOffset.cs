@@ -27,7 +27,7 @@ public static class ContourOffset
     private const double SliverTolerances = 8.0;
 
     /// <param name="contours">The drawn contours.</param>
-    /// <param name="distance">Millimetres, above 0.</param>
+    /// <param name="distance">Offset distance, millimetres, above 0.</param>
     /// <param name="side">See <see cref="OffsetSide"/>.</param>
     /// <param name="options">Join and tolerances.</param>
     public static OffsetResult Offset(IReadOnlyList<OffsetContour> contours, double distance, OffsetSide side, OffsetOptions options)
@@ -83,7 +83,7 @@ public static class ContourOffset
 
         public List<Point2D> Unresolved { get; } = [];
 
-        /// <summary>In or out of the material that all closed contours enclose together; of a flat curve clockwise if it is drawn clockwise.</summary>
+        /// <summary>Offsets in or out of the material that all closed contours enclose together; of a flat curve clockwise if it is drawn clockwise.</summary>
         public void AddRegion(IReadOnlyList<SourceChain> closed, bool inside, bool clockwise = false)
         {
             var tree = new PieceTree([.. closed.SelectMany(chain => chain.Pieces)]);

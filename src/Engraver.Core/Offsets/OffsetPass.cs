@@ -25,7 +25,7 @@ internal sealed class OffsetPass
 
     /// <param name="source">All drawn segments that must be kept clear.</param>
     /// <param name="chains">Chains whose left sides are offset.</param>
-    /// <param name="distance">Millimetres, above 0.</param>
+    /// <param name="distance">Offset distance, millimetres, above 0.</param>
     /// <param name="options">The join.</param>
     /// <param name="tolerance">Length that counts as zero.</param>
     public static OffsetPass Run(PieceTree source, IReadOnlyList<RawChain> chains, double distance, OffsetOptions options, double tolerance)

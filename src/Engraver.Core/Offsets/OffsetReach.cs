@@ -15,7 +15,7 @@ internal sealed class OffsetReach
 
     /// <param name="source">All drawn segments.</param>
     /// <param name="chains">The closed chains whose left side is offset.</param>
-    /// <param name="distance">Millimetres.</param>
+    /// <param name="distance">Offset distance, millimetres.</param>
     /// <param name="options">The join.</param>
     /// <param name="tolerance">Depth that is ignored.</param>
     public OffsetReach(PieceTree source, IReadOnlyList<RawChain> chains, double distance, OffsetOptions options, double tolerance)

@@ -15,7 +15,7 @@ public sealed record OffsetContour(IReadOnlyList<Segment> Segments, bool Closed)
 public readonly record struct OffsetSource(int Contour, int Segment, bool IsJoin);
 
 /// <summary>One contour of an offset: lines, arcs and circles, each end exactly at the next start.</summary>
-/// <param name="Segments">At least one.</param>
+/// <param name="Segments">Segments, at least one.</param>
 /// <param name="Closed">True when the last segment ends exactly where the first begins; always for the offset of a closed contour.</param>
 public sealed record OffsetLoop(IReadOnlyList<Segment> Segments, bool Closed)
 {

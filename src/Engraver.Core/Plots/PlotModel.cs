@@ -60,7 +60,7 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
 }
 
 /// <summary>One curve of a picture.</summary>
-/// <param name="Segments">At least one; each starts at or near the end of the previous one.</param>
+/// <param name="Segments">Segments, at least one; each starts at or near the end of the previous one.</param>
 /// <param name="Closed">Determines the colour.</param>
 /// <param name="Number">Place in the order of cutting as shown to people (1 is first); null where there is no order.</param>
 public sealed record PlotStroke(IReadOnlyList<Segment> Segments, bool Closed, int? Number)

@@ -72,7 +72,7 @@ public static class SvgPlotWriter
         for (var i = 0; i < plot.Strokes.Count; i += every) WriteArrow(plot.Strokes[i], frame, labels, output);
     }
 
-    /// <summary>A dot for each point of a trajectory, a diamond round each corner.</summary>
+    /// <summary>A dot for each point of a trajectory, a diamond around each corner.</summary>
     private static void WritePoints(PlotModel plot, PlotFrame frame, TextWriter output)
     {
         foreach (var mark in plot.Marks)
@@ -137,7 +137,7 @@ public static class SvgPlotWriter
 
     private static string HeatClass(int step) => step < 0 ? "base" : string.Create(CultureInfo.InvariantCulture, $"heat{step}");
 
-    /// <summary>From green through yellow to red, and grey for the drawing beneath.</summary>
+    /// <summary>Colours from green through yellow to red, and grey for the drawing beneath.</summary>
     private static string HeatStyle() =>
         $"<style>.base{{stroke:#4a5460}}{string.Concat(Enumerable.Range(0, RunPlot.Steps).Select(step => $".{HeatClass(step)}{{stroke:{HeatColour((double)step / (RunPlot.Steps - 1))}}}"))}</style>";
 

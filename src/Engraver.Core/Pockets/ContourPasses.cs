@@ -19,7 +19,7 @@ internal sealed class ContourPasses
 
     private ContourPasses(RegionDepths depths, PocketOptions options) => (_depths, _options) = (depths, options);
 
-    /// <summary>From the wall inwards: the loops of each level.</summary>
+    /// <summary>The loops of each level, from the wall inwards.</summary>
     public List<List<PassChain>> Levels { get; } = [];
 
     /// <param name="depths">Depths of the region.</param>

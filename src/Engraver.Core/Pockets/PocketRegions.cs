@@ -7,7 +7,7 @@ using Engraver.Core.Sequencing.Nesting;
 namespace Engraver.Core.Pockets;
 
 /// <summary>An outer contour and the islands directly in it.</summary>
-/// <param name="Contours">As drawn, the outer one first.</param>
+/// <param name="Contours">Contours as drawn, the outer one first.</param>
 /// <param name="Inset">Distance of these inside the drawn contours: 0, or almost 0 where drawn contours cross.</param>
 /// <param name="Walls">The same as lines and arcs, with the material on the left.</param>
 internal sealed record PocketRegion(IReadOnlyList<OffsetContour> Contours, double Inset, IReadOnlyList<PathPiece[]> Walls)

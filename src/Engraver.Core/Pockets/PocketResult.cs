@@ -23,7 +23,7 @@ public enum PassKind
 }
 
 /// <summary>One pass of the tool's centre: lines, arcs and circles, each end at the next start, with the pocket on the left of a closed pass.</summary>
-/// <param name="Segments">At least one.</param>
+/// <param name="Segments">Segments, at least one.</param>
 /// <param name="Closed">True when the last segment ends where the first starts.</param>
 /// <param name="Kind">Purpose of the pass.</param>
 /// <param name="Level">0 at the wall, counted inwards; for a row its number from one side.</param>
@@ -48,13 +48,13 @@ public sealed record PocketStroke(IReadOnlyList<PocketMove> Moves, int Region, b
 }
 
 /// <summary>A piece of the pocket that the round tool cannot reach: a corner, or a neck that is too narrow.</summary>
-/// <param name="Place">Its point on the wall that is farthest from the reached area.</param>
+/// <param name="Place">The point of the piece on the wall that is farthest from the reached area.</param>
 /// <param name="Depth">Distance of that point from the reached area, mm.</param>
-/// <param name="Area">mm2; null when its boundary could not be closed.</param>
+/// <param name="Area">Area, mm2; null when its boundary could not be closed.</param>
 public sealed record UnreachedPlace(Point2D Place, double Depth, double? Area);
 
 /// <summary>A region that is too narrow for the tool.</summary>
-/// <param name="Place">Its widest point.</param>
+/// <param name="Place">The widest point of the region.</param>
 /// <param name="Width">Diameter of the largest circle in it, mm.</param>
 public sealed record NarrowRegion(Point2D Place, double Width);
 

@@ -107,7 +107,7 @@ internal sealed class SweptArea
         return true;
     }
 
-    /// <summary>To the right of the border's direction.</summary>
+    /// <summary>Normal to the right of the direction of the boundary.</summary>
     private static Vector2D Outwards(in PathPiece piece, double fraction)
     {
         if (!piece.IsArc) return new Vector2D(piece.StartTangent.Y, -piece.StartTangent.X);

@@ -5,7 +5,7 @@ namespace Engraver.Core.Pockets;
 
 /// <summary>One straight stretch of a zigzag between two walls.</summary>
 /// <param name="Row">Number of its row, from the right of the rows' direction.</param>
-/// <param name="Piece">In the rows' direction.</param>
+/// <param name="Piece">The line in the direction of the rows.</param>
 internal readonly record struct ZigzagRow(int Row, PathPiece Piece);
 
 /// <summary>Parallel rows across a region, which together with the pass along the walls leave no material.</summary>

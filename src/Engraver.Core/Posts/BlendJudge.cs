@@ -12,7 +12,7 @@ public sealed class BlendJudge
 
     /// <summary>Called for each cut.</summary>
     /// <param name="line">Line of the program's text.</param>
-    /// <param name="millimetres">As <see cref="Largest"/>.</param>
+    /// <param name="millimetres">Distance as in <see cref="Largest"/>.</param>
     public void Add(int line, double millimetres)
     {
         if (millimetres > Largest) (Largest, Line) = (millimetres, line);

@@ -22,7 +22,7 @@ public interface IProgramReader
     /// <returns>The reasons, with lines, why the text is not a program or did not run to its end; empty on success.</returns>
     /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
     /// <exception cref="IOException">Reading the text fails.</exception>
-    /// <exception cref="InvalidDataException">It has a line that is too long for any program.</exception>
+    /// <exception cref="InvalidDataException">The text has a line that is too long for any program.</exception>
     Task<IReadOnlyList<Diagnostic>> ReplayAsync(TextReader text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation);
 }
 

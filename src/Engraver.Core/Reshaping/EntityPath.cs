@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Reshaping;
 
 /// <summary>An object as its parts in plan, joined end to start, in its direction.</summary>
-/// <param name="Parts">At least one.</param>
+/// <param name="Parts">Parts, at least one.</param>
 /// <param name="Closed">True when it ends at its start.</param>
 public sealed record EntityPath(IReadOnlyList<Segment> Parts, bool Closed)
 {

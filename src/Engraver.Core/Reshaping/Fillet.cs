@@ -5,7 +5,7 @@ namespace Engraver.Core.Reshaping;
 /// <summary>Two lines, arcs or circles joined by a tangent arc, or at a corner: the remaining part of each, cut or lengthened, and the connecting
 /// segment.</summary>
 /// <param name="First">Remaining part of the first (part 0); null for a circle, which stays complete.</param>
-/// <param name="Second">The same for the second.</param>
+/// <param name="Second">Remaining part of the second; null for a circle.</param>
 /// <param name="Between">The arc from the first to the second, or a chamfer's line; null at a corner.</param>
 public sealed record Fillet(FilletSide? First, FilletSide? Second, Segment? Between)
 {

@@ -3,12 +3,12 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Reshaping;
 
 /// <summary>The result of trimming or breaking an object: the removed and the remaining parts together are the whole object.</summary>
-/// <param name="Removed">In the direction of the object; empty when it is only split.</param>
-/// <param name="Kept">Each becomes a separate object; empty when nothing remains.</param>
+/// <param name="Removed">Removed pieces in the direction of the object; empty when it is only split.</param>
+/// <param name="Kept">Remaining pieces; each becomes a separate object; empty when nothing remains.</param>
 public sealed record PathCut(IReadOnlyList<PathPiece> Removed, IReadOnlyList<IReadOnlyList<PathPiece>> Kept)
 {
     /// <summary>TRIM: Removes the part around a place, up to the next crossing on either side.</summary>
-    /// <param name="crossings">As <see cref="EntityPath.Crossings"/> gives them.</param>
+    /// <param name="crossings">Crossings from <see cref="EntityPath.Crossings"/>.</param>
     /// <returns>Null when nothing crosses the object, or a closed one fewer than two times.</returns>
     public static PathCut? Trim(EntityPath path, IReadOnlyList<PathPlace> crossings, PathPlace picked)
     {

@@ -77,7 +77,7 @@ public readonly record struct PathPlace(int Part, double Fraction, Point2D At)
 
 /// <summary>The remaining or removed piece of one part: from one fraction to another; below 0 and above 1 it is lengthened, or for a closed part continues over
 /// its seam.</summary>
-/// <param name="Part">Which part, from 0.</param>
+/// <param name="Part">Index of the part, from 0.</param>
 /// <param name="Start">The place at <paramref name="From"/>.</param>
 /// <param name="End">The place at <paramref name="To"/>.</param>
 public readonly record struct PathPiece(int Part, double From, double To, Point2D Start, Point2D End)

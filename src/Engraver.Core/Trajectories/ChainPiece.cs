@@ -234,6 +234,6 @@ internal sealed class ChainPiece
 /// <param name="Curvature">1/mm, left turn positive.</param>
 internal readonly record struct ChainPlace(Point2D Point, Vector2D Tangent, double Curvature)
 {
-    /// <summary>To the left of the direction of travel, length 1.</summary>
+    /// <summary>Normal to the left of the direction of travel, length 1.</summary>
     public Vector2D Normal => new(-Tangent.Y, Tangent.X);
 }

@@ -24,7 +24,7 @@ internal sealed class SmoothChain
     /// <summary>Joints where curvature or direction jumps, in order of length; for a closed chain also at 0.</summary>
     public IReadOnlyList<ChainJoint> Joints { get; }
 
-    /// <param name="segments">At least one with a length, joined end to start.</param>
+    /// <param name="segments">Segments, at least one with a length, joined end to start.</param>
     /// <param name="closed">True when the last segment ends where the first starts.</param>
     public static SmoothChain From(IEnumerable<Segment> segments, bool closed)
     {

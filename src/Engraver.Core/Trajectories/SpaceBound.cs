@@ -15,7 +15,7 @@ internal static class SpaceBound
 
     private const double Rounding = 64.0 * 2.220446049250313e-16;
 
-    /// <returns>Millimetres; infinite when the chain has a corner or a curve whose curvature is not known exactly.</returns>
+    /// <returns>The bound, millimetres; infinite when the chain has a corner or a curve whose curvature is not known exactly.</returns>
     public static double Measure(CatmullRomSpline spline, IReadOnlyList<double> heights, SmoothChain chain, IReadOnlyList<double> knots)
     {
         if (chain.Closed || chain.Pieces.Any(piece => piece.IsFree) || chain.Joints.Any(joint => joint.IsCorner)) return double.PositiveInfinity;

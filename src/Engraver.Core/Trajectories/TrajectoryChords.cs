@@ -11,7 +11,7 @@ public static class TrajectoryChords
     /// <summary>The curve that a controller runs, sampled at points so close together that every chord is within the error of it (du^2/8 max|D''|, as in the
     /// proof of its bound).</summary>
     /// <param name="trajectory">A trajectory with heights.</param>
-    /// <param name="maxError">Millimetres, above 0.</param>
+    /// <param name="maxError">Largest error, millimetres, above 0.</param>
     public static IReadOnlyList<RaisedSegment> OfCurve(Trajectory trajectory, double maxError)
     {
         var heights = HeightsOf(trajectory, maxError);
@@ -29,7 +29,7 @@ public static class TrajectoryChords
 
     /// <summary>The source of the trajectory, rising evenly from knot to knot.</summary>
     /// <param name="trajectory">A trajectory with heights.</param>
-    /// <param name="maxError">Millimetres, above 0.</param>
+    /// <param name="maxError">Largest error, millimetres, above 0.</param>
     public static IReadOnlyList<RaisedSegment> OfSource(Trajectory trajectory, double maxError)
     {
         var heights = HeightsOf(trajectory, maxError);

@@ -10,9 +10,9 @@ public static class TrajectoryProof
 
     /// <param name="lines">Points as in <see cref="Trajectory.Lines"/>.</param>
     /// <param name="knots">Knots as in <see cref="Trajectory.Knots"/>.</param>
-    /// <param name="source">At least one segment with a length, joined end to start.</param>
+    /// <param name="source">Segments, at least one with a length, joined end to start.</param>
     /// <param name="closed">True when the last segment ends where the first starts.</param>
-    /// <param name="heights">As in <see cref="Trajectory.Heights"/>; every such source consists of lines and arcs.</param>
+    /// <param name="heights">Heights as in <see cref="Trajectory.Heights"/>; every such source consists of lines and arcs.</param>
     /// <returns>Null when the arguments do not match, or no bound can be proven.</returns>
     public static Trajectory? Prove(IReadOnlyList<Point2D> lines, IReadOnlyList<double> knots, IReadOnlyList<Segment> source, bool closed, IReadOnlyList<double>? heights = null)
     {

@@ -94,7 +94,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Drawn
         return Math.Max(inMiddle, Math.Max(atFirst, atLast)) + Math.Abs(atFirst - (2.0 * inMiddle) + atLast);
     }
 
-    /// <param name="Largest">Millimetres, at least what was known before.</param>
+    /// <param name="Largest">Largest deviation, millimetres, at least the value known before.</param>
     /// <param name="At">Place as a fraction of the span; undefined when no larger deviation was found.</param>
     /// <param name="Extra">Length farther from the drawing than the coverage tolerance.</param>
     internal readonly record struct Result(double Largest, double At, double Extra);

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>What a handle needs from the controller: execution of its commands and accounting of their time.</summary>
+/// <summary>Services of the controller for a handle: execution of its commands and accounting of their time.</summary>
 internal interface ICommandSink
 {
     /// <summary>Executes one command; returns the reply with its prompt, valid until the next command, or an empty reply when no answer is sent.</summary>

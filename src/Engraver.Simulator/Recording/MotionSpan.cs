@@ -10,7 +10,7 @@ public sealed class MotionSpan
     private readonly SteadyCourse[] _courses;
 
     /// <param name="before">The sample before the first sample of the span.</param>
-    /// <param name="samples">At least one.</param>
+    /// <param name="samples">Number of samples, at least one.</param>
     /// <param name="end">The last row; axes without a course have its positions during the whole span.</param>
     internal MotionSpan(long before, long samples, MotionSample end, SteadyCourse[] courses)
     {

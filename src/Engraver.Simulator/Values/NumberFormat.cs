@@ -39,7 +39,7 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
         return new string(text[..Write(text, value)]);
     }
 
-    /// <summary>The same into a buffer of at least <see cref="Longest"/> characters; returns the characters written.</summary>
+    /// <summary>Writes the number into a buffer of at least <see cref="Longest"/> characters; returns the characters written.</summary>
     public int Write(Span<char> text, FixedPoint value)
     {
         text[0] = value.Raw < 0 && !Hex ? '-' : ' ';

@@ -36,7 +36,7 @@ internal readonly struct PathPiece
     /// <summary>Direction of an arc's start from its centre, radians.</summary>
     public double From { get; }
 
-    /// <summary>Radians, counter-clockwise positive; 0 for a line.</summary>
+    /// <summary>Sweep in radians, counter-clockwise positive; 0 for a line.</summary>
     public double Sweep { get; }
 
     public double Length { get; }
@@ -54,7 +54,7 @@ internal readonly struct PathPiece
     /// <param name="centre">Centre of the circle.</param>
     /// <param name="radius">Above 0.</param>
     /// <param name="from">Direction of the start, radians.</param>
-    /// <param name="sweep">Radians, counter-clockwise positive, not 0.</param>
+    /// <param name="sweep">Sweep in radians, counter-clockwise positive, not 0.</param>
     /// <param name="start">On the circle, to rounding.</param>
     /// <param name="end">On the circle, to rounding.</param>
     public static PathPiece Arc(Point2D centre, double radius, double from, double sweep, Point2D start, Point2D end) =>

@@ -62,7 +62,7 @@ internal static class PieceReach
         return beside.Common(Within(direction.Cross(way), direction.Cross(along), -radius, radius));
     }
 
-    /// <summary>Where at + slope * t is between two values.</summary>
+    /// <summary>The interval in which at + slope * t is between two values.</summary>
     private static PiecePart Within(double at, double slope, double low, double high)
     {
         if (Math.Abs(slope) < 1e-15) return at > low && at < high ? new PiecePart(double.NegativeInfinity, double.PositiveInfinity) : PiecePart.Empty;

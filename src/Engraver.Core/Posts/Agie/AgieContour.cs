@@ -7,7 +7,7 @@ namespace Engraver.Core.Posts.Agie;
 
 /// <summary>The program of one contour, read from a file to be linked with others (paper 000, LINK).</summary>
 /// <param name="Start">Machine position before its first block, drawing millimetres: the format does not contain it.</param>
-/// <param name="Blocks">At least one.</param>
+/// <param name="Blocks">Blocks, at least one.</param>
 public sealed partial record AgieContour(Point2D Start, IReadOnlyList<AgieBlock> Blocks)
 {
     /// <summary>Number of stretches that are cut without interruption: a file may hold those of several contours.</summary>

@@ -8,7 +8,7 @@ namespace Engraver.Core.Posts.Agie;
 public static class AgieLink
 {
     /// <summary>The linked program, in the order given. Rounding in positioning is compensated at the next link.</summary>
-    /// <param name="contours">At least one.</param>
+    /// <param name="contours">Contours, at least one.</param>
     public static PostText Link(IReadOnlyList<AgieContour> contours)
     {
         ArgumentNullException.ThrowIfNull(contours);

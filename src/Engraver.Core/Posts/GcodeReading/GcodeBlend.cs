@@ -21,6 +21,6 @@ internal readonly record struct GcodeBlend(double Corners, double Lines)
 
 /// <summary>The conditions of a motion.</summary>
 /// <param name="IsOn">The tool's switch; a tool axis cuts by its height.</param>
-/// <param name="Feed">Millimetres a minute; infinite for a rapid.</param>
-/// <param name="Line">Of the program's text.</param>
+/// <param name="Feed">Feed in millimetres per minute; infinite for a rapid.</param>
+/// <param name="Line">Line of the program's text.</param>
 internal readonly record struct GcodeMotion(bool IsOn, double Feed, GcodeBlend Blend, int Line);

@@ -4,7 +4,7 @@ namespace Engraver.Core.Sequencing.Chaining;
 
 /// <summary>Segments joined end to start. An open contour starts at one of its ends, a closed contour at its lowest row; both run in the direction of their
 /// lowest row.</summary>
-/// <param name="Pieces">At least one.</param>
+/// <param name="Pieces">Pieces, at least one.</param>
 /// <param name="Closed">True when the last piece ends within the join tolerance of the start of the first.</param>
 public readonly record struct Contour(ReadOnlyMemory<ContourPiece> Pieces, bool Closed)
 {

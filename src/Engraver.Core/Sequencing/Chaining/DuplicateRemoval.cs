@@ -11,9 +11,9 @@ public static class DuplicateRemoval
 
     /// <summary>Rows that are kept, ascending: of every group of duplicates the lowest row.</summary>
     /// <param name="segments">Rows by index.</param>
-    /// <param name="tolerance">Millimetres. Ends and midpoint must agree within it (for circles, the sum of the distance of the centres and the difference of
-    /// the radii), or within a hundredth of the segment's length when that is less, so that a curve of tiny steps keeps every step. Removed segments are within
-    /// this distance of the remaining ones.</param>
+    /// <param name="tolerance">Tolerance, millimetres. Ends and midpoint must agree within it (for circles, the sum of the distance of the centres and the
+    /// difference of the radii), or within a hundredth of the segment's length when that is less, so that a curve of tiny steps keeps every step. Removed
+    /// segments are within this distance of the remaining ones.</param>
     public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance) => Keep(segments, tolerance, EndHeights.Flat);
 
     /// <param name="segments">Rows by index.</param>

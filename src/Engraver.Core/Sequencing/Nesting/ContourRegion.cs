@@ -9,7 +9,7 @@ public sealed class ContourRegion
     private readonly Lazy<BoxTree> _boxes;
     private readonly List<int> _crossed = [];
 
-    /// <param name="segments">In order and direction of travel, end joined to start (a gap within the join tolerance is ignored).</param>
+    /// <param name="segments">Segments in order and direction of travel, end joined to start (a gap within the join tolerance is ignored).</param>
     public ContourRegion(Segment[] segments)
     {
         _segments = segments;

@@ -9,7 +9,7 @@ public static class TravelOrder
 {
     /// <summary>File order: each contour as drawn, in the order of their lowest rows; a contour that encloses others waits for them and then follows
     /// directly.</summary>
-    /// <param name="contours">In order of their lowest row.</param>
+    /// <param name="contours">Contours in order of their lowest row.</param>
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="inside">The contour directly around each one, -1 for none (see <see cref="ContourNesting"/>).</param>
     /// <param name="toolStart">Position of the tool at the start: a circle starts at its left or right quadrant point, whichever is nearer to the tool (paper
@@ -33,7 +33,7 @@ public static class TravelOrder
     /// start.</summary>
     /// <remarks>Open contours are entered from either end, closed ones at the nearest joint, circles at the nearer of two quadrant points. Logarithmic per
     /// step.</remarks>
-    /// <param name="contours">In order of their lowest row.</param>
+    /// <param name="contours">Contours in order of their lowest row.</param>
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="inside">The contour directly around each one, -1 for none.</param>
     /// <param name="depth">Constraints of depth: the contours that wait for contours above them, and the allowed entries.</param>

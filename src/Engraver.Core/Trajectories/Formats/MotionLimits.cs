@@ -20,7 +20,7 @@ internal static class MotionLimits
 
     /// <summary>The largest speed along the path at which no axis exceeds its acceleration: at a constant speed v the acceleration is v^2 times the curvature,
     /// across the path.</summary>
-    /// <returns>mm/s; infinite for a straight line.</returns>
+    /// <returns>Speed, mm/s; infinite for a straight line.</returns>
     public static double SpeedOf(CatmullRomSpline spline, double acceleration)
     {
         var most = 0.0;
