@@ -11,7 +11,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Canvas;
 
-/// <summary>Measures the canvas: scene, first picture, a moved frame, a refined frame after panning and zooming, picking. Wall time (best and median), because the operator waits for a picture, and processor time of all cores (best), because wall time depends on what else the computer does.</summary>
+/// <summary>Measures the canvas: scene, first picture, a moved frame, a refined frame after panning and zooming, picking. Wall time (best and median),
+/// because the operator waits for a picture, and processor time of all cores (best), because wall time depends on what else the computer does.</summary>
 public static class CanvasBenchmark
 {
     private const int Repetitions = 7;

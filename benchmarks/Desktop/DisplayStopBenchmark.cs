@@ -10,7 +10,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures the time from sending a Pause key to an X server, over a second connection, until the bytes of the stop arrive at the other end of a TCP link. The window must be in front.</summary>
+/// <summary>Measures the time from sending a Pause key to an X server, over a second connection, until the bytes of the stop arrive at the other end of a
+/// TCP link. The window must be in front.</summary>
 internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window, TextWriter output)
 {
     private const nuint PauseKey = 0xFF13;

@@ -6,7 +6,8 @@ using Engraver.App.Shell;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures the time from frame to frame of a window on a display while its view moves before each: what the hand sees, the pace of the window system included.</summary>
+/// <summary>Measures the time from frame to frame of a window on a display while its view moves before each: what the hand sees, the pace of the window
+/// system included.</summary>
 internal sealed class FrameBenchmark(DesktopModel desk, ShellWindow window, TextWriter output)
 {
     private const int Frames = 300;

@@ -6,7 +6,8 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>The benchmarks of a window in memory, by the name that <c>--benchmark</c> was given: how soon a stop is on the wire, how long painting and opening take.</summary>
+/// <summary>The benchmarks of a window in memory, by the name that <c>--benchmark</c> was given: how soon a stop is on the wire, how long painting and
+/// opening take.</summary>
 /// <remarks>One of two files of the same class; the project takes the one of its back end.</remarks>
 internal static class MemoryBenchmark
 {

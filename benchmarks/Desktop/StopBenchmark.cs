@@ -11,7 +11,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures the time from the press of Pause until the bytes of the stop arrive at the other end of a TCP link: while the window is idle, while it draws a million segments, while its thread is blocked, and while a job runs.</summary>
+/// <summary>Measures the time from the press of Pause until the bytes of the stop arrive at the other end of a TCP link: while the window is idle, while it
+/// draws a million segments, while its thread is blocked, and while a job runs.</summary>
 /// <param name="drawing">Path of the drawing whose job is stopped again and again; null: stops of a job are not measured.</param>
 internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, string? drawing, TextWriter output)
 {

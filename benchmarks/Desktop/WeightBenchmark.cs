@@ -6,7 +6,8 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures what a large drawing weighs in the desktop: processor time and memory of opening and planning, frames while it is moved, memory after it was closed and opened again.</summary>
+/// <summary>Measures what a large drawing weighs in the desktop: processor time and memory of opening and planning, frames while it is moved, memory after
+/// it was closed and opened again.</summary>
 internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
 {
     private const int Frames = 300;
@@ -80,7 +81,8 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
         AwaitPicture();
     }
 
-    /// <summary>What the process holds of the computer's memory once the desktop has given back what it has no use for; nothing is collected for the figure.</summary>
+    /// <summary>What the process holds of the computer's memory once the desktop has given back what it has no use for; nothing is collected for the
+    /// figure.</summary>
     private void TellMemory(string when)
     {
         desktop.StepUntil(() => session.Desk.IsMemoryReleased, s_patience);

@@ -3,7 +3,8 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Benchmarks.Offsets;
 
-/// <summary>Closed contours of as many vertices as wanted, millimetres, on which offsets are measured. The more vertices, the finer: at 100,000 the teeth of a comb are far narrower than the distance.</summary>
+/// <summary>Closed contours of as many vertices as wanted, millimetres, on which offsets are measured. The more vertices, the finer: at 100,000 the teeth
+/// of a comb are far narrower than the distance.</summary>
 internal static class OffsetContours
 {
     private const double WholeTurn = 2.0 * Math.PI;

@@ -7,7 +7,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Posts;
 
-/// <summary>Every target of a set of drawings, posted, read back and certified: lines, bytes, deviation, whether it is verified and its certificate stands, processor time. A row for each target, and a line for each program without a certificate that stands.</summary>
+/// <summary>Every target of a set of drawings, posted, read back and certified: lines, bytes, deviation, whether it is verified and its certificate stands,
+/// processor time. A row for each target, and a line for each program without a certificate that stands.</summary>
 internal static class PostBenchmark
 {
     /// <summary>Head of the table, Markdown.</summary>
@@ -21,7 +22,8 @@ internal static class PostBenchmark
         return [.. files.Take(most)];
     }
 
-    /// <summary>The rows, one after the other, each followed by the programs without a certificate that stands and by the one that took most processor time.</summary>
+    /// <summary>The rows, one after the other, each followed by the programs without a certificate that stands and by the one that took most processor
+    /// time.</summary>
     /// <param name="target">Name of the only target; null: all.</param>
     /// <param name="each">A row for each program too, before that of its target.</param>
     public static async IAsyncEnumerable<string> RowsAsync(IReadOnlyList<string> files, string? target, bool each, [EnumeratorCancellation] CancellationToken stop)

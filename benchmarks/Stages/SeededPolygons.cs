@@ -1,7 +1,9 @@
 namespace Engraver.Benchmarks.Stages;
 
-/// <summary>The benchmark drawing: exactly so many lines that form closed polygons of 10 to 50 sides on a grid, apart from each other, on three layers.</summary>
-/// <remarks>The last polygon takes up the remainder, up to 59 sides; fewer than three lines make an open stroke instead. The generator of the samples compiles this
+/// <summary>The benchmark drawing: exactly so many lines that form closed polygons of 10 to 50 sides on a grid, apart from each other, on three
+/// layers.</summary>
+/// <remarks>The last polygon takes up the remainder, up to 59 sides; fewer than three lines make an open stroke instead. The generator of the samples
+/// compiles this
 /// file too, so that the drawings it writes are those that are measured here.</remarks>
 internal static class SeededPolygons
 {

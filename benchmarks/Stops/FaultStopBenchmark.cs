@@ -7,7 +7,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>Measures the time from STOP to the bytes that brake the axes on a TCP wire or a serial line, while a job streams to a simulated controller at speed 1 to which a fault of a faults file has just happened.</summary>
+/// <summary>Measures the time from STOP to the bytes that brake the axes on a TCP wire or a serial line, while a job streams to a simulated controller at
+/// speed 1 to which a fault of a faults file has just happened.</summary>
 internal sealed class FaultStopBenchmark
 {
     /// <summary>So many jobs in a row that never move are no accident.</summary>

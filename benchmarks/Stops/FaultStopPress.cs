@@ -7,7 +7,8 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>One press of STOP after the other, each in a job of its own on a controller of its own: the job begins to move, a little later the fault happens, and at most 60 ms behind it STOP is pressed.</summary>
+/// <summary>One press of STOP after the other, each in a job of its own on a controller of its own: the job begins to move, a little later the fault
+/// happens, and at most 60 ms behind it STOP is pressed.</summary>
 internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
 {
     /// <summary>The fault happens within this time after the first motion, so that it meets the job between any two commands; seconds.</summary>
@@ -131,7 +132,8 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
 }
 
 /// <summary>What became of one press.</summary>
-/// <param name="Milliseconds">From STOP to the wire; null when it was not heard there, or was there before: what a job that ends says again behind its own stop is no answer to the press.</param>
+/// <param name="Milliseconds">From STOP to the wire; null when it was not heard there, or was there before: what a job that ends says again behind its own
+/// stop is no answer to the press.</param>
 /// <param name="IsBraked">The fault had ended the job, whose own stop was on the wire before the press.</param>
 /// <param name="Pause">Garbage collection between the press and the wire, milliseconds.</param>
 /// <param name="UnderWay">How long a serial line was still busy at the press, milliseconds.</param>

@@ -5,8 +5,10 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>A pseudo-terminal that stands for a serial line of a rate: a command is on the wire when its last bit would have left such a line, which carries ten bits for each byte, one after the other.</summary>
-/// <remarks>Only what is measured takes its time: what comes before the motion (some ten thousand bytes: the handshake, the program that watches, the segments that fill the buffer) and behind the press is carried at once.</remarks>
+/// <summary>A pseudo-terminal that stands for a serial line of a rate: a command is on the wire when its last bit would have left such a line, which
+/// carries ten bits for each byte, one after the other.</summary>
+/// <remarks>Only what is measured takes its time: what comes before the motion (some ten thousand bytes: the handshake, the program that watches, the
+/// segments that fill the buffer) and behind the press is carried at once.</remarks>
 internal sealed class FaultStopSerialTap : FaultStopWire
 {
     private readonly Lock _gate = new();
@@ -73,7 +75,8 @@ internal sealed class FaultStopSerialTap : FaultStopWire
         foreach (var (text, at) in commands) Tell(text, at);
     }
 
-    /// <summary>The commands that end in these bytes, each with the time stamp at which its end has left the line: a semicolon ends a command as a CR does (galil-dmc.md A.3).</summary>
+    /// <summary>The commands that end in these bytes, each with the time stamp at which its end has left the line: a semicolon ends a command as a CR does
+    /// (galil-dmc.md A.3).</summary>
     private List<(string Text, long At)> Carried(ReadOnlySpan<byte> bytes, long came)
     {
         var commands = new List<(string, long)>();

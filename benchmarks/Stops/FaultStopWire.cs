@@ -11,8 +11,10 @@ internal abstract class FaultStopWire : IAsyncDisposable
     /// <summary>Where the host finds the controller.</summary>
     public abstract string Address { get; }
 
-    /// <summary>How long the wire was still busy at <see cref="Press"/> with bytes that the host had given it, and with the one line that it was just giving it, milliseconds. 0 where a stop does not wait for them.</summary>
-    /// <remarks>A line of the poll has 48 bytes, which take 25 ms at 19,200 baud. Where the host gave it to the device half a millisecond behind the press, nothing could take it back; a second line behind the press would be the host's fault and does not count.</remarks>
+    /// <summary>How long the wire was still busy at <see cref="Press"/> with bytes that the host had given it, and with the one line that it was just
+    /// giving it, milliseconds. 0 where a stop does not wait for them.</summary>
+    /// <remarks>A line of the poll has 48 bytes, which take 25 ms at 19,200 baud. Where the host gave it to the device half a millisecond behind the press,
+    /// nothing could take it back; a second line behind the press would be the host's fault and does not count.</remarks>
     public virtual double UnderWayMilliseconds => 0.0;
 
     /// <summary>STOP is pressed at this time stamp.</summary>

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>What the SACETraj plug-in makes of a curve: its generator after the notes on its code (sace-xps-agie.md 1.2 and 1.3), defects included. Lines as they stand in its file. Millimetres.</summary>
+/// <summary>What the SACETraj plug-in makes of a curve: its generator after the notes on its code (sace-xps-agie.md 1.2 and 1.3), defects included. Lines
+/// as they stand in its file. Millimetres.</summary>
 internal sealed class PlugInGenerator
 {
     private readonly IReadOnlyList<Segment> _segments;

@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>What a controller makes of the lines of a spline file, evaluated here from the definition of the uniform Catmull-Rom spline, and how far it is from what was drawn. Shares no code with the generator.</summary>
+/// <summary>What a controller makes of the lines of a spline file, evaluated here from the definition of the uniform Catmull-Rom spline, and how far it is
+/// from what was drawn. Shares no code with the generator.</summary>
 internal sealed class SplineRun
 {
     private readonly List<(double X, double Y)> _places = [];

@@ -4,7 +4,8 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>Points, proven bounds and measured errors of trajectories on the shapes of sace-xps-agie.md 3.4, beside the plug-in's generator, and of seeded random curves.</summary>
+/// <summary>Points, proven bounds and measured errors of trajectories on the shapes of sace-xps-agie.md 3.4, beside the plug-in's generator, and of seeded
+/// random curves.</summary>
 internal static class TrajectoryBenchmark
 {
     private const int Repetitions = 5;

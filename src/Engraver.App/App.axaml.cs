@@ -16,7 +16,8 @@ public partial class App : Application
 {
     public override void Initialize() => AvaloniaXamlLoader.Load(this);
 
-    /// <summary>Opens the window of a session; its theme follows the view. While it is open every window of the program hears the stop keys, and failures of the program are reported.</summary>
+    /// <summary>Opens the window of a session; its theme follows the view. While it is open every window of the program hears the stop keys, and failures
+    /// of the program are reported.</summary>
     public ShellWindow OpenShell(DesktopSession session)
     {
         ArgumentNullException.ThrowIfNull(session);

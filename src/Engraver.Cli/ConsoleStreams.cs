@@ -2,7 +2,8 @@ using System.Text;
 
 namespace Engraver.Cli;
 
-/// <summary>Where a run of the program writes: results to <see cref="Out"/> (UTF-8, LF), everything a person reads beside them to <see cref="Error"/>.</summary>
+/// <summary>Where a run of the program writes: results to <see cref="Out"/> (UTF-8, LF), everything a person reads beside them to
+/// <see cref="Error"/>.</summary>
 /// <param name="output">Standard output.</param>
 /// <param name="error">Standard error.</param>
 /// <param name="input">Standard input; null: none is read.</param>

@@ -16,7 +16,8 @@ public static class EngraverProgram
 {
     /// <summary>Runs the program.</summary>
     /// <returns>The exit code (<see cref="ExitCode"/>).</returns>
-    /// <remarks>Ctrl-C and SIGTERM end the program soon (<see cref="StoppableVerb"/>). With a machine in hand they cancel the verb and then wait for it, however long the machine brakes:
+    /// <remarks>Ctrl-C and SIGTERM end the program soon (<see cref="StoppableVerb"/>). With a machine in hand they cancel the verb and then wait for it,
+    /// however long the machine brakes:
     /// the library's own two-second limit is switched off, and a second signal changes nothing.</remarks>
     public static async Task<int> RunAsync(string[] args, ConsoleStreams streams)
     {

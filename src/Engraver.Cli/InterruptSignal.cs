@@ -3,7 +3,8 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.Cli;
 
-/// <summary>Makes sure that an interrupt reaches the program. A shell without job control starts background commands with SIGINT ignored, and the runtime respects that;
+/// <summary>Makes sure that an interrupt reaches the program. A shell without job control starts background commands with SIGINT ignored, and the runtime
+/// respects that;
 /// a program that moves a machine must not, because a signal that is sent to it is meant to stop it.</summary>
 internal static class InterruptSignal
 {

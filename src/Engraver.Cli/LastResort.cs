@@ -2,7 +2,8 @@ using Engraver.Cli.Output;
 
 namespace Engraver.Cli;
 
-/// <summary>Ends the program for an exception on a thread that nobody waits for (a timer's, a pool's), which the runtime would end with a signal (exit 134) and without a report.</summary>
+/// <summary>Ends the program for an exception on a thread that nobody waits for (a timer's, a pool's), which the runtime would end with a signal (exit 134)
+/// and without a report.</summary>
 internal sealed class LastResort(string[] args, TextWriter error, Action<int> exit)
 {
     private int _ended;

@@ -1,8 +1,10 @@
 namespace Engraver.Cli;
 
 /// <summary>Runs a verb so that the operator's stop ends it soon, however long it computes.</summary>
-/// <remarks>The stages change nothing but memory, so they need not end in order: the verb is left behind on its thread, which ends with the process. That is as quick in the
-/// middle of the longest loop, or of a read from a pipe without a writer, as between two stages, and no loop pays for it. Two things may not be left behind. A machine:
+/// <remarks>The stages change nothing but memory, so they need not end in order: the verb is left behind on its thread, which ends with the process. That
+/// is as quick in the
+/// middle of the longest loop, or of a read from a pipe without a writer, as between two stages, and no loop pays for it. Two things may not be left
+/// behind. A machine:
 /// while one is connected the verb is waited for, because it brakes first. And a file under its temporary name, which is deleted at the end of the process
 /// (<see cref="Engraver.Workbench.Files.OutputFile"/>).</remarks>
 internal static class StoppableVerb
@@ -12,7 +14,8 @@ internal static class StoppableVerb
     public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => UntilStoppedAsync(OnItsOwnThread(() => Task.FromResult(compute())), stop);
 
     /// <returns>The exit code of the verb.</returns>
-    /// <exception cref="OperationCanceledException">The operator stopped it. When the verb was left behind, <paramref name="streams"/> take nothing more.</exception>
+    /// <exception cref="OperationCanceledException">The operator stopped it. When the verb was left behind, <paramref name="streams"/> take nothing
+    /// more.</exception>
     public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, MachineInHand machine, CancellationToken stop)
     {
         var running = OnItsOwnThread(verb);
@@ -29,7 +32,8 @@ internal static class StoppableVerb
         }
     }
 
-    /// <summary>As <see cref="Task{T}.WaitAsync(CancellationToken)"/>, which however goes on inside the thread that cancels, before anybody who registered earlier: there the machine has to be stopped first.</summary>
+    /// <summary>As <see cref="Task{T}.WaitAsync(CancellationToken)"/>, which however goes on inside the thread that cancels, before anybody who registered
+    /// earlier: there the machine has to be stopped first.</summary>
     private static async Task<T> UntilStoppedAsync<T>(Task<T> running, CancellationToken stop)
     {
         var stopped = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);

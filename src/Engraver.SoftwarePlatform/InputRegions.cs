@@ -4,7 +4,8 @@ using Avalonia.Input;
 
 namespace Engraver.SoftwarePlatform;
 
-/// <summary>The rectangles that handle a press on the input thread: an on-screen stop works while the user interface is busy, covered by a menu or behind a dialog.</summary>
+/// <summary>The rectangles that handle a press on the input thread: an on-screen stop works while the user interface is busy, covered by a menu or behind a
+/// dialog.</summary>
 /// <remarks>Thread-safe. The newest region is asked first.</remarks>
 public sealed class InputRegions
 {

@@ -120,7 +120,8 @@ internal sealed class Operator
     }
 }
 
-/// <summary>Lets a clock of the test go on, twice as fast as the wall while the window's thread and the pool have time for it: it does not run away from a program that its computer holds up.</summary>
+/// <summary>Lets a clock of the test go on, twice as fast as the wall while the window's thread and the pool have time for it: it does not run away from a
+/// program that its computer holds up.</summary>
 internal sealed class PassingTime : IDisposable
 {
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);

@@ -9,8 +9,10 @@ using Avalonia.VisualTree;
 namespace Engraver.App.Tests;
 
 /// <summary>Finds texts that are not shown whole: cut off at their own bounds, shortened with dots, or beyond an edge of something around them.</summary>
-/// <remarks>What is out of view in a list that scrolls that way is not cut off. A text that is shortened with dots and has itself as its tip is shown whole by the tip (names of files, layers, profiles).
-/// What has no room at all was left out by the panel around it (FittingRow) and is not cut off. Use it in any language: the texts are taken as they are shown.</remarks>
+/// <remarks>What is out of view in a list that scrolls that way is not cut off. A text that is shortened with dots and has itself as its tip is shown whole
+/// by the tip (names of files, layers, profiles).
+/// What has no room at all was left out by the panel around it (FittingRow) and is not cut off. Use it in any language: the texts are taken as they are
+/// shown.</remarks>
 internal static class TextFit
 {
     /// <summary>Shaped glyphs and rounded pixels may differ by this much, units of 1/96 inch.</summary>

@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 
-/// <summary>Runs inside the program under test, before its Main (DOTNET_STARTUP_HOOKS; the name and the missing namespace are the runtime's wish): a bug on a thread of the pool, when a test wants it.</summary>
+/// <summary>Runs inside the program under test, before its Main (DOTNET_STARTUP_HOOKS; the name and the missing namespace are the runtime's wish): a bug on
+/// a thread of the pool, when a test wants it.</summary>
 internal static class StartupHook
 {
     /// <summary>SIGUSR1 of Linux.</summary>

@@ -101,7 +101,8 @@ public class StoppableVerbTests
         }
     }
 
-    /// <summary>The token calls whoever registered last first, and the verb registered before: whatever the program does at its end must not come between the signal and the stop of the machine.</summary>
+    /// <summary>The token calls whoever registered last first, and the verb registered before: whatever the program does at its end must not come between
+    /// the signal and the stop of the machine.</summary>
     [Fact]
     public async Task The_thread_of_the_signal_goes_on_to_the_machine_and_ends_no_program_before()
     {

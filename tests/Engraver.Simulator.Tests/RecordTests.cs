@@ -68,7 +68,8 @@ public class RecordTests
         Assert.Equal(2, samples[^1].Outputs);
     }
 
-    /// <summary>As it was found: whoever closed the file before the controller ended lost the last rows, and a tick of the controller then wrote to a closed file.</summary>
+    /// <summary>As it was found: whoever closed the file before the controller ended lost the last rows, and a tick of the controller then wrote to a
+    /// closed file.</summary>
     [Fact]
     public async Task The_end_of_the_controller_completes_and_closes_the_file_while_something_moves_and_nothing_is_written_later()
     {

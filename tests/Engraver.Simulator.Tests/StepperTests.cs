@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>A stepper has no encoder in its loop: it does the steps that it is sent, and nobody counts those that its shaft did not make (galil-dmc.md C, MT).</summary>
+/// <summary>A stepper has no encoder in its loop: it does the steps that it is sent, and nobody counts those that its shaft did not make (galil-dmc.md C,
+/// MT).</summary>
 public class StepperTests
 {
     [Fact]

@@ -3,7 +3,8 @@ using System.Text;
 
 namespace Engraver.TestKit;
 
-/// <summary>Damages drawings in ways that happen and ways that hardly do: bytes, lines, pairs and whole records, weights, knots and numbers, and sectors of zeros. The same seed gives the same file.</summary>
+/// <summary>Damages drawings in ways that happen and ways that hardly do: bytes, lines, pairs and whole records, weights, knots and numbers, and sectors of
+/// zeros. The same seed gives the same file.</summary>
 public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
 {
     private static readonly string[] OddValues =

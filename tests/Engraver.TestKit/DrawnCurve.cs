@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit;
 
-/// <summary>A curve as it is drawn, with an evaluation of its own (de Boor on the knots, cosine and sine of the ellipse) that shares nothing with the product. Knows the product's curve of the same numbers.</summary>
+/// <summary>A curve as it is drawn, with an evaluation of its own (de Boor on the knots, cosine and sine of the ellipse) that shares nothing with the
+/// product. Knows the product's curve of the same numbers.</summary>
 /// <param name="Name">What a failing test prints.</param>
 /// <param name="Curve">The product's own.</param>
 /// <param name="Breaks">Parameters between which the curve is smooth, rising.</param>

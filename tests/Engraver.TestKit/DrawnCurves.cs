@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit;
 
-/// <summary>Curves as CAD programs and accidents write them: coincident, collinear and reversing control points, weights, cusps, ellipses of every flatness, tiny and huge ones. The same for the same seed.</summary>
+/// <summary>Curves as CAD programs and accidents write them: coincident, collinear and reversing control points, weights, cusps, ellipses of every
+/// flatness, tiny and huge ones. The same for the same seed.</summary>
 public static class DrawnCurves
 {
     /// <summary>Shapes that have been wrong, or are at the edge of what a curve can be.</summary>

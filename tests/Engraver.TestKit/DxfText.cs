@@ -4,7 +4,8 @@ using System.Text;
 
 namespace Engraver.TestKit;
 
-/// <summary>Writes a DXF as (group code, value) pairs: the same drawing as text or in either binary layout. Values are strings, whole numbers or doubles.</summary>
+/// <summary>Writes a DXF as (group code, value) pairs: the same drawing as text or in either binary layout. Values are strings, whole numbers or
+/// doubles.</summary>
 public sealed class DxfText
 {
     private readonly List<(int Code, object Value)> _pairs = [];

@@ -4,7 +4,8 @@ using FsCheck.Fluent;
 
 namespace Engraver.TestKit;
 
-/// <summary>Polylines of lines and arcs, each in a field of its own, and the same segments as a drawing gives them: shuffled, each in either direction.</summary>
+/// <summary>Polylines of lines and arcs, each in a field of its own, and the same segments as a drawing gives them: shuffled, each in either
+/// direction.</summary>
 public sealed record LoosePolylines(IReadOnlyList<IReadOnlyList<Segment>> Polylines, Segment[] Shuffled)
 {
     private const double Field = 100.0;

@@ -8,7 +8,8 @@ public static class RepositoryFolder
 
     public static string Samples => Path.Combine(Root, "samples");
 
-    /// <summary>The corpus of real drawings beside the project, or null where it is not laid out: tests that need it are then skipped, and in CI a skip is a failure.</summary>
+    /// <summary>The corpus of real drawings beside the project, or null where it is not laid out: tests that need it are then skipped, and in CI a skip is
+    /// a failure.</summary>
     public static string? Corpus => Path.GetFullPath(Path.Combine(Root, "..", "shared", "corpus")) is var folder && Directory.Exists(folder) ? folder : null;
 
     private static string Find()

@@ -2,8 +2,10 @@ using System.Globalization;
 
 namespace Engraver.TestKit;
 
-/// <summary>How much one run of the tests tries: what every commit is tried with, or everything. <c>./test --full</c> sets ENGRAVER_FULL=1; nothing else reads it.</summary>
-/// <remarks>The smaller run takes fewer seeds, or each subject with one pair of choices instead of every combination. Only the tests of <see cref="FullRunFactAttribute"/> and <see cref="FullRunTheoryAttribute"/> are left out of it whole.</remarks>
+/// <summary>How much one run of the tests tries: what every commit is tried with, or everything. <c>./test --full</c> sets ENGRAVER_FULL=1; nothing else
+/// reads it.</summary>
+/// <remarks>The smaller run takes fewer seeds, or each subject with one pair of choices instead of every combination. Only the tests of
+/// <see cref="FullRunFactAttribute"/> and <see cref="FullRunTheoryAttribute"/> are left out of it whole.</remarks>
 public static class TestExtent
 {
     /// <summary>Whether everything is tried: every combination and the large numbers of seeds.</summary>
@@ -15,7 +17,8 @@ public static class TestExtent
     /// <param name="variable">The environment variable that names another number, in either run.</param>
     public static int Cases(int perCommit, int full, string variable) => Number(variable, IsFull ? full : perCommit);
 
-    /// <summary>The number in an environment variable, or <paramref name="otherwise"/> where it is not set. Text that is no number throws: a run of a million seeds must not shrink in silence.</summary>
+    /// <summary>The number in an environment variable, or <paramref name="otherwise"/> where it is not set. Text that is no number throws: a run of a
+    /// million seeds must not shrink in silence.</summary>
     public static int Number(string variable, int otherwise) => Parse(variable, Environment.GetEnvironmentVariable(variable), otherwise);
 
     /// <summary>The same of a text that was already read.</summary>

@@ -2,7 +2,8 @@ using System.Diagnostics;
 
 namespace Engraver.TestKit;
 
-/// <summary>A file that can be read and cannot be written, as on a medium that is read-only, also by the superuser, whom permissions do not stop: on Linux the image of a process that runs.</summary>
+/// <summary>A file that can be read and cannot be written, as on a medium that is read-only, also by the superuser, whom permissions do not stop: on Linux
+/// the image of a process that runs.</summary>
 public sealed class UnwritableFile : IDisposable
 {
     private readonly Process? _process;

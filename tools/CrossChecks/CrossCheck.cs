@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>A second reading of a DXF file by code that is as simple as possible, to compare with that of the reader: number of curves by type, total length, box. It shares no code with the reader.</summary>
+/// <summary>A second reading of a DXF file by code that is as simple as possible, to compare with that of the reader: number of curves by type, total
+/// length, box. It shares no code with the reader.</summary>
 /// <param name="Counts">Curves after block expansion by the type they were written as.</param>
 /// <param name="Length">Along the curves in space, drawing units.</param>
 /// <param name="Bounds">In plan; null when there is no curve with an extent.</param>

@@ -1,6 +1,7 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Finds places of a file where a record of the drawing may have been lost, which the figures cannot show when both readings pass over it. Its rules are its own, not the reader's.</summary>
+/// <summary>Finds places of a file where a record of the drawing may have been lost, which the figures cannot show when both readings pass over it. Its
+/// rules are its own, not the reader's.</summary>
 internal sealed class CrossCheckDamage(CrossCheckFile file)
 {
     private const string Unknown = "?";
@@ -99,7 +100,8 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
         _section = name is "HEADER" or "CLASSES" or "TABLES" or "BLOCKS" or "ENTITIES" or "OBJECTS" or "THUMBNAILIMAGE" or "ACDSDATA" ? name : Unknown;
     }
 
-    /// <summary>True for a group code that cannot follow a record of the file's structure (SECTION, ENDSEC, TABLE ...): coordinates, names, and in the head of a table the codes of its entries.</summary>
+    /// <summary>True for a group code that cannot follow a record of the file's structure (SECTION, ENDSEC, TABLE ...): coordinates, names, and in the head
+    /// of a table the codes of its entries.</summary>
     private bool IsForeign(int code) => _type switch
     {
         "SECTION" => _section is "TABLES" or "BLOCKS" or "ENTITIES",

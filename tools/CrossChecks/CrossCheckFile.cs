@@ -3,7 +3,8 @@ using System.Text;
 
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>A DXF file cut into tags: two lines at a time, or in a binary file a code and its bytes. Of a tag only its place is kept. Shares no code with the reader that it checks.</summary>
+/// <summary>A DXF file cut into tags: two lines at a time, or in a binary file a code and its bytes. Of a tag only its place is kept. Shares no code with
+/// the reader that it checks.</summary>
 internal sealed class CrossCheckFile
 {
     private const string BinaryMark = "AutoCAD Binary DXF\r\n\u001A\0";

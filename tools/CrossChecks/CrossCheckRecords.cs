@@ -1,6 +1,7 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>The records of a file's BLOCKS and ENTITIES sections, one after the other; only the one under way is in memory. What stands outside of every section goes with ENTITIES.</summary>
+/// <summary>The records of a file's BLOCKS and ENTITIES sections, one after the other; only the one under way is in memory. What stands outside of every
+/// section goes with ENTITIES.</summary>
 internal static class CrossCheckRecords
 {
     /// <param name="file">Gone through once for each enumeration.</param>

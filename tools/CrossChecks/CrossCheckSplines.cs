@@ -101,7 +101,8 @@ internal static class CrossCheckSplines
         return vector.To(default) is > 0.0 and var length ? (1.0 / length) * vector : null;
     }
 
-    /// <summary>The slopes at the fit points for which second derivatives are equal on both sides of inner points. At an end the second derivative is 0, or the slope is the given one; a closed spline has its ends joined like an inner point.</summary>
+    /// <summary>The slopes at the fit points for which second derivatives are equal on both sides of inner points. At an end the second derivative is 0, or
+    /// the slope is the given one; a closed spline has its ends joined like an inner point.</summary>
     private static CrossCheckPoint[] Slopes(List<CrossCheckPoint> points, double[] h, bool closed, CrossCheckPoint? start, CrossCheckPoint? end)
     {
         var n = points.Count;

@@ -3,7 +3,8 @@ using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Tools.Minimising;
 
-/// <summary>Shrinks a drawing that shows a fault: first whole records, then pairs, then single lines, then values. What is left is for a person to read.</summary>
+/// <summary>Shrinks a drawing that shows a fault: first whole records, then pairs, then single lines, then values. What is left is for a person to
+/// read.</summary>
 public static class DrawingMinimiser
 {
     /// <summary>Most trials: enough for a drawing of some thousand records; a fault in one record takes some hundred.</summary>

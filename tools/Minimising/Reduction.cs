@@ -8,7 +8,8 @@ internal sealed class Reduction(int mostTrials, CancellationToken cancellation)
 
     public bool IsExhausted => Trials >= mostTrials;
 
-    /// <summary>A list that still shows the fault and from which no single item can be left out, unless the trials are used up; the order stays. Deterministic.</summary>
+    /// <summary>A list that still shows the fault and from which no single item can be left out, unless the trials are used up; the order stays.
+    /// Deterministic.</summary>
     public List<T> Reduce<T>(List<T> items, Func<IReadOnlyList<T>, bool> shows)
     {
         for (var run = Math.Max(1, items.Count / 2); items.Count > 0;)

@@ -4,7 +4,8 @@ using Engraver.Benchmarks.Stages;
 
 namespace Engraver.Samples.Drawings;
 
-/// <summary>A 100 by 76 circuit board in R12 without units: outline with notches, slots, holes, mouse bites and legend, in no order and either direction.</summary>
+/// <summary>A 100 by 76 circuit board in R12 without units: outline with notches, slots, holes, mouse bites and legend, in no order and either
+/// direction.</summary>
 internal static class PcbOutline
 {
     private const string Board = "BOARD";

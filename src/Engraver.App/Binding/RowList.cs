@@ -2,7 +2,8 @@ using System.Collections;
 
 namespace Engraver.App.Binding;
 
-/// <summary>Rows that are made when they are looked at: a list of a million costs nothing until it is scrolled. Read-only, as a list control wants it.</summary>
+/// <summary>Rows that are made when they are looked at: a list of a million costs nothing until it is scrolled. Read-only, as a list control wants
+/// it.</summary>
 /// <typeparam name="T">A row; two of the same place must be equal.</typeparam>
 public sealed class RowList<T>(int count, Func<int, T> make, Func<T, int> placeOf) : IReadOnlyList<T>, IList
     where T : class

@@ -11,7 +11,8 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The visual between picture and cursor: hovered entity, the entity under the playback, grips, the places of machine and playback, the marked place, and the UCS icon.</summary>
+/// <summary>The visual between picture and cursor: hovered entity, the entity under the playback, grips, the places of machine and playback, the marked
+/// place, and the UCS icon.</summary>
 internal sealed class CanvasSigns : Control
 {
     private const int MostOutlinedParts = 2000;

@@ -12,7 +12,8 @@ internal static class CursorTip
     /// <param name="before">Stands before the figures.</param>
     public static string Format(string asked, PointAim aim, Point2D place, Figures figures, string before = "") => aim.Use == PointUse.Object ? asked : $"{asked}\n{before}{Measured(aim, place, figures)}".TrimStart('\n');
 
-    /// <summary>Coordinates of a place that stands alone, sides of a box, else distance and angle (degrees, counter-clockwise from +X) from the point before.</summary>
+    /// <summary>Coordinates of a place that stands alone, sides of a box, else distance and angle (degrees, counter-clockwise from +X) from the point
+    /// before.</summary>
     private static string Measured(PointAim aim, Point2D place, Figures figures)
     {
         if (aim.From is not { } from) return $"{figures.MovingLength(place.X)}, {figures.MovingLength(place.Y)}";

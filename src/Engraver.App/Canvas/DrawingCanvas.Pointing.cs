@@ -7,7 +7,8 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>Where the cursor points, and the drafting aids: pickbox, object snaps, snap raster, ORTHO, the line or box from the point before, and the text beside the crosshair.</summary>
+/// <summary>Where the cursor points, and the drafting aids: pickbox, object snaps, snap raster, ORTHO, the line or box from the point before, and the text
+/// beside the crosshair.</summary>
 public sealed partial class DrawingCanvas
 {
     /// <summary>Chords of a ghost's arc to a whole turn, and of a curve.</summary>

@@ -12,7 +12,8 @@ public sealed partial class DrawingCanvas
     /// <summary>A snap was typed for the next place and finds nothing here: a click gives no place.</summary>
     internal bool WaitsForSnap(Point2D at) => View?.Current.OneTimeSnap is > 0 && SnapAt(at) is null;
 
-    /// <summary>The object snap, else the snap raster, else the place itself. With ORTHO the place is level with or upright to the point before, with POLAR on one of its directions when it is near it, unless an object snap is found.</summary>
+    /// <summary>The object snap, else the snap raster, else the place itself. With ORTHO the place is level with or upright to the point before, with POLAR
+    /// on one of its directions when it is near it, unless an object snap is found.</summary>
     private Point2D Snapped(Point2D at, Point2D? from)
     {
         if (SnapAt(at) is { } snap) return snap.Place;

@@ -15,7 +15,8 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The control that shows drawing and path. It draws, picks and snaps; <see cref="Commands"/> decides what a click does, <see cref="View"/> which part is seen.</summary>
+/// <summary>The control that shows drawing and path. It draws, picks and snaps; <see cref="Commands"/> decides what a click does, <see cref="View"/> which
+/// part is seen.</summary>
 public sealed partial class DrawingCanvas : Panel
 {
     public static readonly StyledProperty<CanvasScene?> SceneProperty = AvaloniaProperty.Register<DrawingCanvas, CanvasScene?>(nameof(Scene));
@@ -179,7 +180,8 @@ public sealed partial class DrawingCanvas : Panel
         base.OnDetachedFromVisualTree(e);
     }
 
-    /// <summary>What was hovered may be gone, or have another number: the cursor looks again what lies under it. A box that was begun was meant for what was shown before.</summary>
+    /// <summary>What was hovered may be gone, or have another number: the cursor looks again what lies under it. A box that was begun was meant for what
+    /// was shown before.</summary>
     private void TakeScene()
     {
         _pointer.DropBox();

@@ -5,7 +5,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The two places of the tool: where the machine is, solid with a trail, and where the playback is, hollow. At the same place the second one lies round the first.</summary>
+/// <summary>The two places of the tool: where the machine is, solid with a trail, and where the playback is, hollow. At the same place the second one lies
+/// round the first.</summary>
 internal static class ToolMarks
 {
     private const double Core = 5.5;

@@ -6,12 +6,14 @@ using Avalonia.Media;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>A line of the history. Two or more spaces between words are a tabulator: commands pad their columns for a terminal, and here the parts stand under each other too, whatever the font. The last part wraps.</summary>
+/// <summary>A line of the history. Two or more spaces between words are a tabulator: commands pad their columns for a terminal, and here the parts stand
+/// under each other too, whatever the font. The last part wraps.</summary>
 public sealed partial class ColumnText : Panel
 {
     public static readonly StyledProperty<HistoryLine?> LineProperty = AvaloniaProperty.Register<ColumnText, HistoryLine?>(nameof(Line));
 
-    /// <summary>The room of one character of a terminal, units of 1/96 inch: a capital of the history's font, so that a name in capitals ends before the next column.</summary>
+    /// <summary>The room of one character of a terminal, units of 1/96 inch: a capital of the history's font, so that a name in capitals ends before the
+    /// next column.</summary>
     private const double Pitch = 7.6;
 
     /// <summary>Least room between two parts.</summary>

@@ -80,7 +80,8 @@ public sealed class CommandWindowModel : Observable, ISeen
         set => Set(ref _suggested, value);
     }
 
-    /// <summary>True when Space ends the input, as Enter does: everywhere but in an answer that may hold spaces, and in a path, which may be typed before the command has asked for it.</summary>
+    /// <summary>True when Space ends the input, as Enter does: everywhere but in an answer that may hold spaces, and in a path, which may be typed before
+    /// the command has asked for it.</summary>
     public bool SpaceSubmits => !_desk.Prompt.TakesSpaces && !TypedFileName.IsPath(_line);
 
     /// <summary>Enter (or Space): the line goes to the command session.</summary>
@@ -92,7 +93,8 @@ public sealed class CommandWindowModel : Observable, ISeen
         _ = _desk.TypeAsync(DirectDistance.Read(input, _desk.Session.DistanceFrom, _desk.Cursor));
     }
 
-    /// <summary>Pasted text of several lines: the whole ones go to the command session behind what was typed, what follows the last line's end stays to be typed on.</summary>
+    /// <summary>Pasted text of several lines: the whole ones go to the command session behind what was typed, what follows the last line's end stays to be
+    /// typed on.</summary>
     public void Paste(string text)
     {
         ArgumentNullException.ThrowIfNull(text);

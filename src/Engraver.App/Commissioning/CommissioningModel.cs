@@ -6,7 +6,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Commissioning;
 
-/// <summary>The page of commissioning: its steps, where it stands, and the answers to its questions as buttons, which type them into the conversation of CNCCOMMISSION.</summary>
+/// <summary>The page of commissioning: its steps, where it stands, and the answers to its questions as buttons, which type them into the conversation of
+/// CNCCOMMISSION.</summary>
 public sealed class CommissioningModel : Observable
 {
     private const string Command = "CNCCOMMISSION";

@@ -11,7 +11,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Gives the canvas what it shows: the drawing and the job made ready in the background, selection, playback, machine and progress as they change. UI thread only.</summary>
+/// <summary>Gives the canvas what it shows: the drawing and the job made ready in the background, selection, playback, machine and progress as they change.
+/// UI thread only.</summary>
 public sealed class CanvasSource
 {
     private readonly DesktopModel _desk;

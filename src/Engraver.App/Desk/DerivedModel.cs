@@ -39,7 +39,8 @@ public sealed class DerivedModel(CommandSession session)
 
     public double TotalSeconds => Current.Motion?.DurationSeconds ?? 0.0;
 
-    /// <summary>How long the job takes over the link that the machine is connected by, seconds; 0 without a plan. The playback shows it as over a network.</summary>
+    /// <summary>How long the job takes over the link that the machine is connected by, seconds; 0 without a plan. The playback shows it as over a
+    /// network.</summary>
     public double PlannedSeconds => Current.Plan?.Total ?? 0.0;
 
     public double AtSeconds => Moment?.Seconds ?? 0.0;
@@ -61,7 +62,8 @@ public sealed class DerivedModel(CommandSession session)
     /// <summary>Completes when the program that was asked for is written.</summary>
     internal Task Written => _lines.Written;
 
-    /// <summary>The posted program in lines; the same list as long as it is the same program. Only a page that is seen asks: the first question has the program written, a long one in the background.</summary>
+    /// <summary>The posted program in lines; the same list as long as it is the same program. Only a page that is seen asks: the first question has the
+    /// program written, a long one in the background.</summary>
     public IReadOnlyList<string> ProgramLines()
     {
         if (ReferenceEquals(_lines.Motion, Current.Motion)) return _lines.Lines;
@@ -150,7 +152,8 @@ public sealed class DerivedModel(CommandSession session)
     /// <summary>The job that runs is the one that is planned here, not one of trajectories or one fitted to a slow line.</summary>
     private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.ShownJob?.Followed is null;
 
-    /// <summary>To which moment of the plan the machine has come: in a segment as far as it has come along it, between strokes to the next segment. In a segment that is begun it is not farther back than it was (held and moved away, or stopped).</summary>
+    /// <summary>To which moment of the plan the machine has come: in a segment as far as it has come along it, between strokes to the next segment. In a
+    /// segment that is begun it is not farther back than it was (held and moved away, or stopped).</summary>
     private double SecondsDone(PlannedMotion motion, EngravedProgress told)
     {
         if (told.SegmentsDone >= motion.SegmentCount) return motion.DurationSeconds;

@@ -10,7 +10,8 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Connects the window with the command session: inputs go to it one after the other on a thread of their own, its events come back on the UI thread. Decides nothing.</summary>
+/// <summary>Connects the window with the command session: inputs go to it one after the other on a thread of their own, its events come back on the UI
+/// thread. Decides nothing.</summary>
 /// <remarks>All members are for the UI thread, <see cref="StopNow"/> for any.</remarks>
 public sealed class DesktopModel : IAsyncDisposable
 {
@@ -112,7 +113,8 @@ public sealed class DesktopModel : IAsyncDisposable
         Deliver();
     }
 
-    /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for each other.</summary>
+    /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for
+    /// each other.</summary>
     public Task<InputResult> EnterAsync(string input)
     {
         if (!IsAtWork) return Enqueue(() => Session.EnterAsync(input, _closing.Token));
@@ -127,7 +129,8 @@ public sealed class DesktopModel : IAsyncDisposable
         return Enqueue(() => command is null || Session.Prompt.Command == command ? Session.PointAsync(place, _closing.Token) : Task.FromResult<InputResult>(new InputResult.Done()));
     }
 
-    /// <summary>Takes one input from the command line. While a command is at work it is heard beside it, or kept and run when that has ended as it should (<see cref="TypedAhead"/>).</summary>
+    /// <summary>Takes one input from the command line. While a command is at work it is heard beside it, or kept and run when that has ended as it should
+    /// (<see cref="TypedAhead"/>).</summary>
     public Task<InputResult> TypeAsync(string input)
     {
         if (IsAtWork && Session.IsUrgent(input)) return EnterAsync(input);
@@ -167,7 +170,8 @@ public sealed class DesktopModel : IAsyncDisposable
         return Session.IsUrgent(inputs[0]) ? EnterAsync(inputs[0]) : Hear(() => RunBesideAsync(inputs));
     }
 
-    /// <summary>Answers the question for a file, unless it was answered or ended meanwhile. Whether a file that is there may be replaced was asked before.</summary>
+    /// <summary>Answers the question for a file, unless it was answered or ended meanwhile. Whether a file that is there may be replaced was asked
+    /// before.</summary>
     /// <param name="path">Null: Enter alone.</param>
     public Task<InputResult> AnswerFileAsync(FileWanted wanted, string? path) => Enqueue(async () =>
     {
@@ -215,7 +219,8 @@ public sealed class DesktopModel : IAsyncDisposable
         return Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
     }
 
-    /// <summary>Ends what asks or works beside the command at work, which goes on, and forgets what was typed for it and has not come to it yet; Esc has held the job.</summary>
+    /// <summary>Ends what asks or works beside the command at work, which goes on, and forgets what was typed for it and has not come to it yet; Esc has
+    /// held the job.</summary>
     public Task EndBesideAsync()
     {
         _typedFor++;

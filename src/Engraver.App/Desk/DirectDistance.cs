@@ -4,7 +4,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Direct distance entry (hmi-conventions.md section 4): a number alone, where a place is asked for, goes that far from the place before towards the cursor.</summary>
+/// <summary>Direct distance entry (hmi-conventions.md section 4): a number alone, where a place is asked for, goes that far from the place before towards
+/// the cursor.</summary>
 internal static class DirectDistance
 {
     /// <param name="typed">What was typed.</param>

@@ -5,7 +5,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Makes the mark of the machine's place: in the drawing, as the work origin says, or by the machine's own zero with a note where nobody knows where the drawing lies.</summary>
+/// <summary>Makes the mark of the machine's place: in the drawing, as the work origin says, or by the machine's own zero with a note where nobody knows
+/// where the drawing lies.</summary>
 internal static class MachineMarks
 {
     /// <returns>Null while no controller is connected or it has not told its place.</returns>

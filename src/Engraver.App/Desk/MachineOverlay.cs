@@ -10,7 +10,8 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.App.Desk;
 
-/// <summary>What the machine adds to the picture of a job: how far it reaches, where the drawing's zero lies on it, where it parks, and where it really was. Equal while nothing of it has changed.</summary>
+/// <summary>What the machine adds to the picture of a job: how far it reaches, where the drawing's zero lies on it, where it parks, and where it really
+/// was. Equal while nothing of it has changed.</summary>
 /// <param name="Zero">Machine millimetres at the drawing's zero; null while nobody knows.</param>
 /// <param name="Run">The last run of this drawing, or the one under way, or one that was opened; null for none.</param>
 /// <param name="Colour">What the colour of the run tells.</param>

@@ -3,7 +3,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Gives back the memory that planning or closing a large drawing has left, once what followed from it is delivered and the pictures of what was before are gone. Never while anything of the machine moves: a collection stops every thread for a moment. UI thread only.</summary>
+/// <summary>Gives back the memory that planning or closing a large drawing has left, once what followed from it is delivered and the pictures of what was
+/// before are gone. Never while anything of the machine moves: a collection stops every thread for a moment. UI thread only.</summary>
 /// <param name="isMoving">True while the machine moves.</param>
 /// <param name="later">Runs an action a moment later: at once the last picture of a closed drawing would still be held.</param>
 /// <param name="collect">Collects everything; a parameter, so that a test can count.</param>

@@ -5,7 +5,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>The state of the file dialog: a folder with its rows, the name that is being typed, places to go to. Its result is the path of a file, by which the command that asks is answered.</summary>
+/// <summary>The state of the file dialog: a folder with its rows, the name that is being typed, places to go to. Its result is the path of a file, by which
+/// the command that asks is answered.</summary>
 public sealed partial class FileDialogModel : Observable
 {
     private readonly DesktopModel _desk;

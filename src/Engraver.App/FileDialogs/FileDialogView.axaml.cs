@@ -6,7 +6,8 @@ using Avalonia.Threading;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>The file dialog: a sheet below the machine strip, so that STOP stays beside it. The keyboard belongs to the name; arrows move in the list all the same.</summary>
+/// <summary>The file dialog: a sheet below the machine strip, so that STOP stays beside it. The keyboard belongs to the name; arrows move in the list all
+/// the same.</summary>
 public partial class FileDialogView : UserControl
 {
     private const int Page = 10;

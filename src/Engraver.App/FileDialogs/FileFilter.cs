@@ -8,7 +8,8 @@ namespace Engraver.App.FileDialogs;
 /// <param name="Endings">With their dots; none: all.</param>
 public sealed record FileFilter(string Words, IReadOnlyList<string> Endings)
 {
-    /// <summary>Of a file to read: all its endings together; of one to write: each of them, because it decides what is written. Behind them all files.</summary>
+    /// <summary>Of a file to read: all its endings together; of one to write: each of them, because it decides what is written. Behind them all
+    /// files.</summary>
     public static IReadOnlyList<FileFilter> For(FileWanted wanted)
     {
         ArgumentNullException.ThrowIfNull(wanted);

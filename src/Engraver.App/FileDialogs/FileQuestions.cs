@@ -7,7 +7,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>Shows the file dialog whenever a command asks for a file and the system variable FILEDIA is not 0, whether the command was clicked or typed; a script and pasted lines answer by themselves. Asks before a file is replaced and before edits are lost, also by closing the window.</summary>
+/// <summary>Shows the file dialog whenever a command asks for a file and the system variable FILEDIA is not 0, whether the command was clicked or typed; a
+/// script and pasted lines answer by themselves. Asks before a file is replaced and before edits are lost, also by closing the window.</summary>
 public sealed class FileQuestions : Observable
 {
     private readonly DesktopModel _desk;
@@ -96,7 +97,8 @@ public sealed class FileQuestions : Observable
         return TellAsync(_desk.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
     }
 
-    /// <summary>The path as somebody would type it: a file in the working folder by its name alone. A journal of inputs then runs in another place too.</summary>
+    /// <summary>The path as somebody would type it: a file in the working folder by its name alone. A journal of inputs then runs in another place
+    /// too.</summary>
     private string AsTyped(string path)
     {
         var name = Path.GetRelativePath(_desk.Session.Folder, path);
@@ -141,7 +143,8 @@ public sealed class FileQuestions : Observable
         else Refused?.Invoke();
     }
 
-    /// <returns>False when it could not be saved; also for a new drawing, whose file the dialog asks for now: what should come afterwards is asked for again.</returns>
+    /// <returns>False when it could not be saved; also for a new drawing, whose file the dialog asks for now: what should come afterwards is asked for
+    /// again.</returns>
     private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.RunAsync("QSAVE", "Yes") : await _desk.RunAsync("QSAVE")) is InputResult.Done;
 
     /// <returns>False when the operator wants to keep the drawing open, or it could not be saved.</returns>

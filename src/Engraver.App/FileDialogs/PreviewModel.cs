@@ -11,7 +11,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>The preview beside the list. It is made in the background once the choice rests, for so long at most, and given up as soon as the choice moves on.</summary>
+/// <summary>The preview beside the list. It is made in the background once the choice rests, for so long at most, and given up as soon as the choice moves
+/// on.</summary>
 public sealed class PreviewModel(DesktopModel desk) : Observable
 {
     /// <summary>Whoever runs through a list does not look at each file.</summary>

@@ -3,7 +3,8 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>A question with a few answers, over the window. An answer is clicked, or its first letters are typed, which marks it, and Enter takes it; Enter alone takes the first one, Esc none.</summary>
+/// <summary>A question with a few answers, over the window. An answer is clicked, or its first letters are typed, which marks it, and Enter takes it; Enter
+/// alone takes the first one, Esc none.</summary>
 public sealed class QuestionModel : Observable
 {
     private TaskCompletionSource<string?>? _asked;

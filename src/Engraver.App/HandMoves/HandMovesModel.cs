@@ -10,7 +10,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.HandMoves;
 
-/// <summary>The Machine page: jog pad, places to go to, homing, work origins, inputs and outputs. What moves by steps or to a place is a command; only the held jog goes to the machine without one.</summary>
+/// <summary>The Machine page: jog pad, places to go to, homing, work origins, inputs and outputs. What moves by steps or to a place is a command; only the
+/// held jog goes to the machine without one.</summary>
 public sealed class HandMovesModel : Observable, IDisposable
 {
     private readonly DesktopModel _desk;
@@ -105,7 +106,8 @@ public sealed class HandMovesModel : Observable, IDisposable
     /// <summary>A press of the pad would move the machine; where not, the pad looks as if it were off, and a press says why.</summary>
     public bool CanJog => WhyNot() is null;
 
-    /// <summary>A held jog is expected, because its step was chosen or the pad has the focus: the controller is made ready for it, so that the press moves at once.</summary>
+    /// <summary>A held jog is expected, because its step was chosen or the pad has the focus: the controller is made ready for it, so that the press moves
+    /// at once.</summary>
     public void GetReady()
     {
         if (Step.Millimetres is null && !_desk.IsMoving && WhyNot() is null) _ = GetReadyAsync();

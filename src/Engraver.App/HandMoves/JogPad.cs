@@ -10,7 +10,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.HandMoves;
 
-/// <summary>The pad: press moves, release stops; so do a lost focus, a lost pointer and a window that closes or loses its place in front. Arrow keys are the pad's only while it has the focus.</summary>
+/// <summary>The pad: press moves, release stops; so do a lost focus, a lost pointer and a window that closes or loses its place in front. Arrow keys are
+/// the pad's only while it has the focus.</summary>
 public sealed class JogPad : UserControl
 {
     private static readonly (string Name, JogVelocity Way, int Row, int Column)[] s_cells =

@@ -3,7 +3,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.MachineStrip;
 
-/// <summary>Why a key of the strip does not work now, as the key of two texts: <c>KeyReason.KEY</c> says it in a word or two, <c>KeyReason.KEY.Tip</c> in a sentence with what to do. Null: it works.</summary>
+/// <summary>Why a key of the strip does not work now, as the key of two texts: <c>KeyReason.KEY</c> says it in a word or two, <c>KeyReason.KEY.Tip</c> in a
+/// sentence with what to do. Null: it works.</summary>
 internal static class KeyReasons
 {
     /// <summary>ARM works also where it only says what is missing and what to do.</summary>

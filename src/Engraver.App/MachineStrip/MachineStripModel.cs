@@ -125,7 +125,8 @@ public sealed class MachineStripModel : Observable
 
     public string MachinePlace => _status.MachinePosition is { } place ? Text.Get("Machine.MachinePosition", Figure(place.X), Figure(place.Y)) : "";
 
-    /// <summary>Speed along the path, mm/min: while a job runs by the positions that the controller reports (<see cref="ToldSpeed"/>), else the controller's own speed.</summary>
+    /// <summary>Speed along the path, mm/min: while a job runs by the positions that the controller reports (<see cref="ToldSpeed"/>), else the
+    /// controller's own speed.</summary>
     public string Feed => (_status.Speed ?? _told.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
 
     public string Tool => _status.ToolCommanded switch { true => Text.Get("Machine.ToolOn"), false => Text.Get("Machine.ToolOff"), null => Unknown };

@@ -6,7 +6,8 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Menus;
 
-/// <summary>The menu of the right button on the canvas, for what is going on: a command that asks (Enter, Cancel, its options), objects that are selected, or nothing of both.</summary>
+/// <summary>The menu of the right button on the canvas, for what is going on: a command that asks (Enter, Cancel, its options), objects that are selected,
+/// or nothing of both.</summary>
 /// <remarks>AutoCAD's order: repeat the last command, recent input, then what fits. Neither repeats what starts motion.</remarks>
 internal sealed class CanvasMenu(DesktopModel desk, MenuBuilder menus, CommandWindowModel line)
 {

@@ -2,7 +2,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Menus;
 
-/// <summary>The commands of each menu. Every command of the catalogue has a place: those that are not named here come at the end of the menu of their group.</summary>
+/// <summary>The commands of each menu. Every command of the catalogue has a place: those that are not named here come at the end of the menu of their
+/// group.</summary>
 public static class MenuLayout
 {
     private const string Separator = "";
@@ -101,7 +102,8 @@ public static class MenuLayout
 
 /// <summary>One menu of the bar, or a submenu of one.</summary>
 /// <param name="Key">Name of its text (<c>Menu.File</c>).</param>
-/// <param name="Entries">Names of commands; empty is a separator; <c>Menu.KEY</c> is a submenu; another name with a dot is an act of the window itself (<c>Window.Palettes</c>).</param>
+/// <param name="Entries">Names of commands; empty is a separator; <c>Menu.KEY</c> is a submenu; another name with a dot is an act of the window itself
+/// (<c>Window.Palettes</c>).</param>
 public sealed record MenuSection(string Key, IReadOnlyList<string> Entries)
 {
     internal const string SubmenuPrefix = "Menu.";

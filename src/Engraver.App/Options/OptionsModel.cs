@@ -5,7 +5,8 @@ using Engraver.Workbench.Commands.Settings;
 
 namespace Engraver.App.Options;
 
-/// <summary>The sheet of OPTIONS: every setting on pages, with a search over all of them. What is changed is taken by the same commands that are typed.</summary>
+/// <summary>The sheet of OPTIONS: every setting on pages, with a search over all of them. What is changed is taken by the same commands that are
+/// typed.</summary>
 public sealed class OptionsModel : Observable
 {
     private readonly DesktopModel _desk;

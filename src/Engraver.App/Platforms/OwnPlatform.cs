@@ -7,7 +7,8 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.App.Platforms;
 
-/// <summary>Avalonia on the software platform of this repository: X11 windows, or windows in memory. Stop keys and the on-screen STOP are seen on the thread that reads the input.</summary>
+/// <summary>Avalonia on the software platform of this repository: X11 windows, or windows in memory. Stop keys and the on-screen STOP are seen on the
+/// thread that reads the input.</summary>
 /// <remarks>One of two files of the same class; the project takes the one of its back end.</remarks>
 internal static class DesktopPlatform
 {

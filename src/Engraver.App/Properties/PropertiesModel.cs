@@ -68,7 +68,8 @@ public sealed class PropertiesModel : Observable
         return new PropertyLine(value.Property.Title, value.Value, value.IsEditable ? typed => ChangeAsync(value, typed, of) : null) { Choices = value.IsEditable ? value.Property.Choices(drawing) : [] };
     }
 
-    /// <summary>CHPROP on what is selected, as if it were typed. Not of a line that is no longer shown, and not while a command asks: it would be ended and the selection with it.</summary>
+    /// <summary>CHPROP on what is selected, as if it were typed. Not of a line that is no longer shown, and not while a command asks: it would be ended and
+    /// the selection with it.</summary>
     /// <returns>False when nothing was changed.</returns>
     private async Task<bool> ChangeAsync(PropertyValue value, string typed, DocumentState of)
     {

@@ -2,7 +2,8 @@ using Avalonia.Input;
 
 namespace Engraver.App.Safety;
 
-/// <summary>The keys that stop the machine: Pause and Ctrl+Space always stop; Esc holds the job while anything moves, and stops what cannot be held. Asked on the thread that reads the input, so a busy window does not delay them.</summary>
+/// <summary>The keys that stop the machine: Pause and Ctrl+Space always stop; Esc holds the job while anything moves, and stops what cannot be held. Asked
+/// on the thread that reads the input, so a busy window does not delay them.</summary>
 /// <param name="isMoving">From any thread.</param>
 /// <param name="stop">From any thread; waits for nothing.</param>
 /// <param name="hold">The same.</param>

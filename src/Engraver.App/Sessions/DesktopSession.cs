@@ -49,7 +49,8 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
     public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null, KeepsHistory = false };
 
-    /// <summary>The display is gone, and with it the operator's hands: the machine is stopped first, and the journal of the job says why. Any thread; waits for nothing.</summary>
+    /// <summary>The display is gone, and with it the operator's hands: the machine is stopped first, and the journal of the job says why. Any thread; waits
+    /// for nothing.</summary>
     /// <returns>What happened and what to do, for whoever started the program.</returns>
     public string LoseDisplay()
     {

@@ -3,7 +3,8 @@ using Avalonia.Controls;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Parts under each other. Where the height is not enough they stand in as few columns as fit, of about the same number, so that none is left alone.</summary>
+/// <summary>Parts under each other. Where the height is not enough they stand in as few columns as fit, of about the same number, so that none is left
+/// alone.</summary>
 public sealed class BalancedColumns : Panel
 {
     protected override Size MeasureOverride(Size availableSize)

@@ -7,7 +7,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Closing the window ends a job and loses edits that are in no file. With a job under way the first request to close is answered with a warning, the second one is carried out; edits are asked about each time, until the operator has answered.</summary>
+/// <summary>Closing the window ends a job and loses edits that are in no file. With a job under way the first request to close is answered with a warning,
+/// the second one is carried out; edits are asked about each time, until the operator has answered.</summary>
 internal sealed class ClosingGuard
 {
     private readonly DesktopModel _desk;
@@ -26,7 +27,8 @@ internal sealed class ClosingGuard
         desk.Changed += () => _warnedOfJob &= desk.IsMoving;
     }
 
-    /// <summary>Tells in the history why the window stays open, or asks whether edits are saved first; a request to close while that question stands changes nothing.</summary>
+    /// <summary>Tells in the history why the window stays open, or asks whether edits are saved first; a request to close while that question stands
+    /// changes nothing.</summary>
     /// <returns>True when it has to stay this time.</returns>
     public bool Holds(WindowCloseReason reason)
     {

@@ -5,7 +5,8 @@ using Engraver.App.Tabs;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The sizes of the palettes and the pages: dragged by the operator, folded to their strip of tabs, kept between two starts. In a small window they shrink before the canvas does, and grow back; in a very small one they are folded until the operator opens them there.</summary>
+/// <summary>The sizes of the palettes and the pages: dragged by the operator, folded to their strip of tabs, kept between two starts. In a small window
+/// they shrink before the canvas does, and grow back; in a very small one they are folded until the operator opens them there.</summary>
 public sealed class PanelSizes
 {
     private const string HistoryName = "history";
@@ -19,7 +20,8 @@ public sealed class PanelSizes
     private const double LeastPalettesWidth = 240;
     private const double DefaultHistoryHeight = 420;
 
-    /// <summary>Least room that the panels leave, units of 1/96 inch: in height for the canvas and the playback bar, in width for the canvas and the tools in several columns.</summary>
+    /// <summary>Least room that the panels leave, units of 1/96 inch: in height for the canvas and the playback bar, in width for the canvas and the tools
+    /// in several columns.</summary>
     private const double LeastCanvasHeight = 140;
     private const double LeastCanvasWidth = 340;
     private const double SplitterSize = 4;
@@ -66,7 +68,8 @@ public sealed class PanelSizes
         ShowPalettes();
     }
 
-    /// <summary>Brings the history to the front when something is typed; where the pages are folded they stay so, and the command line shows the last line of it.</summary>
+    /// <summary>Brings the history to the front when something is typed; where the pages are folded they stay so, and the command line shows the last line
+    /// of it.</summary>
     public void BringCommandLine() => _pages.Show("Command");
 
     /// <summary>F2: enlarges the history, or shrinks it back. Its large height is remembered beside the usual one.</summary>

@@ -138,7 +138,8 @@ public partial class ShellWindow : Window
         if (FocusManager?.GetFocusedElement() is MenuItem) FocusManager.Focus(null);
     }
 
-    /// <summary>What is typed is for the terminal that has come to the front, also while its field is not laid out yet: the command line, which stays in sight, lets go of the keyboard.</summary>
+    /// <summary>What is typed is for the terminal that has come to the front, also while its field is not laid out yet: the command line, which stays in
+    /// sight, lets go of the keyboard.</summary>
     private void GiveKeyboardToTerminal()
     {
         if (ShownTerminal is not { } terminal) return;
@@ -228,7 +229,8 @@ public partial class ShellWindow : Window
         return true;
     }
 
-    /// <summary>Tab takes a suggestion. From a field it goes to the next field of the same page; from anywhere else the keyboard stays with the command line.</summary>
+    /// <summary>Tab takes a suggestion. From a field it goes to the next field of the same page; from anywhere else the keyboard stays with the command
+    /// line.</summary>
     /// <returns>True when it is done; false leaves it to the fields.</returns>
     private bool Tab(object? source)
     {

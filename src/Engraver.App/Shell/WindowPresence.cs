@@ -7,7 +7,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Says for the window that it lives and is before the operator, as long as a continuous jog needs it, whichever way it was begun. A window that is left, made small or closed releases the jog at once.</summary>
+/// <summary>Says for the window that it lives and is before the operator, as long as a continuous jog needs it, whichever way it was begun. A window that
+/// is left, made small or closed releases the jog at once.</summary>
 internal sealed class WindowPresence
 {
     private readonly Window _window;

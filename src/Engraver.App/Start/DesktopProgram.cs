@@ -18,7 +18,8 @@ public static class DesktopProgram
     private const int Stopped = 5;
     private const int NoDisplay = 6;
 
-    /// <summary>Longest wait for the machine after a thread of the program has failed, so that a machine that does not answer cannot keep the program alive.</summary>
+    /// <summary>Longest wait for the machine after a thread of the program has failed, so that a machine that does not answer cannot keep the program
+    /// alive.</summary>
     private static readonly TimeSpan s_longestEnd = TimeSpan.FromSeconds(5);
 
     /// <returns>The exit code of the runner's contract.</returns>

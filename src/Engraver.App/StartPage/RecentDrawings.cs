@@ -4,7 +4,8 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.StartPage;
 
-/// <summary>The drawings that were opened last, with what is known of their files. Files are asked after in the background: a folder of a network can be slow.</summary>
+/// <summary>The drawings that were opened last, with what is known of their files. Files are asked after in the background: a folder of a network can be
+/// slow.</summary>
 public sealed class RecentDrawings
 {
     private readonly DesktopModel _desk;

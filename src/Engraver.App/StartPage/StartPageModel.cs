@@ -7,7 +7,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.StartPage;
 
-/// <summary>What the empty canvas offers: the drawings that were opened last, and the samples. It makes room as soon as there is a drawing, or a command asks for a place on the canvas.</summary>
+/// <summary>What the empty canvas offers: the drawings that were opened last, and the samples. It makes room as soon as there is a drawing, or a command
+/// asks for a place on the canvas.</summary>
 public sealed class StartPageModel : Observable
 {
     private const int MostSamples = 12;

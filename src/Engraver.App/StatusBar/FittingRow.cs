@@ -3,7 +3,8 @@ using Avalonia.Controls;
 
 namespace Engraver.App.StatusBar;
 
-/// <summary>A row that ends at the right. Where it is too narrow for all its parts the first ones are left out, whole, so that no text is cut off: the most important part stands last.</summary>
+/// <summary>A row that ends at the right. Where it is too narrow for all its parts the first ones are left out, whole, so that no text is cut off: the most
+/// important part stands last.</summary>
 public sealed class FittingRow : Panel
 {
     public static readonly StyledProperty<double> SpacingProperty = AvaloniaProperty.Register<FittingRow, double>(nameof(Spacing));

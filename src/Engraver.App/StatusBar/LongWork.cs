@@ -4,7 +4,8 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.StatusBar;
 
-/// <summary>A computation that takes long: a command at work, or the planning of the job. Shown when it has gone on for a moment, so that nothing flickers; a command that tells how far it is, at once.</summary>
+/// <summary>A computation that takes long: a command at work, or the planning of the job. Shown when it has gone on for a moment, so that nothing flickers;
+/// a command that tells how far it is, at once.</summary>
 /// <param name="again">Called on the UI thread when it is time to show it.</param>
 internal sealed class LongWork(DesktopModel desk, Action again)
 {

@@ -3,7 +3,8 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.Texts;
 
-/// <summary>Every word the desktop shows, from <c>Texts.resx</c> or, in another language, from the file of that language. Numbers in them are always written with a point.</summary>
+/// <summary>Every word the desktop shows, from <c>Texts.resx</c> or, in another language, from the file of that language. Numbers in them are always
+/// written with a point.</summary>
 public static class Text
 {
     private static readonly TextCatalogue s_texts = new(typeof(Text).Assembly, "Engraver.App.Texts.Texts");

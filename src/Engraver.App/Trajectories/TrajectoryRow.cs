@@ -11,7 +11,8 @@ namespace Engraver.App.Trajectories;
 /// <param name="refused">Called when what was typed was not taken, so that it stands in the field no longer.</param>
 public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, DesktopModel desk, Action refused) : Observable
 {
-    /// <summary>Enter takes what was typed, and so does the field when it loses the focus, which it does as soon as the table is made anew: the second time is no further step.</summary>
+    /// <summary>Enter takes what was typed, and so does the field when it loses the focus, which it does as soon as the table is made anew: the second time
+    /// is no further step.</summary>
     private (string What, string Value)? _taken;
 
     public string Name

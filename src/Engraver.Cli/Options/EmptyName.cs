@@ -3,7 +3,8 @@ using System.CommandLine.Parsing;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>Finds a name that was given and is empty, as a variable of a shell that is not set gives it. No verb has a use for one: only a text may be empty.</summary>
+/// <summary>Finds a name that was given and is empty, as a variable of a shell that is not set gives it. No verb has a use for one: only a text may be
+/// empty.</summary>
 internal static class EmptyName
 {
     /// <summary>The place of <see cref="Option.HelpName"/> by which an option takes any text.</summary>

@@ -34,7 +34,8 @@ internal sealed class GlobalOptions
     /// <summary>The same for whoever has only the parsed line.</summary>
     public static bool WantsOnlyErrors(ParseResult parsed) => parsed.RootCommandResult.Command.Options.OfType<Option<bool>>().Any(option => option.Name == QuietName && parsed.GetValue(option));
 
-    /// <summary>The language that the arguments ask for. Help and refusals are said in it too, so it is looked for before anything is parsed; null when there is none, or none that is known.</summary>
+    /// <summary>The language that the arguments ask for. Help and refusals are said in it too, so it is looked for before anything is parsed; null when
+    /// there is none, or none that is known.</summary>
     public static CultureInfo? Language(string[] args)
     {
         const string Name = "--culture";

@@ -10,7 +10,8 @@ namespace Engraver.Cli.Options;
 /// <summary>Reads the values of options: invariant numbers only, and one sentence when a value cannot be read.</summary>
 internal static partial class OptionValue
 {
-    /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres; places may lie farther (drawings of maps). What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
+    /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres; places may lie farther (drawings of
+    /// maps). What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
     private const double Largest = 1e9;
 
     public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAboveZero"));

@@ -5,7 +5,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>With what a program was posted that is read back, for a target whose post has it: <c>--origin</c>, <c>--blend</c> and what it says beside the way.</summary>
+/// <summary>With what a program was posted that is read back, for a target whose post has it: <c>--origin</c>, <c>--blend</c> and what it says beside the
+/// way.</summary>
 internal sealed class PostedOptions
 {
     private readonly IReadOnlyList<Option<string?>> _options = [.. PostedWith.OptionNames.Select(New)];

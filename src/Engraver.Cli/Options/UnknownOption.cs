@@ -4,10 +4,12 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>Finds a word that is written like an option and is none of the verb's. The library takes such a word for the file, and then blames the word after it.</summary>
+/// <summary>Finds a word that is written like an option and is none of the verb's. The library takes such a word for the file, and then blames the word
+/// after it.</summary>
 internal static class UnknownOption
 {
-    /// <returns>A sentence that names the word; null when every option is known. A file whose name begins with a hyphen is written ./-NAME, or after <c>--</c>.</returns>
+    /// <returns>A sentence that names the word; null when every option is known. A file whose name begins with a hyphen is written ./-NAME, or after
+    /// <c>--</c>.</returns>
     public static string? In(ParseResult parsed)
     {
         var taken = parsed.CommandResult.Children.OfType<OptionResult>().SelectMany(option => option.Tokens).ToHashSet(ReferenceEqualityComparer.Instance);

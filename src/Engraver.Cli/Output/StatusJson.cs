@@ -14,7 +14,8 @@ namespace Engraver.Cli.Output;
 /// <param name="State">One of the states of the contract, upper case with blanks.</param>
 /// <param name="Machine">By the controller's own zero.</param>
 /// <param name="Work">By the active work origin; null while it is not known where that lies.</param>
-/// <param name="Inputs">Name to state; 1 is on. Where the machine profile gives no name, and to the second of two with the same name, the number is the name.</param>
+/// <param name="Inputs">Name to state; 1 is on. Where the machine profile gives no name, and to the second of two with the same name, the number is the
+/// name.</param>
 internal sealed record StatusJson(
     string State,
     bool Homed,

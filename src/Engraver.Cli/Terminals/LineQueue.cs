@@ -2,7 +2,8 @@ using System.Threading.Channels;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>Lines for a terminal, written in the order in which they are said by a task of their own: a terminal that takes nothing (Ctrl-S, a selection by the mouse) holds up nobody who speaks to it, above all not the heartbeat of a job.</summary>
+/// <summary>Lines for a terminal, written in the order in which they are said by a task of their own: a terminal that takes nothing (Ctrl-S, a selection by
+/// the mouse) holds up nobody who speaks to it, above all not the heartbeat of a job.</summary>
 internal sealed class LineQueue : IAsyncDisposable
 {
     private readonly Channel<string> _lines = Channel.CreateUnbounded<string>(new UnboundedChannelOptions { SingleReader = true });

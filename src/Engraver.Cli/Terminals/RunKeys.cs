@@ -5,7 +5,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>The keys of a terminal while <c>engraver run</c> has a job under way: hold, resume, overrides, and steps away while it is held. Looked at with every word of the job; the operator's stop is Ctrl-C, as everywhere.</summary>
+/// <summary>The keys of a terminal while <c>engraver run</c> has a job under way: hold, resume, overrides, and steps away while it is held. Looked at with
+/// every word of the job; the operator's stop is Ctrl-C, as everywhere.</summary>
 /// <param name="control">Of the job.</param>
 /// <param name="scale">Of the machine, for steps.</param>
 /// <param name="next">The next key that was pressed; null when there is none.</param>

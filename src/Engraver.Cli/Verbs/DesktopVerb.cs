@@ -71,7 +71,8 @@ internal sealed class DesktopVerb
         }
     }
 
-    /// <summary>Asks the desktop to end by SIGTERM and leaves the waiting to the caller: the desktop stops the machine before it ends, however long that takes.</summary>
+    /// <summary>Asks the desktop to end by SIGTERM and leaves the waiting to the caller: the desktop stops the machine before it ends, however long that
+    /// takes.</summary>
     private static void AskToEnd(int id)
     {
         if (OperatingSystem.IsWindows()) return; // Ctrl-C reaches every program of the console by itself
@@ -80,7 +81,8 @@ internal sealed class DesktopVerb
     }
 }
 
-/// <summary>The operator desktop as it lies beside this program: an executable where both were published, otherwise an assembly that the runtime starts.</summary>
+/// <summary>The operator desktop as it lies beside this program: an executable where both were published, otherwise an assembly that the runtime
+/// starts.</summary>
 /// <param name="File">Its path.</param>
 /// <param name="Runtime">The program that runs an assembly; null for an executable.</param>
 internal sealed record DesktopProgram(string File, string? Runtime)
@@ -89,7 +91,8 @@ internal sealed record DesktopProgram(string File, string? Runtime)
 
     /// <summary>Finds the desktop: published into this program's folder, into the folder beside, or built beside it.</summary>
     /// <param name="here">This program's folder.</param>
-    /// <param name="process">This program's executable: the runtime itself where an assembly was started, or the published program, beside which no runtime has to be installed.</param>
+    /// <param name="process">This program's executable: the runtime itself where an assembly was started, or the published program, beside which no runtime
+    /// has to be installed.</param>
     /// <returns>Null when there is none.</returns>
     public static DesktopProgram? Find(string here, string? process)
     {

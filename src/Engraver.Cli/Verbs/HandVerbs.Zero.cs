@@ -12,7 +12,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver zero</c> sets a work origin at the place where the machine stands: its zero, a place of the drawing, a touched edge or the middle of two touches; <c>engraver origin</c> chooses one.</summary>
+/// <summary><c>engraver zero</c> sets a work origin at the place where the machine stands: its zero, a place of the drawing, a touched edge or the middle
+/// of two touches; <c>engraver origin</c> chooses one.</summary>
 internal sealed partial class HandVerbs
 {
     private const double LargestRadiusMm = 100.0;
@@ -105,7 +106,8 @@ internal sealed partial class HandVerbs
             });
         }
 
-        /// <returns>What becomes of the place, null where its first touch cannot be counted; the origin's name, null for the active one; whether the height was asked for.</returns>
+        /// <returns>What becomes of the place, null where its first touch cannot be counted; the origin's name, null for the active one; whether the height
+        /// was asked for.</returns>
         public (ZeroTouch? Touch, string? Name, bool AsksHeight) Read(ParseResult parsed, CountsScale scale)
         {
             var (x, y, z) = (parsed.GetValue(_x), parsed.GetValue(_y), parsed.GetValue(_z) || parsed.GetValue(_height) is not null);

@@ -243,7 +243,8 @@ internal sealed class RunVerb
         return ExitCode.DrawingError;
     }
 
-    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin. A pipe is not tried, for its reader would take the end of the trial for the end of everything.</summary>
+    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin. A pipe is not tried, for its reader would take the end
+    /// of the trial for the end of everything.</summary>
     /// <exception cref="UsageException">The file cannot be written.</exception>
     private static void CheckWritable(string path)
     {

@@ -60,7 +60,8 @@ internal sealed class ScriptVerb
         _ = Task.Run(() => LetGoAsync(machine), CancellationToken.None);
     }
 
-    /// <summary>Brakes and disconnects a machine on which no job runs; a job under way brakes by itself and ends its command. A stage that computes meanwhile is left behind.</summary>
+    /// <summary>Brakes and disconnects a machine on which no job runs; a job under way brakes by itself and ends its command. A stage that computes
+    /// meanwhile is left behind.</summary>
     private async Task LetGoAsync(MachineSession machine)
     {
         if (machine.IsRunning) return;

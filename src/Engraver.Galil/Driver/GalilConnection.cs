@@ -58,7 +58,8 @@ public sealed class GalilConnection : IMachineConnection
 
     public Task StopAsync(params IReadOnlyList<OutputSwitch> outputs) => new OperatorStop(_session, outputs, [], _session.Identity.Letters).BrakeAtOnceAsync();
 
-    /// <summary>Sends AB first: it is the only command that halts without braking (galil-dmc.md B.8). The other commands are sent even if one is refused.</summary>
+    /// <summary>Sends AB first: it is the only command that halts without braking (galil-dmc.md B.8). The other commands are sent even if one is
+    /// refused.</summary>
     public async Task AbortAsync(params IReadOnlyList<OutputSwitch> outputs)
     {
         foreach (var command in (string[])["AB", .. outputs.Select(OperatorStop.Off), "MO" + _session.Identity.Letters])

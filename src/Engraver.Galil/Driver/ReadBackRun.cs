@@ -34,7 +34,8 @@ public static class ReadBackRun
         return await channel.SendAsync("XQ#JOB", cancellation).ConfigureAwait(false) is Rejected unstarted ? VerificationRules.NotLoaded.At(start, Number((int)unstarted.Code), unstarted.Text) : null;
     }
 
-    /// <summary>The line that the controller refused while the chunk ran; null for none. _ED1 is -1 while no line was refused; _ED counts lines from 0.</summary>
+    /// <summary>The line that the controller refused while the chunk ran; null for none. _ED1 is -1 while no line was refused; _ED counts lines from
+    /// 0.</summary>
     public static async Task<Diagnostic?> ErrorAsync(ReadBackChunk chunk, CommandChannel channel, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(chunk);

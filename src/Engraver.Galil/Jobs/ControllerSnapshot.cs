@@ -6,7 +6,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The state in which a job finds the controller and has to leave it: as found now, or as found by an earlier run that died and left our program in the memory.</summary>
+/// <summary>The state in which a job finds the controller and has to leave it: as found now, or as found by an earlier run that died and left our program
+/// in the memory.</summary>
 internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemory memory, MachineProfile profile, JobOptions options, JobLog log)
 {
     private CrashRecovery? _earlier;

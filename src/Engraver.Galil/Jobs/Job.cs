@@ -35,7 +35,8 @@ internal sealed class Job
     private readonly bool _isHandMove;
     private bool _touched;
 
-    /// <summary>Where an output is the tool: the height at which the job is cut, while the operator may have moved the machine away from it, in this job or since the one that it resumes, the controller's own counts.</summary>
+    /// <summary>Where an output is the tool: the height at which the job is cut, while the operator may have moved the machine away from it, in this job or
+    /// since the one that it resumes, the controller's own counts.</summary>
     private int? _heightOfCut;
 
     public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, StopOrder stop, HandOperation? hand = null)
@@ -105,7 +106,8 @@ internal sealed class Job
         }
     }
 
-    /// <summary>Everything up to the end of the last stroke. A stop or failure, whether of operator, controller, link or disk, is returned as a value.</summary>
+    /// <summary>Everything up to the end of the last stroke. A stop or failure, whether of operator, controller, link or disk, is returned as a
+    /// value.</summary>
     private async Task<JobStep> RunToTheEndAsync()
     {
         try
@@ -174,7 +176,8 @@ internal sealed class Job
         return JobStep.Done;
     }
 
-    /// <summary>The job's own mark. A move by hand leaves that of the last job, negative: what the watchdog would keep of the move is nobody's, and the job can still be resumed.</summary>
+    /// <summary>The job's own mark. A move by hand leaves that of the last job, negative: what the watchdog would keep of the move is nobody's, and the job
+    /// can still be resumed.</summary>
     private async Task<int> MarkAsync() =>
         _machine.Mark != 0 ? _machine.Mark : -Math.Abs((int)(await _machine.AskAtRestAsync(ResidentProgram.Variables.JobMark).ConfigureAwait(false) ?? 0.0));
 
@@ -193,7 +196,8 @@ internal sealed class Job
         return await ToHeightOfCutAsync().ConfigureAwait(false) is { Ends: true } away ? away : await ToTheEndAsync().ConfigureAwait(false);
     }
 
-    /// <summary>The job stands held and what was under way is given up: stays so, and then cuts what is left as a resumed job does, from the place where it stood.</summary>
+    /// <summary>The job stands held and what was under way is given up: stays so, and then cuts what is left as a resumed job does, from the place where it
+    /// stood.</summary>
     private async Task<JobStep> GoOnAsync()
     {
         await _strategy.StoppedAsync(_machine.PartedCounter).ConfigureAwait(false);
@@ -206,7 +210,8 @@ internal sealed class Job
         return await ToHeightOfCutAsync().ConfigureAwait(false) is { Ends: true } away ? away : await ToTheEndAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Nothing of the job moves the Z axis where an output is the tool: it goes back to where it was, up before the way to what is left and down behind it. A hold meanwhile is waited for, or parts the job again.</summary>
+    /// <summary>Nothing of the job moves the Z axis where an output is the tool: it goes back to where it was, up before the way to what is left and down
+    /// behind it. A hold meanwhile is waited for, or parts the job again.</summary>
     private async Task<JobStep> ToHeightOfCutAsync()
     {
         if (_heightOfCut is { } height && _machine.State.Position.Z != height)
@@ -238,7 +243,8 @@ internal sealed class Job
     /// <summary>Whether the job would leave the controller's 32 bits.</summary>
     private bool IsTooFar => !_machine.ControllerFrame.Holds(MotionExtents.Of(_program));
 
-    /// <summary>Tool off, stop, our threads halted, at rest; after a complete job only the threads are left to stop. Tried over a lost link too, because the other handle may still work.</summary>
+    /// <summary>Tool off, stop, our threads halted, at rest; after a complete job only the threads are left to stop. Tried over a lost link too, because
+    /// the other handle may still work.</summary>
     private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)
     {
         if (!_touched) return (step, null);
@@ -268,7 +274,8 @@ internal sealed class Job
         }
     }
 
-    /// <summary>The controller was switched off or reset since the job began: its variables are gone, and it counts from wherever it stood. What it says of its place is of no use.</summary>
+    /// <summary>The controller was switched off or reset since the job began: its variables are gone, and it counts from wherever it stood. What it says of
+    /// its place is of no use.</summary>
     private async ValueTask<bool> HasForgottenAsync() => _machine.FrameTaken is not null && await _machine.AskAtRestAsync(ResidentProgram.Variables.JobMark).ConfigureAwait(false) is null;
 
     /// <summary>A tool that an axis holds stands where it is: how high that is nobody knows.</summary>
@@ -302,7 +309,8 @@ internal sealed class Job
 
     private static JobStep Doubted(JobStep step, string why) => why.Length == 0 ? step : step with { Sentence = $"{step.Sentence} {Wording.Get("Job.PositionInDoubt", why)}", Doubt = why };
 
-    /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the watchdog trips.</summary>
+    /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the
+    /// watchdog trips.</summary>
     private string LastWord => _machine.Known is { } known
         ? Wording.Get("Job.LastReport", known.Position.X, known.Position.Y, _ledger.Executed)
         : "";

@@ -55,7 +55,8 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
 
     public int Executed { get; private set; }
 
-    /// <summary>The last poll saw the tool off although it should have been on. What is confirmed meanwhile counts as cut only if the next poll sees it on.</summary>
+    /// <summary>The last poll saw the tool off although it should have been on. What is confirmed meanwhile counts as cut only if the next poll sees it
+    /// on.</summary>
     public bool IsToolMissing
     {
         get => _isToolMissing;

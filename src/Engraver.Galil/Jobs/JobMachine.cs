@@ -114,10 +114,12 @@ internal sealed class JobMachine
     /// <summary>Segments of the whole program that are done by a poll; null: those that are counted.</summary>
     public Func<MachineState, int>? SegmentsDone { get; set; }
 
-    /// <summary>Writes down what is about to begin in the controller: its first segment in the whole program, the starts of its sequences, and seq before it.</summary>
+    /// <summary>Writes down what is about to begin in the controller: its first segment in the whole program, the starts of its sequences, and seq before
+    /// it.</summary>
     public Action<int, IReadOnlyList<int>, int> Opened { private get; set; } = (_, _, _) => { };
 
-    /// <summary>Something is about to begin in the controller. Behind a hold that gave something up the watchdog's variables are of this job again: only now does the journal say to what they belong.</summary>
+    /// <summary>Something is about to begin in the controller. Behind a hold that gave something up the watchdog's variables are of this job again: only
+    /// now does the journal say to what they belong.</summary>
     /// <param name="first">Its first segment in the whole program.</param>
     /// <param name="starts">Segments before each of its sequences, and at last all of them.</param>
     /// <param name="calls">seq before it.</param>
@@ -248,7 +250,8 @@ internal sealed class JobMachine
         return await Hold.AttendAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Asks _TE of the axes that have one (galil-dmc.md A.10) where it was not asked just now: in a message of its own, because the poll is as long as a line may be.</summary>
+    /// <summary>Asks _TE of the axes that have one (galil-dmc.md A.10) where it was not asked just now: in a message of its own, because the poll is as
+    /// long as a line may be.</summary>
     private async ValueTask<JobStep> AskFollowingErrorAsync()
     {
         if (FollowingError is not null) _errorAsked = Time.GetTimestamp();
@@ -257,7 +260,8 @@ internal sealed class JobMachine
         return await ReadAsync(errors).ConfigureAwait(false);
     }
 
-    /// <summary>Ends the job when a poll shows that the program in the controller has ended, the tool is not as it should be, or there is no progress.</summary>
+    /// <summary>Ends the job when a poll shows that the program in the controller has ended, the tool is not as it should be, or there is no
+    /// progress.</summary>
     private async ValueTask<JobStep> FaultAsync()
     {
         if (IsStopped) return JobStep.Done; // what this poll saw may be an effect of the stop
@@ -279,7 +283,8 @@ internal sealed class JobMachine
         return JobStep.Done;
     }
 
-    /// <summary>From now on the watchdog trips 0.25 s after the last sign of this computer, and signs are sent more often: for motion that lasts as long as a key is held.</summary>
+    /// <summary>From now on the watchdog trips 0.25 s after the last sign of this computer, and signs are sent more often: for motion that lasts as long as
+    /// a key is held.</summary>
     public ValueTask<JobStep> WatchCloselyAsync()
     {
         _heartbeat = Heartbeat.Close(Time);

@@ -11,7 +11,8 @@ namespace Engraver.Galil.Jobs;
 /// <summary>Runs a motion program on a controller and leaves the controller as it was found.</summary>
 public static class JobRunner
 {
-    /// <summary>Runs the job to its end, to the operator's stop, to the first refusal or to the loss of the link; it always returns, with what the controller last reported.</summary>
+    /// <summary>Runs the job to its end, to the operator's stop, to the first refusal or to the loss of the link; it always returns, with what the
+    /// controller last reported.</summary>
     /// <param name="session">Open, and the machine at rest. It stays open.</param>
     /// <param name="progress">Receives the progress, 20 times a second of controller time; may be null.</param>
     /// <param name="stop">The operator's stop: the machine is stopped first, however long it brakes, then this returns.</param>
@@ -49,7 +50,8 @@ public static class JobRunner
         return ByHandAsync(program, new HandOperation(null, machine => new JogStandbyMove(machine, standby, options.SoftLimits)), session, options, progress, stop);
     }
 
-    /// <summary>Homes the axes of the profile that say how (<see cref="HomingMove"/>). The controller's own software limits do not count meanwhile: they belong to the zero before.</summary>
+    /// <summary>Homes the axes of the profile that say how (<see cref="HomingMove"/>). The controller's own software limits do not count meanwhile: they
+    /// belong to the zero before.</summary>
     /// <returns>As for <see cref="GoToAsync"/>.</returns>
     public static async Task<HomingResult> HomeAsync(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
@@ -62,7 +64,8 @@ public static class JobRunner
         return result.Outcome == JobOutcome.Complete ? new HomingResult(result with { Sentence = Wording.Get("HomingMove.Homed") }, homing!.Shift) : new HomingResult(result, null);
     }
 
-    /// <summary>Switches the profile's tool output on for its settle time and off again, under the watchdog: when this computer dies meanwhile the controller switches it off.</summary>
+    /// <summary>Switches the profile's tool output on for its settle time and off again, under the watchdog: when this computer dies meanwhile the
+    /// controller switches it off.</summary>
     /// <returns>As for <see cref="GoToAsync"/>.</returns>
     public static Task<JobResult> PulseAsync(MotionProgram program, ControllerSession session, JobOptions options, CancellationToken stop) =>
         ByHandAsync(program, new HandOperation(null, machine => new OutputPulse(machine)) { IsDry = false }, session, options, null, stop);

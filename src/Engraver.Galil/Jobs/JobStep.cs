@@ -16,7 +16,8 @@ internal sealed record JobStep(JobOutcome Outcome, string Sentence, Rejected? Re
 
     public bool Ends => Outcome != JobOutcome.Complete;
 
-    /// <summary>The job stands held and has given up what it was cutting: nothing is under way in the controller, and the axes may be moved by hand. What is left is cut anew from the place of the ledger.</summary>
+    /// <summary>The job stands held and has given up what it was cutting: nothing is under way in the controller, and the axes may be moved by hand. What
+    /// is left is cut anew from the place of the ledger.</summary>
     public bool IsParted { get; private init; }
 
     /// <summary>Ends what is under way, but not the job.</summary>

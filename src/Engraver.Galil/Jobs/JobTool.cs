@@ -7,10 +7,12 @@ using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The tool of a job: switched by an output, with a settle time by the controller's clock, or moved by the Z axis. A dry run never switches it on; a tool that is moved then runs in the air (<see cref="DryLift"/>).</summary>
+/// <summary>The tool of a job: switched by an output, with a settle time by the controller's clock, or moved by the Z axis. A dry run never switches it on;
+/// a tool that is moved then runs in the air (<see cref="DryLift"/>).</summary>
 internal sealed class JobTool(JobMachine machine, bool dryRun)
 {
-    /// <summary>Samples per second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so that a settle time is never too short.</summary>
+    /// <summary>Samples per second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so that a settle time is never too
+    /// short.</summary>
     private const double SamplesPerSecond = 1024.0;
 
     private bool _isOn;
@@ -22,7 +24,8 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// <summary>State of the output that a poll should show, where a program in the controller switches it; null where this job does.</summary>
     public Func<MachineState, bool?>? WantedByProgram { get; set; }
 
-    /// <summary>State of the output that this poll should show: as this job switched it, or as the program should have; null where it is not known, or no output is the tool. In a dry run and while the job is held always off.</summary>
+    /// <summary>State of the output that this poll should show: as this job switched it, or as the program should have; null where it is not known, or no
+    /// output is the tool. In a dry run and while the job is held always off.</summary>
     public bool? Wanted(MachineState state) => machine.Profile.Height is not null ? null : dryRun || _isHeldOff ? false : WantedByProgram is { } program ? program(state) : _isOn;
 
     /// <summary>Brings the tool to the work.</summary>
@@ -43,7 +46,8 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
         return JobStep.Done;
     }
 
-    /// <summary>Whether the tool was at work at the last poll: its output on, whoever switched it, or its height below the retract height once the job had raised it.</summary>
+    /// <summary>Whether the tool was at work at the last poll: its output on, whoever switched it, or its height below the retract height once the job had
+    /// raised it.</summary>
     public bool IsSeenOn(MachineState? known) => !dryRun && known is { } state && (machine.Profile.Height is null ? IsOutputOn(state) : _wasUp && machine.Profile.IsLower(state.Position.Z, machine.Frame.Z + machine.Profile.RetractCounts));
 
     /// <summary>The same of an output, in a dry run too; never for a tool that an axis holds.</summary>

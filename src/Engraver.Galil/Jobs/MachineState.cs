@@ -16,14 +16,16 @@ namespace Engraver.Galil.Jobs;
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SC of the first axis.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
-/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="SupervisedProgram.Strayed"/> for a motion that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
+/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="SupervisedProgram.Strayed"/> for a motion
+/// that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
 /// <param name="WatchdogRuns">_XQ1 is a line: the watchdog lives, or has just tripped.</param>
 /// <param name="Trip">wtrip: why the watchdog has stopped the machine (<see cref="WatchdogProgram"/>); 0 while it has not.</param>
 /// <param name="Outputs">_OP0: outputs 1 to 8, bit 0 is output 1.</param>
 internal readonly record struct MachineState(
     bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, bool WatchdogRuns, int ProgramError, int Trip, int Outputs)
 {
-    /// <summary>_TE: commanded minus actual position of each axis, counts, 0 of those that are not asked; null where it was not asked with or just behind this position.</summary>
+    /// <summary>_TE: commanded minus actual position of each axis, counts, 0 of those that are not asked; null where it was not asked with or just behind
+    /// this position.</summary>
     public CountsPoint? Error { get; init; }
 
     public bool Stands => !SequenceRunning && !AxesRunning;
@@ -46,7 +48,8 @@ internal sealed class StateQuestions
         Whole = IsOne ? [new StateQuestion(all)] : [Program, Motion];
     }
 
-    /// <summary>Everything, in the order of asking. For two axes over a network one line, with MG exactly its 80 characters; wtrip is asked behind _XQ1: where the watchdog ended by its trip, that is already known.</summary>
+    /// <summary>Everything, in the order of asking. For two axes over a network one line, with MG exactly its 80 characters; wtrip is asked behind _XQ1:
+    /// where the watchdog ended by its trip, that is already known.</summary>
     public IReadOnlyList<StateQuestion> Whole { get; }
 
     /// <summary>Sequence, counters and position come in one answer: they belong together.</summary>
@@ -58,10 +61,12 @@ internal sealed class StateQuestions
     /// <summary>The position errors alone; null where nobody wants them.</summary>
     public StateQuestion? Errors { get; }
 
-    /// <summary>On a serial line, where a question more would take the time of segments: what the path does with the position errors in place of stop code and wtrip. Null over a network, and where nobody wants the errors.</summary>
+    /// <summary>On a serial line, where a question more would take the time of segments: what the path does with the position errors in place of stop code
+    /// and wtrip. Null over a network, and where nobody wants the errors.</summary>
     public StateQuestion? MotionWithErrors { get; }
 
-    /// <summary>... then, and on a serial line more often, what the path does. Asked last: where the axes stood before, the position is final. Where a line holds it, seq is asked here too, with the position it belongs to.</summary>
+    /// <summary>... then, and on a serial line more often, what the path does. Asked last: where the axes stood before, the position is final. Where a line
+    /// holds it, seq is asked here too, with the position it belongs to.</summary>
     public StateQuestion Motion { get; }
 }
 

@@ -4,10 +4,12 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The motor types of the profile, set once before a job where the controller holds others, in the order that the reference demands: motor off, MT, motor on (galil-dmc.md C, MT; J.9). They stay set.</summary>
+/// <summary>The motor types of the profile, set once before a job where the controller holds others, in the order that the reference demands: motor off,
+/// MT, motor on (galil-dmc.md C, MT; J.9). They stay set.</summary>
 internal static class MotorTypeSetting
 {
-    /// <summary>Call at rest. A motor whose type changes may count from another register: where its position reads another number afterwards the job ends.</summary>
+    /// <summary>Call at rest. A motor whose type changes may count from another register: where its position reads another number afterwards the job
+    /// ends.</summary>
     public static async ValueTask<JobStep> SetAsync(JobMachine machine)
     {
         foreach (var axis in machine.Profile.Axes.All)

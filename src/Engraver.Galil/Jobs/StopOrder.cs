@@ -1,7 +1,8 @@
 namespace Engraver.Galil.Jobs;
 
 /// <summary>The operator's stop as a job hears it: first the bytes that brake the machine go out, then the job's own waits end.</summary>
-/// <remarks>Whatever waits on a token goes on inside the call that cancels it, and who began to wait last goes first. On the operator's token itself the whole end of a job could run before the braking that was registered at its beginning.</remarks>
+/// <remarks>Whatever waits on a token goes on inside the call that cancels it, and who began to wait last goes first. On the operator's token itself the
+/// whole end of a job could run before the braking that was registered at its beginning.</remarks>
 internal sealed class StopOrder : IDisposable
 {
     private readonly CancellationTokenSource _work = new(); // not disposed: what waits on it may still be told, and it holds no timer
@@ -19,7 +20,8 @@ internal sealed class StopOrder : IDisposable
     /// <summary>What a job waits on: cancelled once the braking is on its way.</summary>
     public CancellationToken Work => _work.Token;
 
-    /// <summary>The same for a command that is about to be sent: behind the press none goes out that could begin a motion, also while the braking is on its way.</summary>
+    /// <summary>The same for a command that is about to be sent: behind the press none goes out that could begin a motion, also while the braking is on its
+    /// way.</summary>
     /// <exception cref="OperationCanceledException">The operator has pressed.</exception>
     public CancellationToken ToSend()
     {

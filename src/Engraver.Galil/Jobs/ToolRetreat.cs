@@ -7,8 +7,10 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The last of every way out of a job, at rest: where an axis holds the tool it is raised to clearance height, straight up out of the cut it came by, and then the spindle is switched off (ADR 11).</summary>
-/// <remarks>Over the stop handle, because the operator's stop has ended everything else. It is not raised when nobody knows where the axes are, or a motor cannot move it.</remarks>
+/// <summary>The last of every way out of a job, at rest: where an axis holds the tool it is raised to clearance height, straight up out of the cut it came
+/// by, and then the spindle is switched off (ADR 11).</summary>
+/// <remarks>Over the stop handle, because the operator's stop has ended everything else. It is not raised when nobody knows where the axes are, or a motor
+/// cannot move it.</remarks>
 internal sealed class ToolRetreat(ControllerSession session, MachineProfile profile)
 {
     /// <summary>Polls in which the axis is reported as moving and does not change its height; after these it does not move.</summary>

@@ -8,10 +8,12 @@ internal static class DmcAxes
     /// <summary>Every letter there is; a controller of four axes has the first four.</summary>
     public const string All = "ABCDEFGH";
 
-    /// <summary>Whether the fields of a list from axis A on are those of the job's axes, as LI has them (galil-dmc.md B.1: <c>LI a,b,c,d</c>); VP has them in the order of VM.</summary>
+    /// <summary>Whether the fields of a list from axis A on are those of the job's axes, as LI has them (galil-dmc.md B.1: <c>LI a,b,c,d</c>); VP has them
+    /// in the order of VM.</summary>
     public static bool AreFirst(MachineAxes axes) => All.StartsWith(axes.PlaneLetters, StringComparison.Ordinal);
 
-    /// <summary>Values of the job's axes in the fields of a list from axis A on (<c>1,2,,3</c>): what LI takes, whatever the order of LM (galil-dmc.md B.1, L.2 8).</summary>
+    /// <summary>Values of the job's axes in the fields of a list from axis A on (<c>1,2,,3</c>): what LI takes, whatever the order of LM (galil-dmc.md B.1,
+    /// L.2 8).</summary>
     public static string Fields(MachineAxes axes, ReadOnlySpan<string> values)
     {
         var fields = new string[axes.All.Max(axis => All.IndexOf(axis.Letter)) + 1];

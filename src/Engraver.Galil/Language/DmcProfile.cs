@@ -5,7 +5,8 @@ namespace Engraver.Galil.Language;
 /// <summary>The settings of a machine as the controller takes them.</summary>
 public static class DmcProfile
 {
-    /// <summary>VS for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000. With unequal axes the finer one only sets the pace of its own direction,
+    /// <summary>VS for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000. With unequal axes the finer one only sets the pace of its own
+    /// direction,
     /// so the coarser one decides: no direction is cut faster than the feed.</summary>
     public static int VectorSpeed(this MachineProfile profile)
     {

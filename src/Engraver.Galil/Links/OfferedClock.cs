@@ -7,11 +7,15 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>): while this object exists, the controller's time passes only by our commands and while we wait.</summary>
+/// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>): while this object exists, the controller's
+/// time passes only by our commands and while we wait.</summary>
 /// <remarks>
-/// <para>Over the wire, in lines: <c>now</c> is answered with the controller's time; <c>wait N</c> too, when N have passed; <c>stop</c> ends a wait. Whole microseconds.</para>
-/// <para>A timer that is created with a due time (<c>Task.Delay</c>) is a wait; one that is created without and set later is a deadline, which fires when time reaches it and does not let time pass.</para>
-/// <para>When the other end is gone or does not answer, the clock is given back and time continues with the wall clock from its last value, so that every wait and every deadline still ends.</para>
+/// <para>Over the wire, in lines: <c>now</c> is answered with the controller's time; <c>wait N</c> too, when N have passed; <c>stop</c> ends a wait. Whole
+/// microseconds.</para>
+/// <para>A timer that is created with a due time (<c>Task.Delay</c>) is a wait; one that is created without and set later is a deadline, which fires when
+/// time reaches it and does not let time pass.</para>
+/// <para>When the other end is gone or does not answer, the clock is given back and time continues with the wall clock from its last value, so that every
+/// wait and every deadline still ends.</para>
 /// </remarks>
 public sealed class OfferedClock : TimeProvider, IDisposable
 {
@@ -87,7 +91,8 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         return timer;
     }
 
-    /// <summary>The controller answered something: its clock may have advanced. Without commands and waits it does not, and need not be queried again.</summary>
+    /// <summary>The controller answered something: its clock may have advanced. Without commands and waits it does not, and need not be queried
+    /// again.</summary>
     public void Heard() => _isKnown = false;
 
     /// <summary>Gives the clock back and ends all waits.</summary>

@@ -21,7 +21,8 @@ internal sealed class SerialDevice : IDisposable
     }
 
     /// <summary>Opens the device exclusively and sets the line. Bytes that another program left unread are dropped.</summary>
-    /// <exception cref="ControllerLinkException">There is no such device, it may not be opened, another program has it, or it does not support the rate.</exception>
+    /// <exception cref="ControllerLinkException">There is no such device, it may not be opened, another program has it, or it does not support the
+    /// rate.</exception>
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
@@ -97,7 +98,8 @@ internal sealed class SerialDevice : IDisposable
     /// <summary>Closing sends what is left instead of dropping it; for a line that has just taken everything.</summary>
     public bool KeepsUnsent { get; set; }
 
-    /// <summary>Closes the device. Unsent bytes are dropped first unless they are to be kept: closing would wait for them, for long while the other side stops the flow.</summary>
+    /// <summary>Closes the device. Unsent bytes are dropped first unless they are to be kept: closing would wait for them, for long while the other side
+    /// stops the flow.</summary>
     public void Dispose()
     {
         if (!KeepsUnsent) _ = Control(_device, Flush, FlushBoth);

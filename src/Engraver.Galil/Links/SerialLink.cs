@@ -6,7 +6,8 @@ using Engraver.Core.Machines;
 namespace Engraver.Galil.Links;
 
 /// <summary>A link over an RS-232 line on Linux; a pseudo-terminal is one too (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit).</summary>
-/// <remarks>One thread waits for the device in both directions, without a time limit and without polling. An adapter that is unplugged ends that wait, and so every read and write, with an
+/// <remarks>One thread waits for the device in both directions, without a time limit and without polling. An adapter that is unplugged ends that wait, and
+/// so every read and write, with an
 /// <see cref="IOException"/>. Closing wakes the thread, so that it never waits for a byte.</remarks>
 public sealed class SerialLink : IControllerLink
 {

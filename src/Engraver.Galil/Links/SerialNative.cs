@@ -5,7 +5,8 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>The system calls of a serial line on Linux. The line settings use ioctl with the kernel's own structure: libc's termios differs between its versions.</summary>
+/// <summary>The system calls of a serial line on Linux. The line settings use ioctl with the kernel's own structure: libc's termios differs between its
+/// versions.</summary>
 internal static class SerialNative
 {
     public const short PollIn = 0x0001;
@@ -72,7 +73,8 @@ internal static class SerialNative
         public short Happened;
     }
 
-    /// <summary>struct termios of the kernel (asm-generic, TCGETS): 36 bytes. Three words hold the control characters, of which the first seven are used.</summary>
+    /// <summary>struct termios of the kernel (asm-generic, TCGETS): 36 bytes. Three words hold the control characters, of which the first seven are
+    /// used.</summary>
     [StructLayout(LayoutKind.Sequential, Size = 36)]
     public struct LineSettings
     {

@@ -2,8 +2,10 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs;
 
-/// <summary>How long a job may be without progress, controller seconds. Motion is never so slow: at the slowest feed (2 counts/s) a position changes twice a second, so a long segment needs no allowance.</summary>
-/// <remarks>The tool's settle time is added. The job itself notices a standstill first and can say where it was; the watchdog in the controller is for the case that it does not.</remarks>
+/// <summary>How long a job may be without progress, controller seconds. Motion is never so slow: at the slowest feed (2 counts/s) a position changes twice
+/// a second, so a long segment needs no allowance.</summary>
+/// <remarks>The tool's settle time is added. The job itself notices a standstill first and can say where it was; the watchdog in the controller is for the
+/// case that it does not.</remarks>
 internal static class StandstillLimit
 {
     private const double JobSeconds = 3.0;

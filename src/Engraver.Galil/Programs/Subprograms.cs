@@ -4,7 +4,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs;
 
-/// <summary>The routines in the controller for job mode calls, as lines: the paper's #LINEAR, corrected (galil-dmc.md F.0, EX1), and the #CIRC that it does not print.</summary>
+/// <summary>The routines in the controller for job mode calls, as lines: the paper's #LINEAR, corrected (galil-dmc.md F.0, EX1), and the #CIRC that it does
+/// not print.</summary>
 internal static class Subprograms
 {
     public const string Linear = "#LINEAR";
@@ -61,7 +62,8 @@ internal static class Subprograms
     /// <param name="gap">Between command and number.</param>
     public static string Switch(int output, bool level, string gap = "") => Text($"{(level ? "SB" : "CB")}{gap}{output}");
 
-    /// <summary>The speed first, where an analog output sets it; the motor of that axis is off, so that no loop works against the offset (galil-dmc.md C, OF).</summary>
+    /// <summary>The speed first, where an analog output sets it; the motor of that axis is off, so that no loop works against the offset (galil-dmc.md C,
+    /// OF).</summary>
     public static IReadOnlyList<string> SpindleOn(Spindle spindle) => [.. spindle.SpeedAxis is { } axis ? (string[])[$"MO{axis}", Text($"OF{axis}={DmcFormat.Number(spindle.SpeedVolts)}")] : [], Switch(spindle.Output, !spindle.IsActiveLow)];
 
     public static IReadOnlyList<string> SpindleOff(Spindle spindle) => [Switch(spindle.Output, spindle.IsActiveLow), .. spindle.SpeedAxis is { } axis ? (string[])[$"OF{axis}=0"] : []];
@@ -72,7 +74,8 @@ internal static class Subprograms
     /// <summary>The wait after a change of the tool; empty when the profile wants none.</summary>
     public static string Settle(MachineProfile profile, bool on = true) => profile.SettleMilliseconds(on) == 0 ? string.Empty : Text($"WT {profile.SettleMilliseconds(on)}");
 
-    /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in between. A spindle whose tool may be in the work turns on until the tool is out of it.</summary>
+    /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in
+    /// between. A spindle whose tool may be in the work turns on until the tool is out of it.</summary>
     public static string StopEverything(MachineProfile profile) => Statements(ToolOff(profile), "STS", "ST" + profile.Axes.Letters, profile.Height is null ? SpindleOff(profile) : string.Empty);
 
     /// <summary>Joined by ';', without the empty ones.</summary>

@@ -24,9 +24,13 @@ public sealed partial class CommandChannel
         Transfer,
     }
 
-    /// <summary>Puts a line of commands on the wire at once, also where another command waits for its answer, which may be late or lost; its own prompts are taken before the next command goes out. Does nothing on a network handle that is free, where <see cref="SendAsync"/> is as quick, and on a serial line during a transfer. On a free serial line it goes out too: a question that took the turn in between would hold it up as long as its answer takes.</summary>
+    /// <summary>Puts a line of commands on the wire at once, also where another command waits for its answer, which may be late or lost; its own prompts
+    /// are taken before the next command goes out. Does nothing on a network handle that is free, where <see cref="SendAsync"/> is as quick, and on a
+    /// serial line during a transfer. On a free serial line it goes out too: a question that took the turn in between would hold it up as long as its
+    /// answer takes.</summary>
     /// <param name="line">Its parts are answered by prompts alone.</param>
-    /// <remarks>What the controller answers is not told: send the line again in its turn. Where echoes are compared the whole line goes out at once, and not part by part as <see cref="SendAsync"/> does it.</remarks>
+    /// <remarks>What the controller answers is not told: send the line again in its turn. Where echoes are compared the whole line goes out at once, and
+    /// not part by part as <see cref="SendAsync"/> does it.</remarks>
     public async ValueTask UrgeAsync(string line)
     {
         var text = CommandLine.Checked(line);
@@ -72,7 +76,8 @@ public sealed partial class CommandChannel
         }
     }
 
-    /// <summary>The echo of an urgent line cannot be told from an answer: ends what is half said and begins to compare anew. The caller holds <see cref="_writing"/>.</summary>
+    /// <summary>The echo of an urgent line cannot be told from an answer: ends what is half said and begins to compare anew. The caller holds
+    /// <see cref="_writing"/>.</summary>
     private async ValueTask GreetAgainAsync()
     {
         _echoesMix = true;
@@ -88,7 +93,8 @@ public sealed partial class CommandChannel
     }
 
     /// <summary>The answer to this command is mixed with the echo of an urgent line: a question is put again.</summary>
-    /// <exception cref="EchoException">The text is a command, which is answered by a prompt alone: the urgent line was harmed, and whether the command was done is not known.</exception>
+    /// <exception cref="EchoException">The text is a command, which is answered by a prompt alone: the urgent line was harmed, and whether the command was
+    /// done is not known.</exception>
     private async ValueTask AskAgainAsync(string text)
     {
         var heard = _echo!.UrgentHarm!;
@@ -107,7 +113,8 @@ public sealed partial class CommandChannel
         await WriteAsync(text, false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
     }
 
-    /// <summary>After a wrong echo it is not known what the controller executed, but the stop must still reach it: the line is greeted again, which ends any half command, and continues without echoes.</summary>
+    /// <summary>After a wrong echo it is not known what the controller executed, but the stop must still reach it: the line is greeted again, which ends
+    /// any half command, and continues without echoes.</summary>
     private async ValueTask<EchoException> HarmedAsync(string text, string heard)
     {
         await _writing.WaitAsync().ConfigureAwait(false);

@@ -4,8 +4,10 @@ using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Commands and replies over one link: one outstanding command, every prompt counted, the reason of a <c>?</c> fetched with TC1 (galil-dmc.md A.3, A.4).</summary>
-/// <remarks>A cancellation is honoured before a command is sent; the reply to a sent command is always awaited, otherwise the prompts would no longer match. After an exception of the
+/// <summary>Commands and replies over one link: one outstanding command, every prompt counted, the reason of a <c>?</c> fetched with TC1 (galil-dmc.md A.3,
+/// A.4).</summary>
+/// <remarks>A cancellation is honoured before a command is sent; the reply to a sent command is always awaited, otherwise the prompts would no longer
+/// match. After an exception of the
 /// <see cref="ControllerException"/> family the channel refuses all further use.</remarks>
 public sealed partial class CommandChannel : IAsyncDisposable
 {
@@ -64,7 +66,8 @@ public sealed partial class CommandChannel : IAsyncDisposable
     public async ValueTask<bool> GreetAsync(CancellationToken cancellation) =>
         await ExchangeAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && SerialGreeting.WasEchoed(said);
 
-    /// <summary>From here on every command is compared with its echo (EO 1), because a serial line can damage a byte. With a controller that does not echo nothing changes.</summary>
+    /// <summary>From here on every command is compared with its echo (EO 1), because a serial line can damage a byte. With a controller that does not echo
+    /// nothing changes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask CompareEchoAsync(CancellationToken cancellation)
     {
@@ -82,7 +85,8 @@ public sealed partial class CommandChannel : IAsyncDisposable
         return _echo is not null && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
     }
 
-    /// <summary>Sends the parts of a line one after the other where echoes are compared: else the reply to one would come in the middle of the echo of the next. The number of bytes is the same.</summary>
+    /// <summary>Sends the parts of a line one after the other where echoes are compared: else the reply to one would come in the middle of the echo of the
+    /// next. The number of bytes is the same.</summary>
     private async ValueTask<Reply> SendEachAsync(IReadOnlyList<string> parts, CancellationToken cancellation)
     {
         Rejected? refused = null;
@@ -98,19 +102,22 @@ public sealed partial class CommandChannel : IAsyncDisposable
     }
 
     /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is empty.</summary>
-    /// <param name="expected">Number of characters, for the time-out; 0 when it is not known. Some links deliver all of them at once, after the time that they take on the wire.</param>
+    /// <param name="expected">Number of characters, for the time-out; 0 when it is not known. Some links deliver all of them at once, after the time that
+    /// they take on the wire.</param>
     public async ValueTask<Reply> UploadAsync(CancellationToken cancellation, int expected = 0) =>
         await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout + WireTime(Math.Max(expected, UsualProgram)), cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
             ? new Accepted(ProgramText.FromUpload(text.Data))
             : reply;
 
     /// <summary>DL: replaces the program memory. The controller answers nothing until the end mark and then prompts twice (galil-dmc.md A.6).</summary>
-    /// <remarks>The caller makes sure that no thread runs: after a refused DL the lines would be taken for commands. On a serial line a cancellation ends the download
+    /// <remarks>The caller makes sure that no thread runs: after a refused DL the lines would be taken for commands. On a serial line a cancellation ends
+    /// the download
     /// early, with the end mark after a whole line (galil-dmc.md F.4); part of the program is then in the memory.</remarks>
     public ValueTask<Reply> DownloadAsync(string program, CancellationToken cancellation) =>
         ExchangeAsync("DL\r" + ProgramText.ForDownload(program) + "\\", ReplyShape.Text, 0, TransferTimeout, cancellation);
 
-    /// <summary>BN: burns the parameters, about a second (galil-dmc.md A.6). It must not be interrupted, so the reply is awaited as long as a transfer's.</summary>
+    /// <summary>BN: burns the parameters, about a second (galil-dmc.md A.6). It must not be interrupted, so the reply is awaited as long as a
+    /// transfer's.</summary>
     public ValueTask<Reply> BurnAsync(CancellationToken cancellation) => ExchangeAsync("BN", ReplyShape.Text, 0, TransferTimeout, cancellation);
 
     /// <summary>QR: the data record; each character of the data is one byte.</summary>

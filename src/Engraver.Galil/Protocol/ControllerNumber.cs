@@ -2,8 +2,10 @@ using System.Globalization;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Numbers as the controller prints them: blanks or commas between them, leading zeros, a point, or hexadecimal with a dollar sign (galil-dmc.md A.3).</summary>
-/// <remarks>Whether a blank separates two numbers of one MG differs from page to page of the manuals (A.3): with only the column of the sign between them, a minus follows the last digit directly, <c>20000.0000-81.0000</c>.</remarks>
+/// <summary>Numbers as the controller prints them: blanks or commas between them, leading zeros, a point, or hexadecimal with a dollar sign
+/// (galil-dmc.md A.3).</summary>
+/// <remarks>Whether a blank separates two numbers of one MG differs from page to page of the manuals (A.3): with only the column of the sign between them,
+/// a minus follows the last digit directly, <c>20000.0000-81.0000</c>.</remarks>
 public static class ControllerNumber
 {
     private static readonly char[] Separators = [' ', ',', '\t', '\r', '\n'];

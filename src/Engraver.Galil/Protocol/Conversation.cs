@@ -3,7 +3,8 @@ using System.Text;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>What a host said to a controller over all its links: every byte, in order, with the time. Said again at the same times it moves a machine as it did.</summary>
+/// <summary>What a host said to a controller over all its links: every byte, in order, with the time. Said again at the same times it moves a machine as it
+/// did.</summary>
 /// <param name="Clock">Whose times they are.</param>
 /// <param name="Steps">In the order in which they were done.</param>
 /// <param name="IsWhole">False where the host did not come to the end of it.</param>
@@ -71,7 +72,8 @@ public enum ConversationAct
 /// <param name="Bytes">What was said; empty for the other acts.</param>
 public sealed record ConversationStep(long Ticks, int Link, ConversationAct Act, byte[] Bytes)
 {
-    /// <summary>The step as a line: ticks, link, <c>+</c> opened, <c>&gt;</c> said or <c>-</c> closed, and what was said with <c>\r</c>, <c>\\</c> and <c>\xHH</c> for other bytes that are no visible letters.</summary>
+    /// <summary>The step as a line: ticks, link, <c>+</c> opened, <c>&gt;</c> said or <c>-</c> closed, and what was said with <c>\r</c>, <c>\\</c> and
+    /// <c>\xHH</c> for other bytes that are no visible letters.</summary>
     public override string ToString()
     {
         var line = new StringBuilder(Bytes.Length + 24).Append(Ticks.ToString(CultureInfo.InvariantCulture)).Append(' ').Append(Link.ToString(CultureInfo.InvariantCulture)).Append(Act switch { ConversationAct.Opened => " +", ConversationAct.Said => " > ", _ => " -" });

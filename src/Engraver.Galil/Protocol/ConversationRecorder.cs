@@ -57,7 +57,8 @@ public sealed class ConversationRecorder
 
         public SerialLine? Line => link.Line;
 
-        /// <summary>Another thread may let time pass before the bytes are taken: where the controller tells when it took them, that is when they were said.</summary>
+        /// <summary>Another thread may let time pass before the bytes are taken: where the controller tells when it took them, that is when they were
+        /// said.</summary>
         public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
         {
             var isTold = link.NowTicks is not null;

@@ -2,11 +2,14 @@ using System.Text;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Removes the echo of a serial line (EO 1, galil-dmc.md A.2) from what is received and compares it with what was sent. It takes no time, because the line is full duplex.</summary>
+/// <summary>Removes the echo of a serial line (EO 1, galil-dmc.md A.2) from what is received and compares it with what was sent. It takes no time, because
+/// the line is full duplex.</summary>
 /// <remarks>
-/// Lines are sent one command at a time, so that an echo is complete before its reply begins. Whether the end of a line is echoed as CR, as CR LF or not at all is not known (A.2), so each is accepted.
+/// Lines are sent one command at a time, so that an echo is complete before its reply begins. Whether the end of a line is echoed as CR, as CR LF or not at
+/// all is not known (A.2), so each is accepted.
 /// A download is verified by the upload after it: its echo, if there is one, is only removed. Bytes with bit 7 set are messages (A.5) and may come in between.
-/// An urgent line goes out while another waits for its answer: whether its echo comes behind that answer, before it or in the middle of it is not known (A.2), so each is accepted where the bytes can be told apart.
+/// An urgent line goes out while another waits for its answer: whether its echo comes behind that answer, before it or in the middle of it is not known
+/// (A.2), so each is accepted where the bytes can be told apart.
 /// Thread-safe, because an urgent line is said beside the reader.
 /// </remarks>
 internal sealed class LineEcho
@@ -44,7 +47,8 @@ internal sealed class LineEcho
         lock (_gate) _expected.AddRange(bytes);
     }
 
-    /// <summary>An urgent line goes out behind what was sent: commands that are answered by prompts alone, so that a prompt in its echo is none of it.</summary>
+    /// <summary>An urgent line goes out behind what was sent: commands that are answered by prompts alone, so that a prompt in its echo is none of
+    /// it.</summary>
     public void Overtaken(ReadOnlySpan<byte> bytes)
     {
         lock (_gate) _urgent.AddRange(bytes);

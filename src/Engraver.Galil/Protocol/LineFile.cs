@@ -3,8 +3,10 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>A text that several threads write line by line and that none of them waits for: a thread of its own writes it, because the stop of the machine goes by the same ways.</summary>
-/// <remarks>When it cannot be written any more (a full disk), or its reader has stopped reading (a pager, a named pipe), it ends and nothing else is disturbed.</remarks>
+/// <summary>A text that several threads write line by line and that none of them waits for: a thread of its own writes it, because the stop of the machine
+/// goes by the same ways.</summary>
+/// <remarks>When it cannot be written any more (a full disk), or its reader has stopped reading (a pager, a named pipe), it ends and nothing else is
+/// disturbed.</remarks>
 internal sealed class LineFile
 {
     /// <summary>Most lines that wait for the file: some twenty minutes of a job, some twenty megabytes.</summary>

@@ -1,6 +1,7 @@
 namespace Engraver.Galil.Protocol;
 
-/// <summary>One timer for all replies of a channel. It stays armed and compares the time only when it fires, so that most commands do not touch a timer.</summary>
+/// <summary>One timer for all replies of a channel. It stays armed and compares the time only when it fires, so that most commands do not touch a
+/// timer.</summary>
 internal sealed class ReplyDeadline : IDisposable
 {
     private readonly TimeProvider _time;

@@ -4,9 +4,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Divides received bytes into replies: finds the prompts and takes unsolicited text out of the stream. The result does not depend on how the bytes arrive.</summary>
+/// <summary>Divides received bytes into replies: finds the prompts and takes unsolicited text out of the stream. The result does not depend on how the
+/// bytes arrive.</summary>
 /// <remarks>A prompt is at the start of a line, so that a colon inside a data line is none. Bytes with bit 7 set are unsolicited characters
-/// (galil-dmc.md A.5, CW 1) except inside a binary record and in an uploaded program, which is returned byte for byte while no program runs. Not thread-safe: the channel has one command under way.</remarks>
+/// (galil-dmc.md A.5, CW 1) except inside a binary record and in an uploaded program, which is returned byte for byte while no program runs. Not
+/// thread-safe: the channel has one command under way.</remarks>
 public sealed class ReplyFramer
 {
     /// <summary>Longest reply that is accepted, bytes; a whole program memory is 80,000.</summary>
@@ -24,7 +26,8 @@ public sealed class ReplyFramer
     /// <summary>Called with each unsolicited line, without its line end.</summary>
     public Action<string>? MessageReceived { get; init; }
 
-    /// <summary>Call before a command is sent. Drops what is left of an earlier one (the extra colon that a trailing <c>;</c> may bring, text under CW 2).</summary>
+    /// <summary>Call before a command is sent. Drops what is left of an earlier one (the extra colon that a trailing <c>;</c> may bring, text under CW
+    /// 2).</summary>
     /// <param name="recordLength">Bytes of the record when <paramref name="shape"/> is <see cref="ReplyShape.Record"/>.</param>
     public void Expect(ReplyShape shape, int recordLength)
     {
@@ -103,7 +106,8 @@ public enum ReplyShape
 }
 
 /// <summary>The first lines on a serial line, for whatever state an earlier host left it in (galil-dmc.md A.2, F.2, F.4).</summary>
-/// <remarks>The backslash ends a download that was left open, and makes an unfinished command invalid, so that it is refused and not executed. Then the echo is switched off.
+/// <remarks>The backslash ends a download that was left open, and makes an unfinished command invalid, so that it is refused and not executed. Then the
+/// echo is switched off.
 /// The answer to the last line cannot be confused with its echo: prompts are counted from there.</remarks>
 internal static class SerialGreeting
 {

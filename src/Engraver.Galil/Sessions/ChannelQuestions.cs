@@ -19,7 +19,8 @@ public static class ChannelQuestions
         return new Reading(values, null);
     }
 
-    /// <summary>MG of one operand that is a whole number, in a format of its own: before the session has set VF, the format found might truncate it (VF 4.0 prints 256000 as 9999) or print it in hexadecimal.</summary>
+    /// <summary>MG of one operand that is a whole number, in a format of its own: before the session has set VF, the format found might truncate it (VF 4.0
+    /// prints 256000 as 9999) or print it in hexadecimal.</summary>
     /// <exception cref="ProtocolViolationException">The answer is not a number.</exception>
     internal static ValueTask<Reading> ReadWholeAsync(this CommandChannel channel, string operand, CancellationToken cancellation) => channel.ReadAsync(operand + "{F10.0}", cancellation);
 }

@@ -7,7 +7,8 @@ namespace Engraver.Galil.Sessions;
 /// <param name="Model">The answer to ^R^V, for example <c>DMC2143 Rev 1.0o</c>.</param>
 /// <param name="Axes">Number of axes, from the model string (galil-dmc.md G).</param>
 /// <param name="Handle">The answer to WH for the command handle: IHA to IHH, or RS232.</param>
-/// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses the query (a job does not need it).</param>
+/// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses
+/// the query (a job does not need it).</param>
 public sealed record ControllerIdentity(string Model, int Axes, string Handle, int? RecordBytes, ControllerLimits Limits) : MachineIdentity(Model, Axes)
 {
     /// <summary>The letters of the axes: ABCD for four.</summary>

@@ -2,7 +2,8 @@ namespace Engraver.Galil.Sessions;
 
 /// <summary>The model that a controller names (^R^V): its family and the number of its axes.</summary>
 /// <remarks>
-/// A model number has four digits, the third of which counts the axes (DMC2143), or five, the fourth of which does (DMC30010, DMC50040, DMC52040; galil-dmc.md G). The table names the families that are known;
+/// A model number has four digits, the third of which counts the axes (DMC2143), or five, the fourth of which does (DMC30010, DMC50040, DMC52040;
+/// galil-dmc.md G). The table names the families that are known;
 /// a number of the same build that it does not hold is taken by that rule.
 /// </remarks>
 /// <param name="Axes">1 to 8.</param>

@@ -10,7 +10,8 @@ using Engraver.Galil.Protocol;
 namespace Engraver.Galil.Sessions;
 
 /// <summary>A connection to one controller: a handle for commands and, where the link allows, a second one for the stop and for unsolicited text.</summary>
-/// <remarks>Disposing restores the controller's state, as far as possible when the link is lost. A job changes speeds and motors and calls <see cref="RestoreAsync"/>.</remarks>
+/// <remarks>Disposing restores the controller's state, as far as possible when the link is lost. A job changes speeds and motors and calls
+/// <see cref="RestoreAsync"/>.</remarks>
 public sealed class ControllerSession : IAsyncDisposable
 {
     private readonly CommandChannel _commands;
@@ -42,10 +43,12 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>The handle for commands; when its link is lost and the second handle still works, that one.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, on a serial line only for the bytes that are under way (<see cref="CommandChannel.UrgeAsync"/>).</summary>
+    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, on a serial line only for the bytes that are under way
+    /// (<see cref="CommandChannel.UrgeAsync"/>).</summary>
     public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and on a serial line the echo.</summary>
+    /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and on a serial line the
+    /// echo.</summary>
     /// <param name="openLink">Opens one more link to the same controller; called twice when a second handle is wanted.</param>
     /// <exception cref="ControllerException">No link, no answer, or not a controller.</exception>
     public static async Task<ControllerSession> OpenAsync(
@@ -78,7 +81,8 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Opens the second handle. A controller without a free handle accepts a connection and drops it at once (galil-dmc.md A.1); the message must not sound like a pulled cable.</summary>
+    /// <summary>Opens the second handle. A controller without a free handle accepts a connection and drops it at once (galil-dmc.md A.1); the message must
+    /// not sound like a pulled cable.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     private static async Task SignOfLifeAsync(CommandChannel channel, CancellationToken cancellation)
     {
@@ -160,7 +164,8 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>FL and BL: the controller brakes an axis that comes from inside one count beyond its travel (galil-dmc.md C), so both ends may be reached. Where it could not say what it had, they stay as they are.</summary>
+    /// <summary>FL and BL: the controller brakes an axis that comes from inside one count beyond its travel (galil-dmc.md C), so both ends may be reached.
+    /// Where it could not say what it had, they stay as they are.</summary>
     internal IEnumerable<string> SoftLimitCommands(IReadOnlyList<SoftLimit> limits)
     {
         foreach (var limit in limits.Where(limit => HasFound($"_FL{limit.Axis}") && HasFound($"_BL{limit.Axis}")))
@@ -190,7 +195,8 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <exception cref="ControllerException">The link failed.</exception>
     internal async Task LeaveToOthersAsync(IReadOnlyList<string> operands) => Found = await Found.WithPresentAsync(Commands, operands, CancellationToken.None).ConfigureAwait(false);
 
-    /// <summary>Burns the controller's parameters (BN), with CW and the number format as they were found: both are burned with the rest (galil-dmc.md A.6).</summary>
+    /// <summary>Burns the controller's parameters (BN), with CW and the number format as they were found: both are burned with the rest
+    /// (galil-dmc.md A.6).</summary>
     /// <exception cref="ControllerException">The link failed meanwhile.</exception>
     internal async Task<Rejected?> BurnAsync(CancellationToken cancellation)
     {
@@ -227,7 +233,8 @@ public sealed class ControllerSession : IAsyncDisposable
         return failures;
     }
 
-    /// <summary>Sets up the conversation: no pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job, numbers wide enough for any position; on a serial
+    /// <summary>Sets up the conversation: no pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job,
+    /// numbers wide enough for any position; on a serial
     /// line without decimals, because every byte takes time.</summary>
     private async Task AgreeOnWireAsync(CancellationToken cancellation)
     {
@@ -245,7 +252,8 @@ public sealed record SessionOptions
     /// <summary>Time without a reply after which the link counts as lost.</summary>
     public TimeSpan ReplyTimeout { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop then goes out behind the bytes under way.</summary>
+    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop then goes out behind the
+    /// bytes under way.</summary>
     public bool SecondHandle { get; init; } = true;
 
     /// <summary>Receives every line on the wire; null for none.</summary>

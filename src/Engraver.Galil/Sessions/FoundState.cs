@@ -3,7 +3,8 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The settings that this program changes, as found, so that they can be restored (galil-dmc.md F.2, L.3). Settings that the controller does not report are missing.</summary>
+/// <summary>The settings that this program changes, as found, so that they can be restored (galil-dmc.md F.2, L.3). Settings that the controller does not
+/// report are missing.</summary>
 /// <param name="Wire">CF, CW, DR and the number format: changed by the handshake.</param>
 /// <param name="Motion">The selected plane, VS VA VD VR of the S plane and SP AC DC ER of every axis: changed by a job.</param>
 /// <param name="MotorsOff">Letters of the axes whose motor was off.</param>
@@ -51,7 +52,8 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
         return (await channel.ReadWholeAsync(setting.Operand, cancellation).ConfigureAwait(false)).OrNothing is { } value ? $"{setting.Operand[1..]}={DmcFormat.Number(value)}" : null;
     }
 
-    /// <summary>VR as hexadecimal, which is exact: it has a resolution of 1/65536, and decimals are truncated to four (0.3 would be read as 0.2999; galil-dmc.md A.3 Numbers, E Messages).</summary>
+    /// <summary>VR as hexadecimal, which is exact: it has a resolution of 1/65536, and decimals are truncated to four (0.3 would be read as 0.2999;
+    /// galil-dmc.md A.3 Numbers, E Messages).</summary>
     /// <remarks>VR has no form with a plane letter; the first field is the S plane (galil-dmc.md B.1).</remarks>
     private static async Task<string?> SpeedRatioAsync(CommandChannel channel, CancellationToken cancellation)
     {

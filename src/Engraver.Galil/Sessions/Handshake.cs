@@ -23,7 +23,8 @@ internal static class Handshake
     private static async Task<string> TextAsync(CommandChannel channel, string question, CancellationToken cancellation) =>
         await channel.SendAsync(question, cancellation).ConfigureAwait(false) is Accepted { Data: var text } ? text : "";
 
-    /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not relied on, because EPICS uses the model's digit too.</summary>
+    /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not relied on, because EPICS uses the model's digit
+    /// too.</summary>
     /// <returns>Null when the query is refused: the controller has no such record.</returns>
     private static async Task<int?> RecordBytesAsync(CommandChannel channel, int axes, CancellationToken cancellation)
     {

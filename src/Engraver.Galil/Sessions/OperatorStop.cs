@@ -21,13 +21,16 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
 
     private Task _begun = Task.CompletedTask;
 
-    /// <summary>Polls in which an axis is reported as moving and does not change its position; after these and AB1 it counts as at rest (VR 0, a jog at speed 0).</summary>
+    /// <summary>Polls in which an axis is reported as moving and does not change its position; after these and AB1 it counts as at rest (VR 0, a jog at
+    /// speed 0).</summary>
     private const int MostStandingPolls = 100;
 
-    /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog runs on until the machine is at rest. Returns without waiting; <see cref="FinishAsync"/> reports failures.</summary>
+    /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog runs on until the
+    /// machine is at rest. Returns without waiting; <see cref="FinishAsync"/> reports failures.</summary>
     public void Begin() => _begun = BeginAsync();
 
-    /// <summary>Runs the stop once at rest, before anything moves, so that its code is loaded and compiled: on a busy computer that would otherwise take time at the worst moment.</summary>
+    /// <summary>Runs the stop once at rest, before anything moves, so that its code is loaded and compiled: on a busy computer that would otherwise take
+    /// time at the worst moment.</summary>
     /// <returns>False when something that it switches off was on in between: a command was damaged on its way.</returns>
     /// <exception cref="ControllerException">The stop handle failed.</exception>
     public async Task<bool> RehearseAsync()
@@ -91,7 +94,8 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
     /// <summary>The command that switches off: CB, or SB where off is the active level of the output.</summary>
     internal static string Off(OutputSwitch output) => string.Create(CultureInfo.InvariantCulture, $"{(output.IsActiveLow ? "SB" : "CB")} {output.Output}");
 
-    /// <summary>Whether something that the stop switches off is on all the same: a command for it was damaged on its way, or somebody else switches it. False where the controller does not tell its outputs.</summary>
+    /// <summary>Whether something that the stop switches off is on all the same: a command for it was damaged on its way, or somebody else switches it.
+    /// False where the controller does not tell its outputs.</summary>
     private async ValueTask<bool> IsAnyOnAsync()
     {
         if (outputs.Count == 0) return false;
@@ -133,7 +137,8 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
         }
     }
 
-    /// <summary>Asks all at once and, where that is refused or longer than a line, one by one: what the controller does not know is not fitted and does not move. The position it must know.</summary>
+    /// <summary>Asks all at once and, where that is refused or longer than a line, one by one: what the controller does not know is not fitted and does not
+    /// move. The position it must know.</summary>
     private async ValueTask<double[]> LookAsync(CancellationToken cancellation)
     {
         if (_operands.Length <= DmcLimits.LineLength - "MG ".Length && await session.StopHandle.ReadAsync(_operands, cancellation).ConfigureAwait(false) is { Refusal: null } all) return [.. all.Values];

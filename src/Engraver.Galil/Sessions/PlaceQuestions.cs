@@ -6,7 +6,8 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Where a controller stands and whether it still counts from the same zero: its position, serial number, clock and the mark that a session left in a variable, which is lost at power-off unless somebody burns it with BV (galil-dmc.md A.6); a clock that runs backwards tells of that.</summary>
+/// <summary>Where a controller stands and whether it still counts from the same zero: its position, serial number, clock and the mark that a session left
+/// in a variable, which is lost at power-off unless somebody burns it with BV (galil-dmc.md A.6); a clock that runs backwards tells of that.</summary>
 internal static class PlaceQuestions
 {
     /// <summary>No program and no other host uses this name; at most eight characters (galil-dmc.md E).</summary>
@@ -44,7 +45,9 @@ internal static class PlaceQuestions
     public static async ValueTask<bool> MarkAsync(CommandChannel channel, int mark, CancellationToken cancellation) =>
         await channel.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{MarkVariable}={mark}"), cancellation).ConfigureAwait(false) is Accepted;
 
-    /// <summary>A servo without current is still counted by its encoder, a stepper is not. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C), with decimals or without. Where the controller does not know _MT the profile tells; where neither does, the axis counts as a stepper, which promises less.</summary>
+    /// <summary>A servo without current is still counted by its encoder, a stepper is not. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C), with
+    /// decimals or without. Where the controller does not know _MT the profile tells; where neither does, the axis counts as a stepper, which promises
+    /// less.</summary>
     /// <returns>The letters of all of them, and of those that nobody has told.</returns>
     private static async ValueTask<(string All, string Untold)> SteppersAsync(MachineAxes axes, Func<string, ValueTask<double?>> ask)
     {

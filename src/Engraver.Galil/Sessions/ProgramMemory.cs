@@ -60,7 +60,8 @@ public sealed class ProgramMemory(ControllerSession session)
         return ProgramText.AreSame(program, stored) ? null : throw new ProtocolViolationException(Wording.Get("ProgramMemory.UploadDiffers"));
     }
 
-    /// <summary>While a thread runs DL is refused with TC 17, and the program after it would be taken for commands (galil-dmc.md A.6): a thread of ours that still runs is halted again.</summary>
+    /// <summary>While a thread runs DL is refused with TC 17, and the program after it would be taken for commands (galil-dmc.md A.6): a thread of ours
+    /// that still runs is halted again.</summary>
     /// <returns>The refusal that a download would get; null when no thread runs.</returns>
     private async Task<Rejected?> HaltAsync(CancellationToken cancellation)
     {

@@ -6,13 +6,15 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Setup;
 
-/// <summary>Motor types, encoders, switches and error limits of a controller of the DMC family (galil-dmc.md C, "Per-axis commands": MT, CE, CN, ER, OE, SH, MO).</summary>
+/// <summary>Motor types, encoders, switches and error limits of a controller of the DMC family (galil-dmc.md C, "Per-axis commands": MT, CE, CN, ER, OE,
+/// SH, MO).</summary>
 internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
 {
     /// <summary>Samples of half a second (galil-dmc.md C, TIME).</summary>
     private const double WatchedSamples = 512.0;
 
-    /// <summary>A motor that is switched on takes its place as the command (SH), so its error begins at 0: beyond these counts it runs away, whatever ER says.</summary>
+    /// <summary>A motor that is switched on takes its place as the command (SH), so its error begins at 0: beyond these counts it runs away, whatever ER
+    /// says.</summary>
     private const double LargestErrorAtRest = 2000.0;
 
     public async ValueTask<SetupFacts> ReadAsync(string letters, CancellationToken cancellation)
@@ -45,7 +47,8 @@ internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
 
     public async Task<string?> BurnAsync(CancellationToken cancellation) => (await session.BurnAsync(cancellation).ConfigureAwait(false))?.Explain();
 
-    /// <summary>Asks as fast as the link allows, by the controller's own clock, and is not to be cancelled: half a second is soon over, and a motor that runs away is not left alone.</summary>
+    /// <summary>Asks as fast as the link allows, by the controller's own clock, and is not to be cancelled: half a second is soon over, and a motor that
+    /// runs away is not left alone.</summary>
     private async Task<string?> WatchAsync(char axis)
     {
         var limit = await AskAsync($"_ER{axis}", CancellationToken.None).ConfigureAwait(false) is > 0.0 and var counts ? Math.Min(counts, LargestErrorAtRest) : LargestErrorAtRest;

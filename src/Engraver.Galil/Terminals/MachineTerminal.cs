@@ -47,7 +47,8 @@ public sealed class MachineTerminal : IMachineTerminal
 
     public bool Ends(string line) => TerminalLine.Read(line) is TerminalLine.Quit;
 
-    /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's business.</summary>
+    /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's
+    /// business.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
@@ -71,7 +72,8 @@ public sealed class MachineTerminal : IMachineTerminal
         return [.. TakeMessages()];
     }
 
-    /// <summary>Stops the machine for an operator who ends the program: the tool goes off, every axis and plane brakes, and rest is awaited (ADR 4: in this order, in one line).</summary>
+    /// <summary>Stops the machine for an operator who ends the program: the tool goes off, every axis and plane brakes, and rest is awaited (ADR 4: in this
+    /// order, in one line).</summary>
     public async Task StopAsync(int toolOutput, TimeSpan pollInterval)
     {
         var stop = new OperatorStop(Session, [toolOutput], [], Session.Identity.Letters);

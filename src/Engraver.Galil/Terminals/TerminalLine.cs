@@ -1,6 +1,7 @@
 namespace Engraver.Galil.Terminals;
 
-/// <summary>What a line typed into the terminal asks for. The terminal's own words are lower case; the controller's commands are upper case, so that they cannot be confused.</summary>
+/// <summary>What a line typed into the terminal asks for. The terminal's own words are lower case; the controller's commands are upper case, so that they
+/// cannot be confused.</summary>
 public abstract record TerminalLine
 {
     /// <summary>The word to type before a dangerous command.</summary>

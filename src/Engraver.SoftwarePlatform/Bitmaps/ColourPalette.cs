@@ -1,6 +1,7 @@
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Chooses at most 256 colours for a picture: first the frequent ones, then those farthest from the chosen ones, so that no colour is far from its substitute.</summary>
+/// <summary>Chooses at most 256 colours for a picture: first the frequent ones, then those farthest from the chosen ones, so that no colour is far from its
+/// substitute.</summary>
 internal sealed class ColourPalette
 {
     public const int MostColours = 256;

@@ -11,7 +11,8 @@ public static class PngFile
         PngWriter.Write(stream, bitmap);
     }
 
-    /// <summary>Writes at most 256 colours, one byte per pixel: a third of the size for a window's picture. Rare colours are replaced by the nearest of the palette.</summary>
+    /// <summary>Writes at most 256 colours, one byte per pixel: a third of the size for a window's picture. Rare colours are replaced by the nearest of the
+    /// palette.</summary>
     /// <exception cref="ArgumentException">A pixel is transparent.</exception>
     public static void WriteIndexed(Stream stream, SoftwareBitmap bitmap)
     {

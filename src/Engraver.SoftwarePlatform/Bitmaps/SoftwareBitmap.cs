@@ -7,7 +7,8 @@ using Engraver.SoftwarePlatform.Rasteriser.Paints;
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
 /// <summary>Pixels in memory: a bitmap to show and to write into. One that is drawn on is a DrawableBitmap.</summary>
-/// <remarks>Stored in the format asked for (blue or red first; colours premultiplied, plain, or alpha ignored); a bitmap that is drawn on is always premultiplied with blue first.</remarks>
+/// <remarks>Stored in the format asked for (blue or red first; colours premultiplied, plain, or alpha ignored); a bitmap that is drawn on is always
+/// premultiplied with blue first.</remarks>
 public unsafe class SoftwareBitmap : IWriteableBitmapImpl
 {
     private readonly PixelMemory _memory;

@@ -43,7 +43,8 @@ public sealed class HeadlessDesktop
     private SoftwareDispatcher Loop => _dispatcher ?? throw new InvalidOperationException("The desktop is not in use yet: set the application up first.");
 
     /// <summary>Does all work that is due, draws it, and does the work that follows from it: afterwards the windows show everything requested before.</summary>
-    /// <remarks>Avalonia passes its changes to the renderer in one batch at a time, and an earlier batch may still wait: then the new changes come with the second frame.</remarks>
+    /// <remarks>Avalonia passes its changes to the renderer in one batch at a time, and an earlier batch may still wait: then the new changes come with the
+    /// second frame.</remarks>
     public void Step()
     {
         Dispatcher.UIThread.VerifyAccess();
@@ -53,7 +54,8 @@ public sealed class HeadlessDesktop
         if (_frames!.IsWanted) Draw();
     }
 
-    /// <summary>Steps until the condition holds; between steps it waits for what the dispatcher waits for, and draws 60 frames a second while something is animated.</summary>
+    /// <summary>Steps until the condition holds; between steps it waits for what the dispatcher waits for, and draws 60 frames a second while something is
+    /// animated.</summary>
     /// <exception cref="TimeoutException">The condition did not hold within the timeout (by the computer's clock).</exception>
     public void StepUntil(Func<bool> condition, TimeSpan timeout)
     {

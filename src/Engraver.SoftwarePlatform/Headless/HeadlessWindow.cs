@@ -9,7 +9,8 @@ using Engraver.SoftwarePlatform.Windows;
 namespace Engraver.SoftwarePlatform.Headless;
 
 /// <summary>A window in memory, with methods that simulate input and read what it shows.</summary>
-/// <remarks>Input methods may be called from any thread. On the user interface thread they also step the desktop, so that all effects are complete when they return; from another
+/// <remarks>Input methods may be called from any thread. On the user interface thread they also step the desktop, so that all effects are complete when
+/// they return; from another
 /// thread they return as soon as the input has passed the key filter and is queued.</remarks>
 public sealed partial class HeadlessWindow : SoftwareWindow
 {

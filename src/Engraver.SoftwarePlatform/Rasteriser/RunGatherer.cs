@@ -11,7 +11,8 @@ internal ref struct RunGatherer<TSink>(Span<byte> cells, int y, int origin)
     private int _start;
     private int _count;
 
-    /// <summary>Cells from <paramref name="left"/> to <paramref name="right"/>, counted from the row's origin; each call continues where the last one ended.</summary>
+    /// <summary>Cells from <paramref name="left"/> to <paramref name="right"/>, counted from the row's origin; each call continues where the last one
+    /// ended.</summary>
     public void Add(ref TSink sink, int left, int right, byte coverage)
     {
         if (right <= left)

@@ -1,6 +1,7 @@
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
-/// <summary>The same as <see cref="PixelRows"/>, pixel by pixel: used for ends of rows, on computers without vector instructions, and as the reference in tests.</summary>
+/// <summary>The same as <see cref="PixelRows"/>, pixel by pixel: used for ends of rows, on computers without vector instructions, and as the reference in
+/// tests.</summary>
 internal static class ScalarPixelRows
 {
     public static void BlendColor(Span<uint> row, uint color)

@@ -6,7 +6,8 @@ using Avalonia.Platform;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Inter, which is part of the program, is the default; installed fonts are used for other families and for characters that Inter does not have.</summary>
+/// <summary>Inter, which is part of the program, is the default; installed fonts are used for other families and for characters that Inter does not
+/// have.</summary>
 public sealed class SoftwareFontManager : IFontManagerImpl
 {
     private const string DefaultFamily = "fonts:Inter#Inter";

@@ -119,7 +119,8 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     {
     }
 
-    /// <summary>Reads some characters and widths at once, because Avalonia's reader notices broken tables only then, and while text is drawn would be too late.</summary>
+    /// <summary>Reads some characters and widths at once, because Avalonia's reader notices broken tables only then, and while text is drawn would be too
+    /// late.</summary>
     private static void TryOut(GlyphTypeface typeface, FontFile file)
     {
         foreach (var character in (ReadOnlySpan<int>)[' ', 'A', 0x4E2D, 0xFFFF, 0x1F600])

@@ -5,7 +5,8 @@ internal readonly record struct TextTone(int Level)
 {
     private const int Levels = 4;
 
-    /// <summary>Assumed gamma of the display. Real ones are between this and 2.2; a smaller value keeps thin strokes of light text from looking too thick.</summary>
+    /// <summary>Assumed gamma of the display. Real ones are between this and 2.2; a smaller value keeps thin strokes of light text from looking too
+    /// thick.</summary>
     private const double Gamma = 1.4;
 
     /// <summary>Factor by which dark text is strengthened.</summary>
@@ -33,7 +34,8 @@ internal readonly record struct TextTone(int Level)
             cell = table[cell];
     }
 
-    /// <summary>Mixes text and an opposite background in linear light, and returns the coverage that gives the same result with stored (gamma) values.</summary>
+    /// <summary>Mixes text and an opposite background in linear light, and returns the coverage that gives the same result with stored (gamma)
+    /// values.</summary>
     private static byte[] Table(double brightness)
     {
         double text = brightness, background = 1 - brightness;

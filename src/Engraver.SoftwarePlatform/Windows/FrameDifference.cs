@@ -3,7 +3,8 @@ using Avalonia;
 namespace Engraver.SoftwarePlatform.Windows;
 
 /// <summary>Finds the changes between a frame and the one before it, tile by tile, so that only those are sent to the display.</summary>
-/// <remarks>Comparing a 1600 x 1000 frame reads 13 MB; sending it costs several times as much. Parts that the compositor redrew without a change are not sent either.</remarks>
+/// <remarks>Comparing a 1600 x 1000 frame reads 13 MB; sending it costs several times as much. Parts that the compositor redrew without a change are not
+/// sent either.</remarks>
 internal sealed class FrameDifference
 {
     private const int TileWidth = 64;

@@ -2,8 +2,10 @@ using Avalonia.Threading;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>The loop of the user interface thread: signalled work, then the timer, then background work, then a wait without processor time until one of them comes.</summary>
-/// <remarks>Input is posted to the dispatcher like other work, so that nothing here depends on X. Time is the provider's: with a fake clock, timers are due when the clock is advanced.</remarks>
+/// <summary>The loop of the user interface thread: signalled work, then the timer, then background work, then a wait without processor time until one of
+/// them comes.</summary>
+/// <remarks>Input is posted to the dispatcher like other work, so that nothing here depends on X. Time is the provider's: with a fake clock, timers are due
+/// when the clock is advanced.</remarks>
 internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatcherImplWithExplicitBackgroundProcessing, IDisposable
 {
     private readonly Thread _thread = Thread.CurrentThread;

@@ -64,7 +64,8 @@ public abstract partial class SoftwareWindow
         return true;
     }
 
-    /// <summary>True when a window under a modal dialog ignores the event. Leave and release events pass, because they end what began before the dialog opened.</summary>
+    /// <summary>True when a window under a modal dialog ignores the event. Leave and release events pass, because they end what began before the dialog
+    /// opened.</summary>
     private bool Stopped(RawPointerEventType type)
     {
         switch (type)

@@ -9,7 +9,8 @@ using Avalonia.Rendering.Composition;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>A window as Avalonia sees it, in either front end: a frame of pixels that the compositor draws into, and events that go in. All members are for the user interface thread.</summary>
+/// <summary>A window as Avalonia sees it, in either front end: a frame of pixels that the compositor draws into, and events that go in. All members are for
+/// the user interface thread.</summary>
 public abstract partial class SoftwareWindow : IWindowImpl, IFramebufferPlatformSurface
 {
     private readonly Seat _seat;

@@ -2,7 +2,8 @@ using Engraver.SoftwarePlatform.Windows;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>A picture as a pair of X bitmaps: where it is light, and where it is opaque. Rows are padded to bytes, the lowest bit is the leftmost pixel.</summary>
+/// <summary>A picture as a pair of X bitmaps: where it is light, and where it is opaque. Rows are padded to bytes, the lowest bit is the leftmost
+/// pixel.</summary>
 internal static class CursorMasks
 {
     public static (byte[] Light, byte[] Mask) Create(IconPicture picture)

@@ -6,7 +6,8 @@ using Engraver.SoftwarePlatform.X11.Selections;
 namespace Engraver.SoftwarePlatform.X11;
 
 /// <summary>What the windows of one application share on an X server.</summary>
-/// <remarks>Two connections: the input connection makes the windows and receives their events, used by the event thread only; the drawing connection decorates and paints them, used by the user
+/// <remarks>Two connections: the input connection makes the windows and receives their events, used by the event thread only; the drawing connection
+/// decorates and paints them, used by the user
 /// interface thread only. So a key reaches its filter even while the user interface is busy.</remarks>
 internal sealed unsafe class X11Desktop
 {

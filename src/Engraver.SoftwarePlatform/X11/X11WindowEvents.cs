@@ -147,7 +147,8 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
         Queue(() => window.OnFocus(has));
     }
 
-    /// <summary>Handles the last of several such events. The position is queried, because under a window manager the event's is relative to the frame.</summary>
+    /// <summary>Handles the last of several such events. The position is queried, because under a window manager the event's is relative to the
+    /// frame.</summary>
     private void OnConfigure(ref XEvent received)
     {
         fixed (XEvent* latest = &received)

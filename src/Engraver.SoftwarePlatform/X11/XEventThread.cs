@@ -3,7 +3,8 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>The thread that reads events, and the only one that uses the input connection. It waits in <c>poll</c> for the server and for work that other threads post; it never waits for the user interface.</summary>
+/// <summary>The thread that reads events, and the only one that uses the input connection. It waits in <c>poll</c> for the server and for work that other
+/// threads post; it never waits for the user interface.</summary>
 internal sealed unsafe class XEventThread
 {
     private const int CloseOnExecNonBlocking = 0x80000 | 0x800;

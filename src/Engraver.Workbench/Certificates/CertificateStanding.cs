@@ -21,7 +21,8 @@ public enum CertificateState
 }
 
 /// <summary>How a job stands to the certificate beside its drawing.</summary>
-/// <param name="Differs">What has changed: <c>drawing</c>, <c>profile</c>, <c>target</c>, <c>program</c> and keys of settings; empty unless it is stale.</param>
+/// <param name="Differs">What has changed: <c>drawing</c>, <c>profile</c>, <c>target</c>, <c>program</c> and keys of settings; empty unless it is
+/// stale.</param>
 /// <param name="Certificate">Null where none can be read.</param>
 public sealed record CertificateStanding(CertificateState State, IReadOnlyList<string> Differs, JobCertificate? Certificate)
 {

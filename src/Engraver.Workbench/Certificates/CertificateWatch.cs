@@ -3,7 +3,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>Keeps how the job of the document stands to its certificate, for a list that is drawn often. Looks in the background, once for each job and after a certificate was made.</summary>
+/// <summary>Keeps how the job of the document stands to its certificate, for a list that is drawn often. Looks in the background, once for each job and
+/// after a certificate was made.</summary>
 /// <remarks>Any thread.</remarks>
 public sealed class CertificateWatch
 {

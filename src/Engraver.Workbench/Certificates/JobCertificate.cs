@@ -2,7 +2,8 @@ using System.Text.Json.Serialization;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>The proof that a program was read back and does what a drawing says: of what exactly, and what was found. Lengths in millimetres of the drawing.</summary>
+/// <summary>The proof that a program was read back and does what a drawing says: of what exactly, and what was found. Lengths in millimetres of the
+/// drawing.</summary>
 public sealed record JobCertificate
 {
     /// <summary>The form of the file that this program writes.</summary>

@@ -1,6 +1,7 @@
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Short names of commands in the format of AutoCAD's PGP file: <c>ABBR, *COMMAND</c>, one on a line, <c>;</c> begins a comment. Later lines win, so a user's file can override.</summary>
+/// <summary>Short names of commands in the format of AutoCAD's PGP file: <c>ABBR, *COMMAND</c>, one on a line, <c>;</c> begins a comment. Later lines win,
+/// so a user's file can override.</summary>
 public sealed class AliasTable
 {
     private readonly Dictionary<string, string> _commands;
@@ -9,7 +10,8 @@ public sealed class AliasTable
 
     public static AliasTable Empty { get; } = new(new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase), []);
 
-    /// <summary>One sentence for each line that could not be used; a line for a command that this program does not have is ignored without one, so that a file made for AutoCAD can be used.</summary>
+    /// <summary>One sentence for each line that could not be used; a line for a command that this program does not have is ignored without one, so that a
+    /// file made for AutoCAD can be used.</summary>
     public IReadOnlyList<string> Findings { get; }
 
     /// <summary>Alias and command, both in capitals.</summary>

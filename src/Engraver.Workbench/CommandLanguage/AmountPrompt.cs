@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for an amount between two limits (both allowed): typed as a number, or shown by two points, each as a <see cref="PointPrompt"/> takes it, whose distance or angle is measured.</summary>
+/// <summary>Asks for an amount between two limits (both allowed): typed as a number, or shown by two points, each as a <see cref="PointPrompt"/> takes it,
+/// whose distance or angle is measured.</summary>
 /// <param name="Measure">Turns the vector from the first point to the second, drawing units, into the amount.</param>
 public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Measure) : ValuePrompt<Amount>(Instruction)
 {

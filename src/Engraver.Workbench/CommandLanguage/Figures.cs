@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>How measured lengths and angles are printed: rounded to so many decimals, without zeros at the end. The one place that decides it for prompts, DIST, ID, AREA, LIST, the properties and the coordinates at the cursor.</summary>
+/// <summary>How measured lengths and angles are printed: rounded to so many decimals, without zeros at the end. The one place that decides it for prompts,
+/// DIST, ID, AREA, LIST, the properties and the coordinates at the cursor.</summary>
 /// <param name="LengthPlaces">Decimals of lengths, coordinates and areas (LUPREC).</param>
 /// <param name="AnglePlaces">Decimals of angles in degrees (AUPREC).</param>
 public readonly record struct Figures(int LengthPlaces, int AnglePlaces)

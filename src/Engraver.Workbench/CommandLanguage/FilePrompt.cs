@@ -3,7 +3,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for the name of a file. It may be typed with quotes round it, from the home folder (<c>~/plate.dxf</c>), or as a file address; a desktop with a window shows its file dialog instead.</summary>
+/// <summary>Asks for the name of a file. It may be typed with quotes round it, from the home folder (<c>~/plate.dxf</c>), or as a file address; a desktop
+/// with a window shows its file dialog instead.</summary>
 /// <param name="Wanted">Which files fit.</param>
 public sealed record FilePrompt(string Instruction, FileWanted Wanted) : ValuePrompt<string>(Instruction)
 {
@@ -54,7 +55,8 @@ public static class TypedFileName
     /// <summary>The path as it has to be written at a prompt, so that it is read back as it is.</summary>
     public static string Write(string path) => Read(path) == path && path.Trim() == path ? path : $"\"{path}\"";
 
-    /// <summary>True for what can only be the beginning of a file's name: a quote, a path from the root or from the home folder, a file address. No command, option or point begins so.</summary>
+    /// <summary>True for what can only be the beginning of a file's name: a quote, a path from the root or from the home folder, a file address. No
+    /// command, option or point begins so.</summary>
     public static bool IsPath(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);

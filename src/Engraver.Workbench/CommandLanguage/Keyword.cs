@@ -3,7 +3,9 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>An option of a prompt. The capital letters and digits of its spelling are the accepted short form, wherever they stand: <c>Window</c>, <c>eXit</c>, <c>ALL</c>. It is shown in the language of now, and answers to that and to English; <c>_Window</c> is English whatever is spoken, as in AutoCAD.</summary>
+/// <summary>An option of a prompt. The capital letters and digits of its spelling are the accepted short form, wherever they stand: <c>Window</c>,
+/// <c>eXit</c>, <c>ALL</c>. It is shown in the language of now, and answers to that and to English; <c>_Window</c> is English whatever is spoken, as in
+/// AutoCAD.</summary>
 /// <param name="Name">In English: what commands and scripts know it by.</param>
 public sealed record Keyword(string Name)
 {
@@ -23,7 +25,8 @@ public sealed record Keyword(string Name)
         return Means(Name, typed);
     }
 
-    /// <summary>The option that was typed, in the language of now before English: a whole word before a short form, a short form before a beginning; null when none was.</summary>
+    /// <summary>The option that was typed, in the language of now before English: a whole word before a short form, a short form before a beginning; null
+    /// when none was.</summary>
     public static Keyword? Find(IReadOnlyList<Keyword> options, string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);

@@ -3,7 +3,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for a machine position: <c>x,y</c> by the controller's own zero, and where it may have a height <c>x,y,z</c> too. A click on the canvas and <c>@</c> are no answers, because they are places of the drawing.</summary>
+/// <summary>Asks for a machine position: <c>x,y</c> by the controller's own zero, and where it may have a height <c>x,y,z</c> too. A click on the canvas
+/// and <c>@</c> are no answers, because they are places of the drawing.</summary>
 public sealed record MachinePlacePrompt(string Instruction) : ValuePrompt<MachinePlace>(Instruction)
 {
     /// <summary>A third number, the height, is allowed.</summary>

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for a point in drawing units: <c>x,y</c>, <c>#x,y</c>, <c>@dx,dy</c>, <c>dist&lt;angle</c>, <c>@dist&lt;angle</c>, <c>@</c> (the last point). Angles in degrees, counter-clockwise from +X.</summary>
+/// <summary>Asks for a point in drawing units: <c>x,y</c>, <c>#x,y</c>, <c>@dx,dy</c>, <c>dist&lt;angle</c>, <c>@dist&lt;angle</c>, <c>@</c> (the last
+/// point). Angles in degrees, counter-clockwise from +X.</summary>
 public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Instruction)
 {
     /// <summary>What the point is for.</summary>
@@ -45,7 +46,8 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
     public static string Show(Point2D point) => string.Create(CultureInfo.InvariantCulture, $"{point.X:0.######},{point.Y:0.######}");
 }
 
-/// <summary>What a command would draw if this place were given, drawing units; empty for nothing. It is called while the cursor moves, on any thread, and must not change anything.</summary>
+/// <summary>What a command would draw if this place were given, drawing units; empty for nothing. It is called while the cursor moves, on any thread, and
+/// must not change anything.</summary>
 public delegate IReadOnlyList<Segment> GhostOf(Point2D place);
 
 /// <summary>A place of the drawing that is asked for.</summary>

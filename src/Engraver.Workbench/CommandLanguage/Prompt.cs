@@ -2,7 +2,8 @@ using System.Text;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>What a command asks for: instruction, options, default. Shown as <c>Instruction or [Option/oPtion] &lt;default&gt;:</c> (hmi-conventions.md section 4).</summary>
+/// <summary>What a command asks for: instruction, options, default. Shown as <c>Instruction or [Option/oPtion] &lt;default&gt;:</c>
+/// (hmi-conventions.md section 4).</summary>
 /// <param name="Instruction">What to do, without a colon.</param>
 public abstract record Prompt(string Instruction)
 {
@@ -78,7 +79,8 @@ public abstract record Reading<T>
 /// <summary>A prompt for a value of a kind.</summary>
 public abstract record ValuePrompt<T>(string Instruction) : Prompt(Instruction)
 {
-    /// <summary>Says why a value is no answer, so that it is asked for once more and nothing answered before is lost; null where it is one. Without this every value is an answer.</summary>
+    /// <summary>Says why a value is no answer, so that it is asked for once more and nothing answered before is lost; null where it is one. Without this
+    /// every value is an answer.</summary>
     public Func<T, string?>? Refusal { get; init; }
 
     /// <summary>Reads what was typed (never empty).</summary>

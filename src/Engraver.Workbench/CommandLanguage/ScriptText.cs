@@ -2,7 +2,8 @@ using System.Text;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Reads AutoCAD's script format: one stream of inputs, where a space and a line's end both are Enter. So a blank line is Enter alone, two spaces are one Enter too many, and a space at a
+/// <summary>Reads AutoCAD's script format: one stream of inputs, where a space and a line's end both are Enter. So a blank line is Enter alone, two spaces
+/// are one Enter too many, and a space at a
 /// line's end ends a selection. A line that begins with <c>;</c> is a comment; double quotes hold a file name with spaces together.</summary>
 public static class ScriptText
 {

@@ -139,14 +139,16 @@ public sealed class CommandContext
         _frame.Picked = null; // its indices are those of the drawing before
     }
 
-    /// <summary>For the part of a command that changes the document, where another part of it only looks and is heard while another command is at work.</summary>
+    /// <summary>For the part of a command that changes the document, where another part of it only looks and is heard while another command is at
+    /// work.</summary>
     /// <exception cref="CommandException">Another command is at work.</exception>
     internal void RefuseBeside()
     {
         if (_frame.IsBeside) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.DrawingInUse", _frame.Info.Name, _session.Running ?? Wording.Get("CommandSession.AnotherCommand")));
     }
 
-    /// <summary>Asks a window to show its dialog instead of asking at the command line: not for a script, and not when a dash was typed before the name.</summary>
+    /// <summary>Asks a window to show its dialog instead of asking at the command line: not for a script, and not when a dash was typed before the
+    /// name.</summary>
     /// <returns>False when there is no such window.</returns>
     internal bool OpensDialog() => !_frame.HasNoDialog && !IsScripted && _session.OpensDialog(_frame.Info.Name);
 

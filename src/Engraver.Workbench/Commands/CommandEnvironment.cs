@@ -35,9 +35,11 @@ public sealed record CommandEnvironment
     /// <summary>Where a bug is reported; null: in the history only.</summary>
     public FailureReports? Failures { get; init; }
 
-    /// <summary>How fast a simulated controller runs whose address does not say it: controller seconds per second of the wall, infinity as fast as it can be computed. An operator at a desktop sees the machine move as it would.</summary>
+    /// <summary>How fast a simulated controller runs whose address does not say it: controller seconds per second of the wall, infinity as fast as it can
+    /// be computed. An operator at a desktop sees the machine move as it would.</summary>
     public double SimulatorSpeed { get; init; } = double.PositiveInfinity;
 
-    /// <summary>True at a desktop, where a person starts jobs: CNCRUN then works only when armed (on a simulated controller a script may run it unarmed), and no script starts a machine that is not simulated.</summary>
+    /// <summary>True at a desktop, where a person starts jobs: CNCRUN then works only when armed (on a simulated controller a script may run it unarmed),
+    /// and no script starts a machine that is not simulated.</summary>
     public bool RunNeedsArming { get; init; }
 }

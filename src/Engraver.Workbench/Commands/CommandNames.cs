@@ -13,7 +13,8 @@ internal static class CommandNames
         return catalog.Find(name) ?? (aliases.CommandOf(name) is { } meant ? catalog.Find(meant) : null);
     }
 
-    /// <summary>All commands that match: aliases that begin with what is typed (the one that is meant exactly comes first), then names that begin so (CNCSTOP before the others of CNC), then names that hold it inside.</summary>
+    /// <summary>All commands that match: aliases that begin with what is typed (the one that is meant exactly comes first), then names that begin so
+    /// (CNCSTOP before the others of CNC), then names that hold it inside.</summary>
     public static IReadOnlyList<CommandSuggestion> Suggest(string typed, CommandCatalog catalog, AliasTable table)
     {
         var name = CommandWord.Bare(typed);
@@ -39,7 +40,8 @@ public sealed record CommandSuggestion(string? Alias, CommandInfo Command)
     public string Text => Alias is null ? Command.Name : $"{Alias} ({Command.Name})";
 }
 
-/// <summary>A typed command name and AutoCAD's prefixes before it: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a dialog.</summary>
+/// <summary>A typed command name and AutoCAD's prefixes before it: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a
+/// dialog.</summary>
 internal static class CommandWord
 {
     private const string Prefixes = "'_.-";

@@ -32,7 +32,8 @@ public sealed partial class CommandSession
     /// <summary>Why this command is not run while the one at work is, a sentence; null when it is heard or not known.</summary>
     public string? WhyNotBeside(string input) => Meant(input) is { Info: { IsHeardBeside: false } info } ? ReasonFor(info) : null;
 
-    /// <summary>Ends a command that asks or works beside the one at work; that one goes on. A command between two questions ends too: nothing is asked any more.</summary>
+    /// <summary>Ends a command that asks or works beside the one at work; that one goes on. A command between two questions ends too: nothing is asked any
+    /// more.</summary>
     /// <returns>True when it had asked something; false also when there is none.</returns>
     public async Task<bool> EndBesideAsync()
     {

@@ -15,8 +15,10 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>What the command line is to AutoCAD: takes one input at a time, runs commands on the document and the machine, and always says what it waits for.</summary>
-/// <remarks>One caller at a time, except that while a command is at work those that are heard beside it (CNCSTOP, ZOOM, LIST) and <see cref="CancelAsync"/> may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
+/// <summary>What the command line is to AutoCAD: takes one input at a time, runs commands on the document and the machine, and always says what it waits
+/// for.</summary>
+/// <remarks>One caller at a time, except that while a command is at work those that are heard beside it (CNCSTOP, ZOOM, LIST) and <see cref="CancelAsync"/>
+/// may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
 public sealed partial class CommandSession : IAsyncDisposable
 {
     private readonly FrameStack _frames = new();
@@ -43,7 +45,8 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
     public event EventHandler<CommandMessage>? Said;
 
-    /// <summary>A window's dialogs: it is given the name of a command and answers whether it shows one for it. On the thread of the command; null where there is no window.</summary>
+    /// <summary>A window's dialogs: it is given the name of a command and answers whether it shows one for it. On the thread of the command; null where
+    /// there is no window.</summary>
     public Func<string, bool>? Dialogs { get; set; }
 
     public DocumentSession Document { get; } = new();
@@ -117,10 +120,12 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     internal CommandEnvironment Environment { get; }
 
-    /// <summary>A machine that is not simulated moves only after CNCARM, whoever starts it; a simulated one also when a script says so, and where the environment wants no arming.</summary>
+    /// <summary>A machine that is not simulated moves only after CNCARM, whoever starts it; a simulated one also when a script says so, and where the
+    /// environment wants no arming.</summary>
     internal bool RunNeedsArming => !Machine.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
 
-    /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but a machine that is not simulated is started by a person.</summary>
+    /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but a machine that is not simulated is started by a
+    /// person.</summary>
     internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.IsSimulation;
 
     /// <summary>True while inputs come from a script.</summary>
@@ -130,14 +135,16 @@ public sealed partial class CommandSession : IAsyncDisposable
     internal string? Outer => _frames.IsNested ? _frames.Outermost!.Info.Name : null;
 
     internal bool OpensDialog(string command) => Dialogs?.Invoke(command) ?? false;
-    /// <summary>Where a number alone is measured from, towards the cursor, when a place is asked for (direct distance entry), drawing units; null when it is no place, or one that stands alone.</summary>
+    /// <summary>Where a number alone is measured from, towards the cursor, when a place is asked for (direct distance entry), drawing units; null when it
+    /// is no place, or one that stands alone.</summary>
     public Point2D? DistanceFrom => _frames.Top is { Pending.Prompt: PointPrompt { Use: PointUse.Place, From: { } from } } ? from : null;
 
     internal Point2D LastPoint { get; set; }
 
     internal ConcurrentDictionary<string, string> Memory { get; } = new(StringComparer.Ordinal);
 
-    /// <summary>Takes one input, as typed up to Enter (or Space, where the prompt does not take spaces). Empty is Enter alone: the default, the end of a list, or the last command again.</summary>
+    /// <summary>Takes one input, as typed up to Enter (or Space, where the prompt does not take spaces). Empty is Enter alone: the default, the end of a
+    /// list, or the last command again.</summary>
     /// <param name="cancellation">The operator's stop: a job under way is ended, with the machine standing, before this returns.</param>
     public Task<InputResult> EnterAsync(string input, CancellationToken cancellation)
     {
@@ -165,7 +172,8 @@ public sealed partial class CommandSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is a letter. With nothing asked it begins by itself.</summary>
+    /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is
+    /// a letter. With nothing asked it begins by itself.</summary>
     /// <param name="cancellation">As for one input.</param>
     public async Task<InputResult> EnterInsideAsync(string command, CancellationToken cancellation)
     {
@@ -183,7 +191,8 @@ public sealed partial class CommandSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is taken.</summary>
+    /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is
+    /// taken.</summary>
     /// <param name="cancellation">As for one input.</param>
     public async Task<InputResult> EnterLinesAsync(string lines, CancellationToken cancellation)
     {
@@ -201,7 +210,8 @@ public sealed partial class CommandSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Esc: ends what asks and clears the selection. A command at work is cancelled (a job stops the machine first); the caller that entered it gets the result.</summary>
+    /// <summary>Esc: ends what asks and clears the selection. A command at work is cancelled (a job stops the machine first); the caller that entered it
+    /// gets the result.</summary>
     public async Task CancelAsync()
     {
         if (await EndBesideAsync().ConfigureAwait(false)) return;

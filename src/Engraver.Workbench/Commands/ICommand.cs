@@ -31,7 +31,8 @@ public sealed record CommandInfo(string Name, CommandGroup Group)
     /// <summary>One sentence for the help.</summary>
     public string Summary => Wording.Get("Command." + Name);
 
-    /// <summary>True when it may be used inside another command, with an apostrophe before it, because it changes neither the drawing nor the machine.</summary>
+    /// <summary>True when it may be used inside another command, with an apostrophe before it, because it changes neither the drawing nor the
+    /// machine.</summary>
     public bool Transparent { get; init; }
 
     /// <summary>True when machine parts may move: Enter never repeats it and no alias under 3 letters may stand for it.</summary>
@@ -40,7 +41,8 @@ public sealed record CommandInfo(string Name, CommandGroup Group)
     /// <summary>True when it runs other commands, whatever they do.</summary>
     public bool RunsOthers { get; init; }
 
-    /// <summary>True when it is heard while another command is at work, a job or a computation, though it may not be used inside one that asks. What it asks is asked beside the other.</summary>
+    /// <summary>True when it is heard while another command is at work, a job or a computation, though it may not be used inside one that asks. What it
+    /// asks is asked beside the other.</summary>
     public bool HeardDuringJob { get; init; }
 
     /// <summary>False when Enter alone does not run it once more.</summary>

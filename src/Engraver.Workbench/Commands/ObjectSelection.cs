@@ -8,7 +8,8 @@ namespace Engraver.Workbench.Commands;
 /// <summary>"Select objects:" as AutoCAD asks it, verb first or noun first. Coordinates are drawing units.</summary>
 internal static class ObjectSelection
 {
-    /// <summary>Without a canvas a pick reaches as far as on one of so many pixels that shows the drawing, or the view where that is smaller: one percent of it at the first value of PICKBOX.</summary>
+    /// <summary>Without a canvas a pick reaches as far as on one of so many pixels that shows the drawing, or the view where that is smaller: one percent
+    /// of it at the first value of PICKBOX.</summary>
     private const double PixelsWithoutCanvas = 500.0;
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
@@ -94,7 +95,8 @@ internal static class ObjectSelection
     /// <summary>The visible object under a point; null when there is none.</summary>
     public static int? At(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, Reach(context));
 
-    /// <summary>How far a pick reaches, drawing units: half the side of the pickbox (PICKBOX), as the canvas draws it and lights up what lies under it.</summary>
+    /// <summary>How far a pick reaches, drawing units: half the side of the pickbox (PICKBOX), as the canvas draws it and lights up what lies under
+    /// it.</summary>
     public static double Reach(CommandContext context)
     {
         var (pickbox, view) = (context.Settings.Current.Variable("PICKBOX"), context.View.Current);

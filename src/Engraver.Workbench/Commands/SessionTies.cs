@@ -32,7 +32,8 @@ internal sealed class SessionTies : IDisposable
         _machine.Changed -= OnMachineChanged;
     }
 
-    /// <summary>The machine session gets the profile of the settings. An armed job is disarmed, because another drawing or other settings would run now, and the progress of the last job is no longer shown.</summary>
+    /// <summary>The machine session gets the profile of the settings. An armed job is disarmed, because another drawing or other settings would run now,
+    /// and the progress of the last job is no longer shown.</summary>
     private void OnDocumentChanged(object? sender, EventArgs e)
     {
         var state = _document.Current;

@@ -3,7 +3,8 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>An object snap that is typed where a place is asked for (<c>per</c>, <c>tan</c>, <c>mid</c>): it alone holds for the next place, as in AutoCAD.</summary>
+/// <summary>An object snap that is typed where a place is asked for (<c>per</c>, <c>tan</c>, <c>mid</c>): it alone holds for the next place, as in
+/// AutoCAD.</summary>
 internal static class SnapOverride
 {
     /// <param name="pending">What is asked for; null when nothing is.</param>

@@ -2,8 +2,10 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>Inputs that were typed while a command works: they are run when it has ended as it should, in their order. None of them acts on the machine: nobody looks at a machine when words that were typed earlier come to it.</summary>
-/// <remarks>Whoever feeds the session asks <see cref="CommandSession.Hears"/> and <see cref="WhyNot"/> when an input is typed, and hands it to <see cref="EnterAsync"/> when its turn has come.</remarks>
+/// <summary>Inputs that were typed while a command works: they are run when it has ended as it should, in their order. None of them acts on the machine:
+/// nobody looks at a machine when words that were typed earlier come to it.</summary>
+/// <remarks>Whoever feeds the session asks <see cref="CommandSession.Hears"/> and <see cref="WhyNot"/> when an input is typed, and hands it to
+/// <see cref="EnterAsync"/> when its turn has come.</remarks>
 public sealed class TypedAhead(CommandSession session)
 {
     private int _flushed;

@@ -6,7 +6,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Looks which controllers answer: at addresses that are given, at the one that the desktop used last, and at the serial devices of this computer. Nothing is moved.</summary>
+/// <summary>Looks which controllers answer: at addresses that are given, at the one that the desktop used last, and at the serial devices of this computer.
+/// Nothing is moved.</summary>
 public static class Discovery
 {
     /// <summary>Nobody waits longer for one address.</summary>

@@ -8,7 +8,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Runs a posted DMC program in a simulated controller of its own, in virtual time: the interpreter and the motion that judge the program share no code with what wrote it.</summary>
+/// <summary>Runs a posted DMC program in a simulated controller of its own, in virtual time: the interpreter and the motion that judge the program share no
+/// code with what wrote it.</summary>
 public sealed class DmcReader : IProgramReader
 {
     /// <summary>Longest time without motion, seconds of controller time, after which a program counts as stuck.</summary>

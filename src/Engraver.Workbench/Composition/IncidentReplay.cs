@@ -9,7 +9,9 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A run that was kept, said again byte by byte and at the same times to a simulated controller of its own: it moves as the machine did, sample for sample where the machine was a simulated one too. What happened to the machine itself (a jammed axis, a pressed switch) is not said and not repeated.</summary>
+/// <summary>A run that was kept, said again byte by byte and at the same times to a simulated controller of its own: it moves as the machine did, sample
+/// for sample where the machine was a simulated one too. What happened to the machine itself (a jammed axis, a pressed switch) is not said and not
+/// repeated.</summary>
 public sealed class IncidentReplay : IAsyncDisposable
 {
     /// <summary>After a conversation that broke off, the controller goes on for at most this long, and for this long at rest.</summary>
@@ -35,7 +37,8 @@ public sealed class IncidentReplay : IAsyncDisposable
     /// <summary>What was said.</summary>
     public Conversation Conversation { get; }
 
-    /// <summary>By how much the replay came later with a line than the host did, at most, seconds: 0 with a simulated machine, some milliseconds where the real controller answered faster than the simulated one does.</summary>
+    /// <summary>By how much the replay came later with a line than the host did, at most, seconds: 0 with a simulated machine, some milliseconds where the
+    /// real controller answered faster than the simulated one does.</summary>
     public double LateSeconds { get; private set; }
 
     /// <summary>Rows of motion and of changed outputs.</summary>
@@ -91,7 +94,8 @@ public sealed class IncidentReplay : IAsyncDisposable
     public void WriteRecord(TextWriter output) => _controller.Record.WriteCsv(output);
 
     /// <summary>Holds the samples against a record, line by line.</summary>
-    /// <returns>How many lines are the same, and the first one that is not, from 1, as it is there and here; null where one of the two only ends earlier (its own is empty then) or none differs.</returns>
+    /// <returns>How many lines are the same, and the first one that is not, from 1, as it is there and here; null where one of the two only ends earlier
+    /// (its own is empty then) or none differs.</returns>
     public ReplayComparison CompareWith(TextReader record)
     {
         ArgumentNullException.ThrowIfNull(record);

@@ -6,7 +6,8 @@ using Engraver.Simulator.Clocks;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>The clock that a job on a machine goes by, for as long as this is held: the wall's, or that of a simulated controller which gives its own.</summary>
+/// <summary>The clock that a job on a machine goes by, for as long as this is held: the wall's, or that of a simulated controller which gives its
+/// own.</summary>
 public sealed class MachineClock : IDisposable
 {
     private readonly IDisposable? _taken;

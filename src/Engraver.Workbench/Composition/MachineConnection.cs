@@ -8,7 +8,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller that lives in this process and is owned here.</summary>
+/// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller that lives in this process and is owned
+/// here.</summary>
 public sealed class MachineConnection : IAsyncDisposable
 {
     /// <summary>Serial number of every simulated controller in this process; it is always the same, so that the records of equal runs are equal.</summary>
@@ -65,12 +66,14 @@ public sealed class MachineConnection : IAsyncDisposable
     /// <exception cref="ControllerException">The link never came up.</exception>
     public async Task<IMachineTerminal> OpenTerminalAsync(TimeProvider time, CancellationToken cancellation) => await MachineTerminal.OpenAsync(OpenLinkAsync, time, cancellation).ConfigureAwait(false);
 
-    /// <summary>Shakes hands over links of its own, by the wall's clock or another: for those who look and do not run a job (<see cref="MachineClock"/>).</summary>
+    /// <summary>Shakes hands over links of its own, by the wall's clock or another: for those who look and do not run a job
+    /// (<see cref="MachineClock"/>).</summary>
     /// <exception cref="ControllerException">Nobody answers.</exception>
     public async Task<IMachineConnection> ShakeHandsAsync(TimeProvider time, CancellationToken cancellation) =>
         await GalilConnection.OpenAsync(OpenLinkAsync, trace: null, time, cancellation).ConfigureAwait(false);
 
-    /// <summary>The clock for a job. A simulated controller gives its own, one of another process if it is not at speed 1: its time then goes on only by what the job says and while the job waits, until the clock is disposed.</summary>
+    /// <summary>The clock for a job. A simulated controller gives its own, one of another process if it is not at speed 1: its time then goes on only by
+    /// what the job says and while the job waits, until the clock is disposed.</summary>
     /// <exception cref="ControllerLinkException">Nobody offers a clock where the address says.</exception>
     public MachineClock TakeClock() => _takeClock();
 

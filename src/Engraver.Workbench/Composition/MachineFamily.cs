@@ -9,7 +9,8 @@ namespace Engraver.Workbench.Composition;
 /// <param name="Driver">The family's driver, which answers for it while no controller is connected.</param>
 /// <param name="Takes">Whether an address may be one of its controllers.</param>
 /// <param name="WhyNot">Why such an address cannot be used on this system; null where it can.</param>
-/// <param name="Connect">How a machine at such an address is reached; true asks a simulated one to keep its record, the profile says where its switches lie.</param>
+/// <param name="Connect">How a machine at such an address is reached; true asks a simulated one to keep its record, the profile says where its switches
+/// lie.</param>
 public sealed record MachineFamily(
     IMachineDriver Driver, Func<ControllerAddress, bool> Takes, Func<ControllerAddress, string?> WhyNot, Func<ControllerAddress, TimeProvider, bool, MachineProfile?, MachineConnection> Connect);
 

@@ -3,8 +3,10 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Compares where the motors were with the drawing: a servo that is blocked or too weak leaves the path that was commanded. Lengths in millimetres.</summary>
-/// <remarks>While the motors are where they were commanded, the judge of the commanded path knows all of it, and nothing is computed here. Not thread safe.</remarks>
+/// <summary>Compares where the motors were with the drawing: a servo that is blocked or too weak leaves the path that was commanded. Lengths in
+/// millimetres.</summary>
+/// <remarks>While the motors are where they were commanded, the judge of the commanded path knows all of it, and nothing is computed here. Not thread
+/// safe.</remarks>
 /// <param name="drawing">Makes the judge of places, which is needed only when a motor is off its command.</param>
 internal sealed class MotorJudge(Func<ITraceJudge> drawing)
 {

@@ -15,7 +15,8 @@ using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Every format in which a job can be written. <c>post</c> and <c>verify</c> of the console, POST, EXPORT and docs/posts.md read it: a new format is its file and one line here.</summary>
+/// <summary>Every format in which a job can be written. <c>post</c> and <c>verify</c> of the console, POST, EXPORT and docs/posts.md read it: a new format
+/// is its file and one line here.</summary>
 public static class PostTable
 {
     public static IReadOnlyList<PostEntry> All { get; } =

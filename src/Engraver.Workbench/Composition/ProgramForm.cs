@@ -23,7 +23,8 @@ public static class ProgramForm
     private static (string Target, string? Dialect)? ByEnding(string path) =>
         PostTable.All.FirstOrDefault(entry => entry.Reader is not null && path.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) is { } entry ? (entry.Post.Name, null) : null;
 
-    /// <summary>Empty where the file cannot be read, which its reader will say, and for a stream: what comes out of a pipe comes once, and its reader needs all of it.</summary>
+    /// <summary>Empty where the file cannot be read, which its reader will say, and for a stream: what comes out of a pipe comes once, and its reader needs
+    /// all of it.</summary>
     private static string Beginning(string path)
     {
         try

@@ -5,7 +5,8 @@ using Engraver.Workbench.Sending;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A serial port as a line for programs, over the one serial link of this program. XON and XOFF are left to whoever sends, who counts by them; RTS and CTS are the driver's.</summary>
+/// <summary>A serial port as a line for programs, over the one serial link of this program. XON and XOFF are left to whoever sends, who counts by them; RTS
+/// and CTS are the driver's.</summary>
 public sealed class ProgramLine : IProgramLine
 {
     private readonly SerialLink _link;

@@ -119,7 +119,8 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         Places?.Add(told);
     }
 
-    /// <summary>Tells the judges of an arc. Unequal axis scales make it an ellipse, which is told as chords within a twentieth of a count; no post of this program writes such an arc.</summary>
+    /// <summary>Tells the judges of an arc. Unequal axis scales make it an ellipse, which is told as chords within a twentieth of a count; no post of this
+    /// program writes such an arc.</summary>
     private void TellArc((double X, double Y, double Z) frame, MotionSpan span, ArcCourse arc)
     {
         var (radiusX, radiusY) = (arc.RadiusX / profile.Scale.X, arc.RadiusY / profile.Scale.Y);

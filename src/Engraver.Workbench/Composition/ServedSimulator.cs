@@ -22,7 +22,8 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <summary>Why the record is incomplete; null while all is well. Final once the simulator is disposed.</summary>
     public IOException? RecordFailure => _controller.RecordFailure;
 
-    /// <param name="profile">Its speeds, accelerations and angle quantum are taken as its owner burned them, its switches lie where its travel and homing say, the rest describes the host's work with it; null for a factory state.</param>
+    /// <param name="profile">Its speeds, accelerations and angle quantum are taken as its owner burned them, its switches lie where its travel and homing
+    /// say, the rest describes the host's work with it; null for a factory state.</param>
     /// <param name="faults">What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md); null for nothing.</param>
     /// <param name="signColumn">Only the column of the sign divides a negative number in a message from the one before it.</param>
     /// <exception cref="JsonException">The text is no plan of faults.</exception>

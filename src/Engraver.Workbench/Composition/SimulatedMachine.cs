@@ -4,8 +4,10 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Where the switches and index pulses of a simulated machine lie, as a profile describes the real one: from where the simulated axes stand when they are switched on.</summary>
-/// <remarks>An axis that is homed is switched on away from its mark, so that it has to search; another stands at its machine zero. Limit switches lie 1 mm outside the travel.</remarks>
+/// <summary>Where the switches and index pulses of a simulated machine lie, as a profile describes the real one: from where the simulated axes stand when
+/// they are switched on.</summary>
+/// <remarks>An axis that is homed is switched on away from its mark, so that it has to search; another stands at its machine zero. Limit switches lie 1 mm
+/// outside the travel.</remarks>
 internal static class SimulatedMachine
 {
     /// <summary>How far from its mark an axis stands at power-on, mm; within a third of its travel.</summary>

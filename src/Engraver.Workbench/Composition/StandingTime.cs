@@ -1,6 +1,7 @@
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A clock that never advances: the simulated controller's time passes only when the replay advances it, so every replay gives the same result.</summary>
+/// <summary>A clock that never advances: the simulated controller's time passes only when the replay advances it, so every replay gives the same
+/// result.</summary>
 internal sealed class StandingTime : TimeProvider
 {
     public override long GetTimestamp() => 0;

@@ -19,7 +19,8 @@ internal static class CurrentLayer
         return null;
     }
 
-    /// <summary>The index of the layer for new objects, and the drawing with that layer: layer 0 is added to one that has neither it nor the current layer.</summary>
+    /// <summary>The index of the layer for new objects, and the drawing with that layer: layer 0 is added to one that has neither it nor the current
+    /// layer.</summary>
     /// <param name="state">Its drawing must be open.</param>
     public static (Drawing Drawing, int Layer) In(DocumentState state)
     {

@@ -2,7 +2,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Computes what follows from the document (<see cref="DerivedDocument"/>) in the background, once for each state. The work is given up when the state changes before it is done.</summary>
+/// <summary>Computes what follows from the document (<see cref="DerivedDocument"/>) in the background, once for each state. The work is given up when the
+/// state changes before it is done.</summary>
 /// <remarks>Any thread. Without <see cref="KeepsUp"/> nothing is computed until somebody asks.</remarks>
 public sealed class DerivationSession : IDisposable
 {
@@ -27,7 +28,8 @@ public sealed class DerivationSession : IDisposable
     /// <summary>The stage that is computed now; null while nothing is. Its event comes on a thread of the pool.</summary>
     public DerivationProgress Progress { get; } = new();
 
-    /// <summary>The work on the document as it stands was ended by <see cref="GiveUp"/>: it is begun again when the document changes or somebody asks.</summary>
+    /// <summary>The work on the document as it stands was ended by <see cref="GiveUp"/>: it is begun again when the document changes or somebody
+    /// asks.</summary>
     public bool IsGivenUp => _givenUp is { } wanted && IsOf(wanted, _document.Current, _mode, _line);
 
     /// <summary>The last one that was finished; it may lag behind the document.</summary>
@@ -70,7 +72,8 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
-    /// <summary>What is waited for before anything is computed for a document, of which nothing is known yet: a window shows a drawing before it plans it. How that ends does not matter. Null: nothing. Asked under a lock, so it must not wait itself.</summary>
+    /// <summary>What is waited for before anything is computed for a document, of which nothing is known yet: a window shows a drawing before it plans it.
+    /// How that ends does not matter. Null: nothing. Asked under a lock, so it must not wait itself.</summary>
     public Func<DocumentState, Task>? Before { get; set; }
 
     /// <summary>What follows from the document as it stands now. Never computes on the caller's thread.</summary>

@@ -11,7 +11,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Everything that follows from a document: table, strokes, job, findings, plan, program text. Immutable. What could not be made is null, and <see cref="Problem"/> or the findings say why.</summary>
+/// <summary>Everything that follows from a document: table, strokes, job, findings, plan, program text. Immutable. What could not be made is null, and
+/// <see cref="Problem"/> or the findings say why.</summary>
 /// <param name="State">What it was made from (what is selected does not matter).</param>
 /// <param name="Mode">The execution strategy that the job was prepared for.</param>
 public sealed record DerivedDocument(DocumentState State, JobMode Mode)
@@ -37,7 +38,8 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     private Lazy<PostText?> Posted { get; init; } = new((PostText?)null);
 
-    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut. Written when it is first asked for, which takes a while: only a page that shows it asks.</summary>
+    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut. Written when it is first asked for, which takes a
+    /// while: only a page that shows it asks.</summary>
     public PostText? Program => Posted.Value;
 
     /// <summary>False while nobody has asked for <see cref="Program"/>.</summary>

@@ -4,8 +4,10 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The open drawing with its edits and settings, and every step that led there. One of the two objects that change over time (the other is the machine session); the states themselves never do.</summary>
-/// <remarks>Selecting is no step: it goes with the state in which it was made. Steps come from one thread at a time; a selection may come from another meanwhile.</remarks>
+/// <summary>The open drawing with its edits and settings, and every step that led there. One of the two objects that change over time (the other is the
+/// machine session); the states themselves never do.</summary>
+/// <remarks>Selecting is no step: it goes with the state in which it was made. Steps come from one thread at a time; a selection may come from another
+/// meanwhile.</remarks>
 public sealed class DocumentSession
 {
     private readonly Lock _guard = new();
@@ -82,7 +84,8 @@ public sealed class DocumentSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Path of the file that the drawing belongs to: the one that was written last, else the one that was opened; null when no drawing is open.</summary>
+    /// <summary>Path of the file that the drawing belongs to: the one that was written last, else the one that was opened; null when no drawing is
+    /// open.</summary>
     public string? FilePath => Current.Drawing is { FileName: var opened } ? _saved.GetValueOrDefault(opened, opened) : null;
 
     /// <summary>The drawing was opened from a file or has been saved in one.</summary>
@@ -91,7 +94,8 @@ public sealed class DocumentSession
     /// <summary>The number of the drawing that is begun now: 1 for the first one of the session.</summary>
     public int CountBegun() => ++_begun;
 
-    /// <summary>Notes that the drawing as it is now, and what belongs to it, stand in the file that was opened; or that nothing of a new one is worth saving.</summary>
+    /// <summary>Notes that the drawing as it is now, and what belongs to it, stand in the file that was opened; or that nothing of a new one is worth
+    /// saving.</summary>
     public void MarkOpened()
     {
         if (Current.Drawing is { FileName: var opened })
@@ -121,7 +125,8 @@ public sealed class DocumentSession
     /// <param name="path">Of the sidecar.</param>
     public string? KnownSidecar(string path) => _sidecars.GetValueOrDefault(Path.GetFullPath(path));
 
-    /// <summary>For each handle of the drawing those of its entities in a file that this session wrote; empty where they are the same, as in the file that was opened.</summary>
+    /// <summary>For each handle of the drawing those of its entities in a file that this session wrote; empty where they are the same, as in the file that
+    /// was opened.</summary>
     /// <param name="path">Of the drawing's file.</param>
     public IReadOnlyDictionary<string, IReadOnlyList<string>> HandlesIn(string path) => _handles.GetValueOrDefault(Path.GetFullPath(path)) ?? new Dictionary<string, IReadOnlyList<string>>();
 
@@ -152,7 +157,8 @@ public sealed class DocumentSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Goes back to the state before the last step. While a drawing is open, undoing never closes it: the opening of the first drawing cannot be undone, and one that was opened after another
+    /// <summary>Goes back to the state before the last step. While a drawing is open, undoing never closes it: the opening of the first drawing cannot be
+    /// undone, and one that was opened after another
     /// was closed is replaced by that one.</summary>
     /// <returns>The name of the step, null when there was none.</returns>
     public string? Undo()

@@ -4,7 +4,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Everything the operator has before them at one moment: the drawing with its edits, the settings, what is selected. Immutable, so going back to it is exact.</summary>
+/// <summary>Everything the operator has before them at one moment: the drawing with its edits, the settings, what is selected. Immutable, so going back to
+/// it is exact.</summary>
 public sealed record DocumentState
 {
     public static DocumentState Nothing { get; } = new();
@@ -16,12 +17,14 @@ public sealed record DocumentState
         init => (field, Edition) = (value, value);
     }
 
-    /// <summary>Which edition of the drawing it is: another one after every edit, the same one (set behind <see cref="Drawing"/>) while objects are only hidden and shown, which no file keeps.</summary>
+    /// <summary>Which edition of the drawing it is: another one after every edit, the same one (set behind <see cref="Drawing"/>) while objects are only
+    /// hidden and shown, which no file keeps.</summary>
     public Drawing? Edition { get; init; }
 
     public DrawingSettings Settings { get; init; } = new();
 
-    /// <summary>Name of the layer on which new objects are drawn (CLAYER). Where the drawing has no such layer, they go on layer 0 (<see cref="Documents.CurrentLayer"/>).</summary>
+    /// <summary>Name of the layer on which new objects are drawn (CLAYER). Where the drawing has no such layer, they go on layer 0
+    /// (<see cref="Documents.CurrentLayer"/>).</summary>
     public string CurrentLayer { get; init; } = Documents.CurrentLayer.First;
 
     /// <summary>What belongs to the drawing and stands in a file of its own beside it: trajectories.</summary>

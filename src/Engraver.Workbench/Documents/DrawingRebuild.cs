@@ -2,7 +2,8 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Builds a drawing anew from an old one, entity by entity: some stay, some are replaced by others. New ones get handles after the highest of the drawing.</summary>
+/// <summary>Builds a drawing anew from an old one, entity by entity: some stay, some are replaced by others. New ones get handles after the highest of the
+/// drawing.</summary>
 internal sealed class DrawingRebuild
 {
     private readonly Drawing _drawing;

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Decides what happens to the texts and points of a drawing when its curves are edited. They cannot be selected: they move with an edit of every visible curve, and otherwise stay where they are.</summary>
+/// <summary>Decides what happens to the texts and points of a drawing when its curves are edited. They cannot be selected: they move with an edit of every
+/// visible curve, and otherwise stay where they are.</summary>
 internal sealed class EditedAnnotations
 {
     private readonly Drawing _drawing;

@@ -15,7 +15,8 @@ public static class EditedDrawing
     /// <summary>The same of one that was read as inches.</summary>
     private const int Inches = 1;
 
-    /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours as they are; behind them the texts and points, where the file had them.</summary>
+    /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours as they are; behind them the texts and
+    /// points, where the file had them.</summary>
     /// <param name="hiddenObjects">What the operator hid for the moment: written as visible. All else that is invisible is written so.</param>
     public static DxfSheet SheetOf(Drawing drawing, IReadOnlyList<int> hiddenObjects)
     {

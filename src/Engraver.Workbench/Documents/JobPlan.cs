@@ -11,7 +11,8 @@ public static class JobPlan
     /// <summary>The style in which a job must be prepared for a mode.</summary>
     public static MotionStyle StyleOf(JobMode mode) => mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous;
 
-    /// <summary>The program as it will be run over this link: on a serial line that is too slow for its feed it is cut slower, and the finding says so before the start.</summary>
+    /// <summary>The program as it will be run over this link: on a serial line that is too slow for its feed it is cut slower, and the finding says so
+    /// before the start.</summary>
     /// <param name="address">Null when no link is known: nothing limits the feed.</param>
     public static LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Drawing drawing) => MachineFamilies.Driver.FitToLink(program, address, mode, drawing.SourceOf);
 

@@ -55,7 +55,8 @@ public static class JobPreparation
         return new CutTable(kerf.Table, kerf, [.. chained.Diagnostics, .. kerf.Diagnostics]);
     }
 
-    /// <summary>Contours, order, discontinuities of what is cut. Compensated contours meet exactly: their segments may be shorter than the join tolerance.</summary>
+    /// <summary>Contours, order, discontinuities of what is cut. Compensated contours meet exactly: their segments may be shorter than the join
+    /// tolerance.</summary>
     /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
     public static SequencingResult Sequence(Drawing drawing, CutTable cut, DrawingSettings settings)
     {
@@ -127,7 +128,8 @@ public static class JobPreparation
         return job with { Kerf = cut.Kerf, Findings = [.. job.Findings, .. cut.FindingsBeside(sequence)] };
     }
 
-    /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say where.</summary>
+    /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say
+    /// where.</summary>
     public static PreparedJob FromPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
     {
         var motion = MachineFamilies.Driver.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);

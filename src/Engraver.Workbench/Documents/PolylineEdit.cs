@@ -32,7 +32,8 @@ internal static class PolylineEdit
         return (rebuilt, places, chosen.Count);
     }
 
-    /// <summary>Lines, arcs and open polylines whose ends meet become polylines, in the place of their first entity and in its direction. Where ends branch, what does not go together whole stays apart.</summary>
+    /// <summary>Lines, arcs and open polylines whose ends meet become polylines, in the place of their first entity and in its direction. Where ends
+    /// branch, what does not go together whole stays apart.</summary>
     /// <param name="tolerance">Drawing units.</param>
     public static (DrawingRebuild Rebuilt, IReadOnlyList<int> Joined, int Count) Join(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
     {

@@ -9,7 +9,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing as a program in one of the formats of the table of posts. Where nothing is cut there is no text, so that no earlier result is overwritten with an empty one.</summary>
+/// <summary>A drawing as a program in one of the formats of the table of posts. Where nothing is cut there is no text, so that no earlier result is
+/// overwritten with an empty one.</summary>
 /// <param name="Text">Null when there is nothing that the machine can cut.</param>
 /// <param name="Diagnostics">Of every stage on the way.</param>
 public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagnostics)

@@ -22,7 +22,8 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>The compensation for the radius of the tool; null without one.</summary>
     public KerfResult? Kerf { get; init; }
 
-    /// <summary>The trajectories that are run instead of the drawing, and the document that they belong to; null for a job of the drawing. <see cref="Drawing"/> is then theirs.</summary>
+    /// <summary>The trajectories that are run instead of the drawing, and the document that they belong to; null for a job of the drawing.
+    /// <see cref="Drawing"/> is then theirs.</summary>
     public FollowedTrajectories? Followed { get; init; }
 
     /// <summary>The document's drawing.</summary>
@@ -31,7 +32,8 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>What is seen on the layers that are cut and gives no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, JobPreparation.SelectionOf(Settings));
 
-    /// <summary>Where the toolpath is not what is drawn (VER0020 to VER0022), which no operator can accept; empty for every job that may be run or posted.</summary>
+    /// <summary>Where the toolpath is not what is drawn (VER0020 to VER0022), which no operator can accept; empty for every job that may be run or
+    /// posted.</summary>
     public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
 
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];

@@ -6,7 +6,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A trajectory of a document as files: its own points for controllers of splines, what it follows for those of lines and arcs or of velocities.</summary>
+/// <summary>A trajectory of a document as files: its own points for controllers of splines, what it follows for those of lines and arcs or of
+/// velocities.</summary>
 public static class TrajectoryExport
 {
     /// <param name="machine">Feed, acceleration and travel are those of the formats that say or limit them.</param>
@@ -22,7 +23,8 @@ public static class TrajectoryExport
         return made.Unproven.Count > 0 ? [] : made.Files;
     }
 
-    /// <summary>Those whose equal steps do not keep the error that was asked for: nothing is written or run of them unless that is asked for all the same.</summary>
+    /// <summary>Those whose equal steps do not keep the error that was asked for: nothing is written or run of them unless that is asked for all the
+    /// same.</summary>
     public static IEnumerable<Diagnostic> NotKept(IEnumerable<DocumentTrajectory> trajectories) => trajectories
         .Where(one => one.SegmentLengthMm is not null && one.Curve.VerifiedBound > one.MaxErrorMm)
         .Select(one => TrajectoryRules.StepsRefused.At(default, one.Name, FactText.Of(one.Curve.VerifiedBound), FactText.Of(one.MaxErrorMm)));

@@ -5,7 +5,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A folder of trajectories: a file for each, and <see cref="ListName"/>, which names them in their order with the places where they start, for the XPS formats count from there.</summary>
+/// <summary>A folder of trajectories: a file for each, and <see cref="ListName"/>, which names them in their order with the places where they start, for
+/// the XPS formats count from there.</summary>
 public static class TrajectoryFolder
 {
     /// <summary>The list. It is written last, so that it never names a file that is not there.</summary>

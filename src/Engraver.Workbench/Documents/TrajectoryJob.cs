@@ -12,7 +12,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Trajectories as a job of a machine that has no splines: their curves become arcs and lines, and the run is judged by what the trajectories follow.</summary>
+/// <summary>Trajectories as a job of a machine that has no splines: their curves become arcs and lines, and the run is judged by what the trajectories
+/// follow.</summary>
 /// <param name="Job">Its table is the source of the trajectories, so that the judge knows nothing of the splines; its path is theirs.</param>
 /// <param name="Trajectories">What is run, in this order.</param>
 /// <param name="Bound">No place of the path is farther from the source than this, millimetres: the largest proven bound and what the arcs add.</param>

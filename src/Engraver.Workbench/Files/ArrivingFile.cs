@@ -4,7 +4,8 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>A file that is read on a thread of its own from its beginning to its end, because on some computers the system needs as long to hand over 100 MB as the reader of a drawing to understand half of them.</summary>
+/// <summary>A file that is read on a thread of its own from its beginning to its end, because on some computers the system needs as long to hand over 100
+/// MB as the reader of a drawing to understand half of them.</summary>
 public sealed class ArrivingFile : IArrivingBytes, IDisposable
 {
     /// <summary>Bytes from which on a thread is worth while.</summary>
@@ -33,7 +34,8 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
 
     public byte[] Bytes { get; }
 
-    /// <summary>Begins to read a file; null where it is better read in one piece: it is no larger than <paramref name="large"/>, larger than an array, or a stream.</summary>
+    /// <summary>Begins to read a file; null where it is better read in one piece: it is no larger than <paramref name="large"/>, larger than an array, or a
+    /// stream.</summary>
     /// <exception cref="IOException">It cannot be opened.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
     public static ArrivingFile? TryBegin(string path, long large = Large)

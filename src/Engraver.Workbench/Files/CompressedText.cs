@@ -3,7 +3,8 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>A text file that is compressed while it is written (gzip). Each flush of the writer makes everything before it readable, also when the program dies afterwards.</summary>
+/// <summary>A text file that is compressed while it is written (gzip). Each flush of the writer makes everything before it readable, also when the program
+/// dies afterwards.</summary>
 public static class CompressedText
 {
     private static readonly UTF8Encoding s_utf8 = new(encoderShouldEmitUTF8Identifier: false);

@@ -3,14 +3,16 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>What stands at a path: a file, which may be replaced, or a stream (a named pipe, a device, an open file of a process), whose bytes go to another program or device as they are written and which is never replaced.</summary>
+/// <summary>What stands at a path: a file, which may be replaced, or a stream (a named pipe, a device, an open file of a process), whose bytes go to
+/// another program or device as they are written and which is never replaced.</summary>
 public static class FileKind
 {
     /// <summary>S_IFMT and S_IFREG of stat(2).</summary>
     private const int KindMask = 0xF000;
     private const int RegularFile = 0x8000;
 
-    /// <summary>True when a stream stands there, also behind a link: it is opened and written into, not replaced by a new file. False for an ordinary file and where there is none yet. The path is not opened for this, because opening a pipe lets its other end go on.</summary>
+    /// <summary>True when a stream stands there, also behind a link: it is opened and written into, not replaced by a new file. False for an ordinary file
+    /// and where there is none yet. The path is not opened for this, because opening a pipe lets its other end go on.</summary>
     public static bool IsStream(string path)
     {
         var full = Path.GetFullPath(path);

@@ -2,7 +2,8 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. A device or a named pipe is opened and written instead, because a rename would put a file in its place.</summary>
+/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. A device or a named pipe is opened and written
+/// instead, because a rename would put a file in its place.</summary>
 public static class OutputFile
 {
     /// <summary>Writes UTF-8 text with LF line ends.</summary>

@@ -1,7 +1,9 @@
 namespace Engraver.Workbench.Files;
 
-/// <summary>A file that is being written beside the place it is for. It is gone when it is disposed of or when the process ends, whatever comes first; only a killed process leaves it.</summary>
-/// <remarks>A program that is stopped may end while another thread has half written a result; only a handler at the end of the process can then delete the file.</remarks>
+/// <summary>A file that is being written beside the place it is for. It is gone when it is disposed of or when the process ends, whatever comes first; only
+/// a killed process leaves it.</summary>
+/// <remarks>A program that is stopped may end while another thread has half written a result; only a handler at the end of the process can then delete the
+/// file.</remarks>
 internal sealed class TemporaryFile : IDisposable
 {
     private readonly Lock _guard = new();

@@ -13,7 +13,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Histories;
 
-/// <summary>One job in the history: a run, or a program that was written. The date stands here and not in the journal, so that two equal runs have equal journals.</summary>
+/// <summary>One job in the history: a run, or a program that was written. The date stands here and not in the journal, so that two equal runs have equal
+/// journals.</summary>
 public sealed record HistoryEntry
 {
     /// <summary>The form of the entries that this program writes.</summary>
@@ -55,7 +56,8 @@ public sealed record HistoryEntry
     /// <summary>Where the controller was; null for a program that was written.</summary>
     public string? Address { get; init; }
 
-    /// <summary>As <c>run --json</c> has it; of a program <c>written</c>; <c>begun</c> of a run that has no end yet, or never got one because its program was killed.</summary>
+    /// <summary>As <c>run --json</c> has it; of a program <c>written</c>; <c>begun</c> of a run that has no end yet, or never got one because its program
+    /// was killed.</summary>
     public required string Outcome { get; init; }
 
     /// <summary>How it ended, for people; empty where there is nothing to say.</summary>
@@ -71,7 +73,8 @@ public sealed record HistoryEntry
 
     public double? MissingLength { get; init; }
 
-    /// <summary>X, Y and Z as far as <see cref="MaxDeviation"/> is that of what was commanded, because steppers moved them and nothing tells whether they followed; null for none.</summary>
+    /// <summary>X, Y and Z as far as <see cref="MaxDeviation"/> is that of what was commanded, because steppers moved them and nothing tells whether they
+    /// followed; null for none.</summary>
     public IReadOnlyList<char>? OpenLoop { get; init; }
 
     /// <summary>Full path; null where there is none, or where it went into a stream.</summary>

@@ -5,7 +5,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Histories;
 
-/// <summary>The index of every run and every program that was written: a folder with one file for each, so that several processes can write at a time and nothing is half written. The oldest ones go when there are too many.</summary>
+/// <summary>The index of every run and every program that was written: a folder with one file for each, so that several processes can write at a time and
+/// nothing is half written. The oldest ones go when there are too many.</summary>
 /// <remarks>Any thread.</remarks>
 public sealed class JobHistory
 {

@@ -44,7 +44,8 @@ internal sealed record MachineFacts
     /// <summary>Whether the job under way is held.</summary>
     public HoldPhase Hold { get; init; }
 
-    /// <summary>How the job ended whose progress is known; null while it runs, and once that job is history (<see cref="MachineStatusModel.DismissJob"/>).</summary>
+    /// <summary>How the job ended whose progress is known; null while it runs, and once that job is history
+    /// (<see cref="MachineStatusModel.DismissJob"/>).</summary>
     public JobOutcome? Ended { get; init; }
 
     /// <summary>Why the place of the drawing's zero is unknown, and what to do; null while it is known.</summary>

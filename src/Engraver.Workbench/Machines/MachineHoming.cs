@@ -7,14 +7,16 @@ using Engraver.Workbench.Machines.Origins;
 namespace Engraver.Workbench.Machines;
 
 /// <summary>Homing of a machine that stays connected, and what it means for its work origins.</summary>
-/// <remarks>Before the first motion it is written down that nobody knows the machine's position: a host that dies in the middle leaves a controller of which some axes count from another zero. When every axis has
+/// <remarks>Before the first motion it is written down that nobody knows the machine's position: a host that dies in the middle leaves a controller of
+/// which some axes count from another zero. When every axis has
 /// its zero the controller is marked anew, and origins that were set by the same homing are where they were, also after a power cycle.</remarks>
 internal static class MachineHoming
 {
     /// <param name="hold">The reservation of the machine by this host, with what is kept of it.</param>
     /// <param name="start">Where the machine stands, in the frame in which progress is told.</param>
     /// <param name="wall">Where the mark that is left in the controller takes its number from.</param>
-    /// <exception cref="ControllerException">The link never came up, or what is known of the machine cannot be written down; nothing was moved then.</exception>
+    /// <exception cref="ControllerException">The link never came up, or what is known of the machine cannot be written down; nothing was moved
+    /// then.</exception>
     public static async Task<HomedMachine> RunAsync(
         MachineConnection connection, MachineHold hold, MachineProfile profile, CountsPoint start, string journal, IProgress<JobProgress> progress, TimeProvider wall, CancellationToken stop)
     {

@@ -16,7 +16,8 @@ namespace Engraver.Workbench.Machines;
 internal sealed record MachineMove(
     string Name, string Doing, string Journal, Func<MachineMemory, ControllerPlace, Diagnostic?> Refuse, Func<IMachineConnection, MotionProgram, JobOptions, CancellationToken, Task<JobResult>> Make)
 {
-    /// <summary>The move that is made instead, once it is heard where the machine stands; null: this one. Asked only where <see cref="Refuse"/> does not refuse.</summary>
+    /// <summary>The move that is made instead, once it is heard where the machine stands; null: this one. Asked only where <see cref="Refuse"/> does not
+    /// refuse.</summary>
     private Func<MachineMemory, ControllerPlace, MachineMove>? Aim { get; init; }
 
     /// <summary>The machine's own profile, by which it was homed, where the move is made by another one; null where by it.</summary>
@@ -38,7 +39,8 @@ internal sealed record MachineMove(
         },
         (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight, options, progress, stop));
 
-    /// <summary>To a place in plan, told by the controller's own zero. A tool that an axis holds goes up to its clearance height over the work first, where it is lower.</summary>
+    /// <summary>To a place in plan, told by the controller's own zero. A tool that an axis holds goes up to its clearance height over the work first, where
+    /// it is lower.</summary>
     /// <param name="goal">Counts of the controller; its height is not looked at.</param>
     public static MachineMove GoTo(CountsPoint goal, MachineProfile profile, string journal, IProgress<JobProgress> progress)
     {

@@ -10,7 +10,8 @@ namespace Engraver.Workbench.Machines;
 /// <summary>The part of the machine session that goes round a job.</summary>
 public sealed partial class MachineSession
 {
-    /// <summary>Goes once round a job with the tool off, at the active work origin, and disarms. It is stopped as a job is; what the last job cut stays known.</summary>
+    /// <summary>Goes once round a job with the tool off, at the active work origin, and disarms. It is stopped as a job is; what the last job cut stays
+    /// known.</summary>
     /// <param name="frame">Made of the job (<see cref="JobFrame"/>).</param>
     /// <param name="journal">Where what is found in the controller is written down.</param>
     /// <returns>How it ended; the diagnostic says why nobody knows where the job lies.</returns>

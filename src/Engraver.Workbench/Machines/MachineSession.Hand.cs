@@ -9,7 +9,8 @@ public sealed partial class MachineSession
     /// <summary>A job stands held: the machine may be moved by hand, and a resume goes back to where it was held.</summary>
     public bool IsHeld => _overrides.Control is { Phase: JobPhase.Held, IsHoldWanted: true };
 
-    /// <summary>Moves the connected machine as long as a key is held, tool off, and disarms; also while a job stands held. It brakes when the jog is released or the operator is not heard of any more (<see cref="Presence"/>), by a stop, and 0.25 s after this program was heard last.</summary>
+    /// <summary>Moves the connected machine as long as a key is held, tool off, and disarms; also while a job stands held. It brakes when the jog is
+    /// released or the operator is not heard of any more (<see cref="Presence"/>), by a stop, and 0.25 s after this program was heard last.</summary>
     /// <param name="jog">Begun by <see cref="Presence"/> when the key went down.</param>
     /// <param name="journal">Where what is found in the controller is written down.</param>
     /// <returns>How it ended; complete when it was released or came to the end of the travel.</returns>
@@ -29,7 +30,8 @@ public sealed partial class MachineSession
         return await _work.RunAsync(stop => MoveWatchedAsync(connection, Profile, MachineMove.Jog(jog.Control, journal, new JobListener(TellMove)), stop), cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is. A tool that an axis holds goes up to its clearance height over the work first; where nobody knows the height of the work the move is refused.</summary>
+    /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is. A tool that an axis
+    /// holds goes up to its clearance height over the work first; where nobody knows the height of the work the move is refused.</summary>
     /// <param name="goal">The controller's own counts, in plan.</param>
     /// <param name="journal">Path of the journal to which the state found in the controller is written.</param>
     /// <param name="feed">Speed of each axis, mm/min; null for the profile's rapid speed.</param>
@@ -38,7 +40,8 @@ public sealed partial class MachineSession
     public Task<JobResult> GoToAsync(CountsPoint goal, string journal, double? feed, CancellationToken cancellation) =>
         MoveToAsync(goal, withHeight: false, isStep: false, journal, feed, cancellation);
 
-    /// <summary>Moves the connected machine by a step, as <see cref="GoToAsync"/> does; also a machine that is not homed, which has no travel then and goes slowly (<see cref="HandSpeed"/>), and while a job stands held.</summary>
+    /// <summary>Moves the connected machine by a step, as <see cref="GoToAsync"/> does; also a machine that is not homed, which has no travel then and goes
+    /// slowly (<see cref="HandSpeed"/>), and while a job stands held.</summary>
     /// <param name="goal">Where the step ends, the controller's own counts.</param>
     /// <param name="withHeight">The step goes up or down too.</param>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
@@ -86,7 +89,8 @@ public sealed partial class MachineSession
         }
     }
 
-    /// <summary>Switches an output of the connected machine by hand. What works on the material is only switched off: nothing in the controller would do it if this program died.</summary>
+    /// <summary>Switches an output of the connected machine by hand. What works on the material is only switched off: nothing in the controller would do it
+    /// if this program died.</summary>
     /// <param name="output">From 1.</param>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, a job runs, or the tool would be switched on.</exception>

@@ -14,7 +14,8 @@ public sealed partial class MachineSession
     /// <exception cref="ControllerException">The link failed.</exception>
     public Task<PlacementResult?> FindZeroAsync(CancellationToken cancellation) => PlaceAsync(NoJob, dryRun: false, cancellation);
 
-    /// <summary>Looks at the controller now and finds where the active work origin puts a job; a job that would leave the travel there has no place. That nobody answers is told by the status.</summary>
+    /// <summary>Looks at the controller now and finds where the active work origin puts a job; a job that would leave the travel there has no place. That
+    /// nobody answers is told by the status.</summary>
     /// <param name="program">Null where there is no job: then the place is that of the drawing's zero.</param>
     /// <param name="dryRun">The tool stays out of the work, which takes a tool that an axis holds higher.</param>
     /// <returns>Null while none is connected, while a job has the wire, or when nobody answers.</returns>

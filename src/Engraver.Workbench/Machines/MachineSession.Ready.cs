@@ -5,7 +5,8 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The part of the machine session that keeps the controller ready for the next press of a jog pad, so that only the first one waits for the preparation. Whatever else wants the machine ends that first.</summary>
+/// <summary>The part of the machine session that keeps the controller ready for the next press of a jog pad, so that only the first one waits for the
+/// preparation. Whatever else wants the machine ends that first.</summary>
 public sealed partial class MachineSession
 {
     private ReadyMachine? _ready;

@@ -5,7 +5,8 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The part of the machine session that runs jobs, and knows of runs beside the one under way: the last one's trace or a kept one, an interrupted one, a simulated one.</summary>
+/// <summary>The part of the machine session that runs jobs, and knows of runs beside the one under way: the last one's trace or a kept one, an interrupted
+/// one, a simulated one.</summary>
 public sealed partial class MachineSession
 {
     /// <summary>Runs a job on the connected controller. One at a time.</summary>

@@ -4,7 +4,8 @@ using Engraver.Core.Machines.Setup;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The part of the machine session by which a machine is commissioned: what the controller knows of its wiring, and test moves by other counts and speeds than the profile's.</summary>
+/// <summary>The part of the machine session by which a machine is commissioned: what the controller knows of its wiring, and test moves by other counts and
+/// speeds than the profile's.</summary>
 public sealed partial class MachineSession
 {
     /// <summary>Whether the connected controller can be told of its wiring now.</summary>

@@ -5,7 +5,8 @@ namespace Engraver.Workbench.Machines;
 /// <summary>The part of the machine session that acts at once, from any thread: stop, abort, hold, resume and overrides; and the motors.</summary>
 public sealed partial class MachineSession
 {
-    /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
+    /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake
+    /// all the same. Never waits, from any thread.</summary>
     /// <param name="reason">Why, a sentence for the journal and the history, where it is not the operator's hand; null otherwise.</param>
     /// <returns>False when no job runs.</returns>
     public bool Stop(string? reason = null)
@@ -19,7 +20,8 @@ public sealed partial class MachineSession
     }
 
     /// <summary>Halts every motion at once, without braking, and switches the motors off; a job ends as stopped. Never waits, from any thread.</summary>
-    /// <remarks>On a serial line, whose one wire the job uses, a job is stopped as by <see cref="Stop"/>: its axes brake, and the motors stay as they are.</remarks>
+    /// <remarks>On a serial line, whose one wire the job uses, a job is stopped as by <see cref="Stop"/>: its axes brake, and the motors stay as they
+    /// are.</remarks>
     public void Abort()
     {
         var (job, watch) = AtWork();

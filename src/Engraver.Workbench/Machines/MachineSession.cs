@@ -11,8 +11,10 @@ using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The machine the operator works with: one controller, and what it is doing. One of the two objects that change over time (the other is the document session).</summary>
-/// <remarks>While connected the controller is looked at ten times a second over handles of the session's own; while a job runs the job tells. Status, stop and abort may be used from any thread.</remarks>
+/// <summary>The machine the operator works with: one controller, and what it is doing. One of the two objects that change over time (the other is the
+/// document session).</summary>
+/// <remarks>While connected the controller is looked at ten times a second over handles of the session's own; while a job runs the job tells. Status, stop
+/// and abort may be used from any thread.</remarks>
 public sealed partial class MachineSession : IAsyncDisposable
 {
     private readonly TimeProvider _time;
@@ -70,10 +72,12 @@ public sealed partial class MachineSession : IAsyncDisposable
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation => _watched.Connection?.Simulator is not null;
 
-    /// <summary>A simulated machine counts as homed and stands at its machine zero: for one act on a machine that ends with it. Otherwise it is homed as a real one is.</summary>
+    /// <summary>A simulated machine counts as homed and stands at its machine zero: for one act on a machine that ends with it. Otherwise it is homed as a
+    /// real one is.</summary>
     public bool SimulatedIsHomed { get; init; }
 
-    /// <summary>Where the work origins of machines are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does what is known of it.</summary>
+    /// <summary>Where the work origins of machines are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does
+    /// what is known of it.</summary>
     public string? OriginsFolder { get; init; }
 
     /// <summary>The reservation of the connected machine, with its work origins; null while none is connected.</summary>

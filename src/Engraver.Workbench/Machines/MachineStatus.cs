@@ -23,7 +23,8 @@ public sealed record MachineStatus
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation { get; init; }
 
-    /// <summary>The commanded position by the controller's own zero (_RPA, _RPB), mm; the last that is known once the link is lost, when everything else is null.</summary>
+    /// <summary>The commanded position by the controller's own zero (_RPA, _RPB), mm; the last that is known once the link is lost, when everything else is
+    /// null.</summary>
     public Point2D? MachinePosition { get; init; }
 
     /// <summary>Of the Z axis by the controller's own zero, mm; null on a machine without one.</summary>

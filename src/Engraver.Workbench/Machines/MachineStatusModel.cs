@@ -5,7 +5,8 @@ using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>What is known of the machine, gathered from the watch and from jobs, with the alarms and the arming that follow from it. Any thread; it sends nothing.</summary>
+/// <summary>What is known of the machine, gathered from the watch and from jobs, with the alarms and the arming that follow from it. Any thread; it sends
+/// nothing.</summary>
 internal sealed class MachineStatusModel : IDisposable
 {
     private readonly Lock _guard = new();
@@ -14,7 +15,8 @@ internal sealed class MachineStatusModel : IDisposable
     private MachineFacts _facts = MachineFacts.None;
     private MachineProfile _profile = MachineProfile.Default;
 
-    /// <summary>A job that has ended and whose alarm waits for the next look at the controller: that shows whether a limit or an input ended it, which is then the only alarm.</summary>
+    /// <summary>A job that has ended and whose alarm waits for the next look at the controller: that shows whether a limit or an input ended it, which is
+    /// then the only alarm.</summary>
     private JobResult? _ended;
 
     /// <summary>True once the alarm of a lost link was raised, by the job or by the watch.</summary>
@@ -68,7 +70,8 @@ internal sealed class MachineStatusModel : IDisposable
         }
     }
 
-    /// <summary>Notes a new connection. The outcome of the last job is kept when the address is the same, but not that of a simulated controller, which is new each time.</summary>
+    /// <summary>Notes a new connection. The outcome of the last job is kept when the address is the same, but not that of a simulated controller, which is
+    /// new each time.</summary>
     public void Connected(string link, bool isSimulation, MachineIdentity identity) => Change(before => new MachineFacts
     {
         FeedRatio = before.FeedRatio,

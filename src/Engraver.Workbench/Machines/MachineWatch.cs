@@ -8,8 +8,10 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>Handles of its own by which a connected controller is looked at while no job runs, and by which a stop, an abort and a typed line reach it.</summary>
-/// <remarks>While a job runs the watch is paused: the job polls, and nothing is asked twice. A serial line has one wire only: there the watch is closed for the job.</remarks>
+/// <summary>Handles of its own by which a connected controller is looked at while no job runs, and by which a stop, an abort and a typed line reach
+/// it.</summary>
+/// <remarks>While a job runs the watch is paused: the job polls, and nothing is asked twice. A serial line has one wire only: there the watch is closed for
+/// the job.</remarks>
 internal sealed class MachineWatch : IAsyncDisposable
 {
     private static readonly TimeSpan s_interval = TimeSpan.FromMilliseconds(100);

@@ -2,7 +2,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The factors of feed and rapid speed that the operator wants, for the job under way and those that follow; and that job's control. Any thread.</summary>
+/// <summary>The factors of feed and rapid speed that the operator wants, for the job under way and those that follow; and that job's control. Any
+/// thread.</summary>
 internal sealed class OperatorOverrides
 {
     private readonly Lock _guard = new();

@@ -2,7 +2,8 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>Whether the operator's side of a continuous jog is there: the front end says again and again that it lives and is before the operator, and a jog of which nobody hears is released from another thread. Any thread.</summary>
+/// <summary>Whether the operator's side of a continuous jog is there: the front end says again and again that it lives and is before the operator, and a
+/// jog of which nobody hears is released from another thread. Any thread.</summary>
 /// <remarks>A front end that hangs does not hear that a key is released; the dead-man in the controller hears only that this process lives.</remarks>
 public sealed class OperatorPresence(TimeProvider time, Action changed)
 {
@@ -96,7 +97,8 @@ public sealed class HeldJog : IDisposable
     /// <summary>The key is no longer held, whoever said so.</summary>
     public bool IsReleased => Control.Released.IsCompleted;
 
-    /// <summary>Completes when the jog is released though nobody released the key: true because the front end was not heard, false because the operator left it.</summary>
+    /// <summary>Completes when the jog is released though nobody released the key: true because the front end was not heard, false because the operator
+    /// left it.</summary>
     public Task<bool> Lost => _lost.Task;
 
     internal JogControl Control { get; }

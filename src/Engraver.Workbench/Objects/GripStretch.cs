@@ -74,7 +74,8 @@ public static class GripStretch
     }
 
     /// <summary>Bulge (tangent of a quarter of the sweep) of the arc from one place to another through a third; 0 when they lie on a line.</summary>
-    /// <remarks>Seen from the third place the chord spans half of the rest of the turn: sweep = 360 degrees - 2 x that angle, by the theorem of the inscribed angle.</remarks>
+    /// <remarks>Seen from the third place the chord spans half of the rest of the turn: sweep = 360 degrees - 2 x that angle, by the theorem of the
+    /// inscribed angle.</remarks>
     private static double BulgeThrough(Point2D start, Point2D end, Point2D through)
     {
         var (a, b) = (start - through, end - through);

@@ -4,8 +4,10 @@ using Engraver.Core.Geometry;
 namespace Engraver.Workbench.Objects;
 
 /// <summary>The grips of selected objects: the places by which they can be dragged. Drawing units.</summary>
-/// <remarks>A line has its ends (stretch) and its middle (move); an arc its ends, a middle that bends it and its centre; a circle its centre and four places of its radius; a polyline its vertices and the
-/// middles of its sides; a whole ellipse its centre and the ends of its axes; an open spline its ends and a middle that moves it; any other curve a middle that moves it.</remarks>
+/// <remarks>A line has its ends (stretch) and its middle (move); an arc its ends, a middle that bends it and its centre; a circle its centre and four
+/// places of its radius; a polyline its vertices and the
+/// middles of its sides; a whole ellipse its centre and the ends of its axes; an open spline its ends and a middle that moves it; any other curve a middle
+/// that moves it.</remarks>
 public static class ObjectGrips
 {
     /// <summary>With more objects selected than this no grips are shown (AutoCAD's GRIPOBJLIMIT).</summary>
@@ -27,7 +29,8 @@ public static class ObjectGrips
         return selection.Count > MostObjects ? [] : selection.Where(entity => entity < drawing.Entities.Count && !drawing.Layers[drawing.Entities[entity].Layer].Locked).SelectMany(entity => Find(drawing, entity)).Take(MostGrips);
     }
 
-    /// <summary>The grips that a press at a place takes: the nearest one, and all that lie on it; none where the nearest is farther away than <paramref name="reach"/>.</summary>
+    /// <summary>The grips that a press at a place takes: the nearest one, and all that lie on it; none where the nearest is farther away than
+    /// <paramref name="reach"/>.</summary>
     public static IReadOnlyList<Grip> At(Drawing drawing, IReadOnlyList<int> selection, Point2D place, double reach)
     {
         var all = Find(drawing, selection).ToList();

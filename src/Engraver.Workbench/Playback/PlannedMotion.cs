@@ -5,7 +5,8 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Workbench.Playback;
 
-/// <summary>The planned motion in time, exactly as <c>plan</c> counts it. Immutable; every question is answered in the logarithm of the number of segments.</summary>
+/// <summary>The planned motion in time, exactly as <c>plan</c> counts it. Immutable; every question is answered in the logarithm of the number of
+/// segments.</summary>
 public sealed class PlannedMotion
 {
     /// <summary>Nearer than this to its end, counts, a segment is through: far less than the shortest segment is long.</summary>
@@ -30,7 +31,8 @@ public sealed class PlannedMotion
     private readonly int[]? _rows;
     private readonly Lazy<int[]> _lines;
 
-    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none. Made when somebody asks by them.</summary>
+    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none. Made when somebody asks by
+    /// them.</summary>
     private readonly Lazy<int[]> _segmentOfEntity;
     private readonly Lazy<int[]> _segmentOfMove;
     private readonly Lazy<int[]> _segmentOfRow;
@@ -96,7 +98,8 @@ public sealed class PlannedMotion
     /// <summary>The line of the posted program that commands a segment, 1 is first; 0 when no program was posted. The first question posts it.</summary>
     public int LineOf(int segment) => (uint)segment < (uint)_lines.Value.Length ? _lines.Value[segment] : 0;
 
-    /// <summary>When the first segment that a line of the posted program commands begins; of a line without one the next that has one; null behind the last.</summary>
+    /// <summary>When the first segment that a line of the posted program commands begins; of a line without one the next that has one; null behind the
+    /// last.</summary>
     public double? TimeOfLine(int line)
     {
         var lines = _lines.Value;
@@ -245,7 +248,8 @@ public sealed class PlannedMotion
         return Moment(span, since, FirstSegment(span.Stroke, 0) + StandsBehind(span), place, speed);
     }
 
-    /// <summary>Place in its stroke of the segment that a standstill or rapid belongs to: the settle at the end of a stroke and the rapid to the finish belong to the segment before, every other one to the segment after.</summary>
+    /// <summary>Place in its stroke of the segment that a standstill or rapid belongs to: the settle at the end of a stroke and the rapid to the finish
+    /// belong to the segment before, every other one to the segment after.</summary>
     private int StandsBehind(in MotionSpan span)
     {
         var sequence = _program.Strokes[span.Stroke].Sequences[span.Sequence];

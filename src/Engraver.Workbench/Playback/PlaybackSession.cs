@@ -31,7 +31,8 @@ public sealed class PlaybackSession(TimeProvider time)
         }
     }
 
-    /// <summary>It plays, or the operator has put it somewhere or paused it; not while it waits at its beginning, after it has played to its end, or while it follows a machine.</summary>
+    /// <summary>It plays, or the operator has put it somewhere or paused it; not while it waits at its beginning, after it has played to its end, or while
+    /// it follows a machine.</summary>
     public bool IsShown
     {
         get

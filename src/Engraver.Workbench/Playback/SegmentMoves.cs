@@ -6,7 +6,8 @@ using Engraver.Core.Toolpaths;
 namespace Engraver.Workbench.Playback;
 
 /// <summary>Which move of the toolpath each segment of the motion program cuts, and to which row of the sequenced table each move belongs.</summary>
-/// <remarks>A move may become several segments (an arc that is split) or none (shorter than a count); a row of an ellipse or spline is several moves. Both sides keep their order, so one walk through both is enough.</remarks>
+/// <remarks>A move may become several segments (an arc that is split) or none (shorter than a count); a row of an ellipse or spline is several moves. Both
+/// sides keep their order, so one walk through both is enough.</remarks>
 internal static class SegmentMoves
 {
     /// <summary>Counts by which a segment's predicted end may stand beside the end of its move.</summary>

@@ -3,7 +3,8 @@ using Engraver.Core.Sending;
 
 namespace Engraver.Workbench.Sending;
 
-/// <summary>Sends a program over a serial line as plain characters, no faster than the line carries them, so that the other side's XOFF is obeyed within a few characters and a stop knows how much is out.</summary>
+/// <summary>Sends a program over a serial line as plain characters, no faster than the line carries them, so that the other side's XOFF is obeyed within a
+/// few characters and a stop knows how much is out.</summary>
 public sealed class ProgramSender
 {
     /// <summary>Characters that are handed to the line at once: what may still come after an XOFF. Controls of punched tape expect up to 16 and more.</summary>
@@ -116,7 +117,8 @@ public sealed class ProgramSender
         }
     }
 
-    /// <summary>Lets time pass by the line's own clock: timers that ring late do not make the whole slower, and what was missed by more than a moment is not caught up in a burst.</summary>
+    /// <summary>Lets time pass by the line's own clock: timers that ring late do not make the whole slower, and what was missed by more than a moment is
+    /// not caught up in a burst.</summary>
     private async Task WaitAsync(TimeSpan span, CancellationToken stop)
     {
         var now = _time.GetElapsedTime(_begun);

@@ -5,7 +5,8 @@ using Engraver.Core.Sending;
 
 namespace Engraver.Workbench.Sending;
 
-/// <summary>A program file that is to be sent. One that is named as a program for a wire eroder may hold several programs, of which the control takes one at a time.</summary>
+/// <summary>A program file that is to be sent. One that is named as a program for a wire eroder may hold several programs, of which the control takes one
+/// at a time.</summary>
 public sealed class SendFile
 {
     private readonly bool _isAgie;

@@ -1,6 +1,7 @@
 namespace Engraver.Workbench.Settings;
 
-/// <summary>One setting of a job, described once: the console's options, the commands, the advice of findings and docs/settings.md take name, unit, range, default and help from here.</summary>
+/// <summary>One setting of a job, described once: the console's options, the commands, the advice of findings and docs/settings.md take name, unit, range,
+/// default and help from here.</summary>
 /// <param name="Key">Permanent name; advice names a setting by it, in brackets.</param>
 public sealed record SettingDescription(string Key)
 {

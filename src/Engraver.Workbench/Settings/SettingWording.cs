@@ -4,7 +4,8 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Settings;
 
-/// <summary>Puts advice into the words of where it is read: findings name settings by their keys, <c>[max-error]</c>, and here those become options of the console or commands of the desktop. <c>[+key]</c> and <c>[-key]</c> are a switch given and not given.</summary>
+/// <summary>Puts advice into the words of where it is read: findings name settings by their keys, <c>[max-error]</c>, and here those become options of the
+/// console or commands of the desktop. <c>[+key]</c> and <c>[-key]</c> are a switch given and not given.</summary>
 public static partial class SettingWording
 {
     /// <summary>Keys that stand for more than the name of a setting: a setting with a value, or a command that shows something.</summary>

@@ -13,7 +13,8 @@ using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Workbench.Settings;
 
-/// <summary>The settings of a job as words, by the keys of the table of settings: how a certificate and the history of jobs keep them. The machine profile is kept apart (<see cref="MachineProfileFile"/>).</summary>
+/// <summary>The settings of a job as words, by the keys of the table of settings: how a certificate and the history of jobs keep them. The machine profile
+/// is kept apart (<see cref="MachineProfileFile"/>).</summary>
 public static class SettingWords
 {
     /// <summary>Letters stay what they are: who shows them escapes them in its own way.</summary>

@@ -6,7 +6,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Settings;
 
-/// <summary>The settings of the desktop as a JSON file. Written whole or not at all; a file that cannot be understood is set aside under another name, never lost.</summary>
+/// <summary>The settings of the desktop as a JSON file. Written whole or not at all; a file that cannot be understood is set aside under another name,
+/// never lost.</summary>
 public static class SettingsFile
 {
     /// <summary>The settings, and a sentence when the file could not be used. A file that is not there is the first start and no finding.</summary>

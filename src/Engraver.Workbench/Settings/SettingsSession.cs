@@ -23,7 +23,8 @@ public sealed class SettingsSession
     /// <summary>A sentence for the operator when the file could not be read or written; null while all is well.</summary>
     public string? Finding { get; private set; }
 
-    /// <summary>Changes the settings and keeps them. When the file cannot be written, <see cref="Finding"/> says so and the change holds for the session.</summary>
+    /// <summary>Changes the settings and keeps them. When the file cannot be written, <see cref="Finding"/> says so and the change holds for the
+    /// session.</summary>
     public void Change(Func<DesktopSettings, DesktopSettings> change)
     {
         ArgumentNullException.ThrowIfNull(change);

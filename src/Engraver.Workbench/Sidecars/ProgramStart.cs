@@ -6,7 +6,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>Where the machine stands before the first block of a program whose form does not say it (AGIE): kept in a small file beside the program, for whoever reads it back or links it.</summary>
+/// <summary>Where the machine stands before the first block of a program whose form does not say it (AGIE): kept in a small file beside the program, for
+/// whoever reads it back or links it.</summary>
 /// <param name="Place">Drawing millimetres; null where none is kept for this program.</param>
 /// <param name="Sentence">Why a file that is there is not used; null for none.</param>
 public readonly record struct ProgramStart(Point2D? Place, string? Sentence)

@@ -3,7 +3,8 @@ using System.Text.Json;
 namespace Engraver.Workbench.Sidecars;
 
 /// <summary>What belongs to a drawing and has no place in a DXF file: trajectories, and members that are kept for whoever knows them. Immutable.</summary>
-/// <remarks>A new section is a property here with its reading and writing in <see cref="SidecarText"/>; until then it is among <see cref="Others"/>, as written.</remarks>
+/// <remarks>A new section is a property here with its reading and writing in <see cref="SidecarText"/>; until then it is among <see cref="Others"/>, as
+/// written.</remarks>
 public sealed record Sidecar
 {
     public static Sidecar Empty { get; } = new();

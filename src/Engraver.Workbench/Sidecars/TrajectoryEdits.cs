@@ -21,7 +21,8 @@ public sealed class TrajectoryEdits
         }
     }
 
-    /// <summary>Entities with these handles, in the order of the drawing; null when one of the handles is gone. Those of a block have one handle together.</summary>
+    /// <summary>Entities with these handles, in the order of the drawing; null when one of the handles is gone. Those of a block have one handle
+    /// together.</summary>
     public IReadOnlyList<int>? EntitiesOf(IReadOnlyList<string> handles)
     {
         ArgumentNullException.ThrowIfNull(handles);

@@ -14,10 +14,12 @@ public sealed record PostedWith
     /// <summary>The drawing's zero by the program's own; null for a program that begins where the machine stands, at the drawing's start.</summary>
     public ProgramOrigin? Origin { get; init; }
 
-    /// <summary>Where the machine stands before the first block, drawing millimetres, for a form that does not say it; null: where the first stroke of the job begins.</summary>
+    /// <summary>Where the machine stands before the first block, drawing millimetres, for a form that does not say it; null: where the first stroke of the
+    /// job begins.</summary>
     public Point2D? Start { get; init; }
 
-    /// <summary>By how much the controller was allowed to round corners, millimetres. Where no other tolerance is said it joins lines within the same (rs274-hpgl.md 1.4), so that both together are allowed.</summary>
+    /// <summary>By how much the controller was allowed to round corners, millimetres. Where no other tolerance is said it joins lines within the same
+    /// (rs274-hpgl.md 1.4), so that both together are allowed.</summary>
     public double BlendMm { get; init; }
 
     /// <summary>What it says beside the way.</summary>

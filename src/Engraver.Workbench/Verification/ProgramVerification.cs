@@ -41,7 +41,8 @@ public static class ProgramVerification
         return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest };
     }
 
-    /// <summary>Wherever the program leads the controller may leave it by its path control: both distances count together. Without a bound nothing is known of them.</summary>
+    /// <summary>Wherever the program leads the controller may leave it by its path control: both distances count together. Without a bound nothing is known
+    /// of them.</summary>
     private static VerificationReport Blended(VerificationReport report, BlendJudge blends, double allowed)
     {
         if (blends.Largest == 0.0) return report with { ToleranceMm = report.ToleranceMm + allowed };
@@ -60,7 +61,8 @@ public static class ProgramVerification
         return reader.Rounding <= usual.Deviation - usual.MaxError ? usual : usual with { Count = usual.Count * reader.Rounding / (usual.Deviation - usual.MaxError) };
     }
 
-    /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its bridges.</summary>
+    /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its
+    /// bridges.</summary>
     /// <param name="verdicts">On the drawing, and where there are bridges on the drawing with them.</param>
     private static VerificationReport Report(PreparedJob job, TraceTolerances tolerances, IReadOnlyList<Diagnostic> faults, TraceVerdict[] verdicts, IReadOnlyList<StrokeMove> bridges)
     {
@@ -87,8 +89,10 @@ public static class ProgramVerification
 }
 
 /// <summary>How a posted program and a drawing agree, millimetres.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cut from the drawing, with what the controller's path control may add to it; null when nothing is cut, nothing is known, or there is no drawing to compare with.</param>
-/// <param name="ToleranceMm">How large it may be: rounding and curve error, and half of the widest gap where the join tolerance has gaps bridged beyond that.</param>
+/// <param name="MaxDeviationMm">Largest distance of a cut from the drawing, with what the controller's path control may add to it; null when nothing is
+/// cut, nothing is known, or there is no drawing to compare with.</param>
+/// <param name="ToleranceMm">How large it may be: rounding and curve error, and half of the widest gap where the join tolerance has gaps bridged beyond
+/// that.</param>
 /// <param name="MissingLengthMm">Length of the drawing that the program does not cut.</param>
 /// <param name="ExtraLengthMm">Length that the program cuts beside the drawing.</param>
 /// <param name="Ok">The program runs to its end, cuts all of the drawing and nothing else.</param>

@@ -62,7 +62,8 @@ internal sealed class ReadBackJudges
     /// <summary>What is wrong with a program that cuts the drawing and nothing else: some of it twice, or at other speeds.</summary>
     public Diagnostic? Behind(CountsPoint start, CancellationToken cancellation) => _length?.Finding ?? PaceFinding(start, cancellation);
 
-    /// <summary>The times of the program are those of the job as the link can carry it, or as it is in one of its two styles: which of them it was posted in, its language does not say.</summary>
+    /// <summary>The times of the program are those of the job as the link can carry it, or as it is in one of its two styles: which of them it was posted
+    /// in, its language does not say.</summary>
     private Diagnostic? PaceFinding(CountsPoint start, CancellationToken cancellation)
     {
         if (_pace is null) return null;

@@ -8,7 +8,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>Trajectory files as one text for <see cref="TrajectoryReader"/>: a single file, or all of a folder by its list; either with the places where the machine stands, if the list is beside them.</summary>
+/// <summary>Trajectory files as one text for <see cref="TrajectoryReader"/>: a single file, or all of a folder by its list; either with the places where
+/// the machine stands, if the list is beside them.</summary>
 public static class TrajectoryReadBack
 {
     /// <summary>The reader of a format.</summary>

@@ -6,7 +6,8 @@ namespace Engraver.Workbench.Views;
 /// <summary>Extents of a drawing in plan, drawing units.</summary>
 public static class DrawingExtents
 {
-    /// <summary>Tight box of every visible curve and point: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is visible.</summary>
+    /// <summary>Tight box of every visible curve and point: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is
+    /// visible.</summary>
     public static Bounds2D Measure(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);

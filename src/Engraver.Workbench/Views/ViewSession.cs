@@ -51,7 +51,8 @@ public sealed class ViewSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Zooms by the mouse: the place stays where it is on the canvas. A factor above 1 enlarges. Not remembered for Previous: a wheel turns often.</summary>
+    /// <summary>Zooms by the mouse: the place stays where it is on the canvas. A factor above 1 enlarges. Not remembered for Previous: a wheel turns
+    /// often.</summary>
     public void ZoomAbout(Point2D place, double factor)
     {
         if (!(factor > 0.0) || !double.IsFinite(factor) || !place.IsFinite) return;

@@ -30,7 +30,8 @@ public sealed record ViewState
 
     public bool ObjectSnap { get; init; } = true;
 
-    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 8 node, 16 quadrant, 32 intersection, 128 perpendicular, 256 tangent, 512 nearest.</summary>
+    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 8 node, 16 quadrant, 32 intersection, 128
+    /// perpendicular, 256 tangent, 512 nearest.</summary>
     public int ObjectSnapModes { get; init; } = 1 + 2 + 4 + 16 + 32;
 
     /// <summary>The object snap for the next place alone, as <see cref="ObjectSnapModes"/> counts them (0: none at all); null: those that are on.</summary>
@@ -72,7 +73,8 @@ public sealed record ViewFocus(Point2D Place, Diagnostic? Finding)
     /// <summary>Millimetres.</summary>
     private const double SamePlace = 1e-6;
 
-    /// <summary>Whether what was found there is still among the findings: by its rule and its place, and where it has none by its entity, because the sentence may tell of others too.</summary>
+    /// <summary>Whether what was found there is still among the findings: by its rule and its place, and where it has none by its entity, because the
+    /// sentence may tell of others too.</summary>
     public bool IsAmong(IEnumerable<Diagnostic> findings)
     {
         return Finding is not { } found || findings.Any(IsSame);

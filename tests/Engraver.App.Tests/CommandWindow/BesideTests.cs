@@ -135,7 +135,8 @@ public sealed class BesideTests(DesktopFixture fixture)
         End(here);
     });
 
-    /// <summary>Esc behind quick typing, wherever the typed words are just then: none of them opens a question or is kept until the job has ended. What is typed behind Esc is taken.</summary>
+    /// <summary>Esc behind quick typing, wherever the typed words are just then: none of them opens a question or is kept until the job has ended. What is
+    /// typed behind Esc is taken.</summary>
     [Fact]
     public Task Escape_ends_what_was_typed_before_it_however_far_that_has_come() => fixture.WithOperator(here =>
     {

@@ -12,7 +12,8 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Tests.Drafting;
 
-/// <summary>Snaps and polar tracking under the hand. The window is 400 by 300 and shows one unit to a pixel, the origin in the middle; a line lies at y = 50, a circle of radius 40 about 0,-50.</summary>
+/// <summary>Snaps and polar tracking under the hand. The window is 400 by 300 and shows one unit to a pixel, the origin in the middle; a line lies at y =
+/// 50, a circle of radius 40 about 0,-50.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class SnappingTests(DesktopFixture fixture)
 {

@@ -9,7 +9,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Tests.Editing;
 
-/// <summary>Selecting and editing with the mouse in the real window: a line (A1, 0,0 to 100,0), an arc (A2, about 50,50, radius 20, 0 to 90 degrees), a circle (A3, 150,50, radius 20), a square (A4, from 0,100, side 40).</summary>
+/// <summary>Selecting and editing with the mouse in the real window: a line (A1, 0,0 to 100,0), an arc (A2, about 50,50, radius 20, 0 to 90 degrees), a
+/// circle (A3, 150,50, radius 20), a square (A4, from 0,100, side 40).</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class EditingByHandTests(DesktopFixture fixture)
 {

@@ -10,7 +10,8 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.HandMoves;
 
-/// <summary>The Machine page with hands: press moves, release stops, and so does whatever else takes the hand away. Time is the test's: it goes on while the operator waits.</summary>
+/// <summary>The Machine page with hands: press moves, release stops, and so does whatever else takes the hand away. Time is the test's: it goes on while
+/// the operator waits.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class JogPadTests(DesktopFixture fixture)
 {

@@ -37,7 +37,8 @@ public sealed class JobTests(DesktopFixture fixture)
         Assert.EndsWith(", length 5.48, starts 3.50)", cost, StringComparison.Ordinal);
     });
 
-    /// <summary>After a stop the machine stands elsewhere than the next job begins: nothing forbids it, but it is not one of the things that are as they should be.</summary>
+    /// <summary>After a stop the machine stands elsewhere than the next job begins: nothing forbids it, but it is not one of the things that are as they
+    /// should be.</summary>
     [Fact]
     public Task A_warning_is_told_from_what_has_passed_by_word_shape_and_colour() => fixture.WithOperator(here =>
     {

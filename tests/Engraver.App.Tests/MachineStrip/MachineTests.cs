@@ -151,7 +151,8 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal((JobOutcome.Stopped, 2), (here.Commands.Machine.LastRun!.Result.Outcome, here.Commands.Machine.LastRun.Result.Holds));
     });
 
-    /// <summary>Two segments of which the second takes a hundred times as long: half of the segments is not half of the job, and within the long one the time goes on.</summary>
+    /// <summary>Two segments of which the second takes a hundred times as long: half of the segments is not half of the job, and within the long one the
+    /// time goes on.</summary>
     [Fact]
     public Task Progress_is_that_of_the_planned_time() => fixture.WithOperator(here =>
     {

@@ -5,7 +5,8 @@ using Engraver.App.Commissioning;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The conversation of the page of commissioning, as the same window has it in memory: what stands there before each answer, and where the answer's button is.</summary>
+/// <summary>The conversation of the page of commissioning, as the same window has it in memory: what stands there before each answer, and where the
+/// answer's button is.</summary>
 internal sealed class AskedQuestions
 {
     private readonly List<AskedQuestion> _asked = [];

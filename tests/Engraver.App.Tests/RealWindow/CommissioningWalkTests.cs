@@ -7,7 +7,9 @@ using static Engraver.App.Tests.RealWindow.GivenAnswer;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>A new machine is commissioned (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP: broken off once, stopped once, gone through to the profile. Before each answer the window must show the question, pixel by pixel. Judged by what the motors and the outputs did. Its pictures are kept.</summary>
+/// <summary>A new machine is commissioned (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP:
+/// broken off once, stopped once, gone through to the profile. Before each answer the window must show the question, pixel by pixel. Judged by what the
+/// motors and the outputs did. Its pictures are kept.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class CommissioningWalkTests(DesktopFixture fixture)
 {

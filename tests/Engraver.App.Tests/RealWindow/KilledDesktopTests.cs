@@ -5,7 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The desktop's process dies in the middle of a job, with its machine in another process: the machine stops by itself, and a desktop that is started afterwards knows what it can know.</summary>
+/// <summary>The desktop's process dies in the middle of a job, with its machine in another process: the machine stops by itself, and a desktop that is
+/// started afterwards knows what it can know.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class KilledDesktopTests(DesktopFixture fixture)
 {
@@ -67,7 +68,9 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
         Assert.InRange(LongestGap(cut), 0.0, 200.0);
     }
 
-    /// <summary>The same, and the controller is switched off before the next desktop comes: what it counted is gone, and a job is refused with what to do. In the full run: that a machine which was off is noticed is tried in the session by <c>ResumeAfterPowerTests</c> and, without homing, by <c>WorkOriginTests</c>.</summary>
+    /// <summary>The same, and the controller is switched off before the next desktop comes: what it counted is gone, and a job is refused with what to do.
+    /// In the full run: that a machine which was off is noticed is tried in the session by <c>ResumeAfterPowerTests</c> and, without homing, by
+    /// <c>WorkOriginTests</c>.</summary>
     [FullRunXServerFact]
     public async Task After_a_power_cycle_the_next_desktop_refuses_until_the_zero_is_set_again()
     {

@@ -5,8 +5,10 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>A day at the machine (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP: from power-on to the second plate. Judged by what the motors and the tool did. Its pictures are kept.</summary>
-/// <remarks>In the full run: a commit opens, arms and starts a job in a real window in <see cref="RealJobTests"/>, resumes in one in <see cref="KilledDesktopTests"/>, and homes, jogs and sets origins on a window in memory.</remarks>
+/// <summary>A day at the machine (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP: from
+/// power-on to the second plate. Judged by what the motors and the tool did. Its pictures are kept.</summary>
+/// <remarks>In the full run: a commit opens, arms and starts a job in a real window in <see cref="RealJobTests"/>, resumes in one in
+/// <see cref="KilledDesktopTests"/>, and homes, jogs and sets origins on a window in memory.</remarks>
 [Collection(DesktopCollection.Name)]
 public sealed class OperatorSessionTests(DesktopFixture fixture)
 {
@@ -115,7 +117,8 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         Assert.Equal(0, desktop.Close());
     }
 
-    /// <summary>A pressed key of the pad, until the machine is so far. Where this computer is so busy that the press is not heard, or the window not for 0.3 s (the jog is released then), the operator presses again.</summary>
+    /// <summary>A pressed key of the pad, until the machine is so far. Where this computer is so busy that the press is not heard, or the window not for
+    /// 0.3 s (the jog is released then), the operator presses again.</summary>
     private static async Task HoldAsync(ShownDesktop desktop, RealMachine machine, Avalonia.Point key, Func<(int A, int B), bool> far)
     {
         for (var tries = 0; tries < 20 && !far(machine.Place); tries++)

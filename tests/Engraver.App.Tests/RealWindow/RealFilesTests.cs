@@ -10,7 +10,8 @@ public sealed class RealFilesTests
 {
     private static readonly Point s_canvas = new(500, 200);
 
-    /// <summary>In the full run: a commit drags files to a real window in <see cref="RealWindowTests"/> and drops them on a desktop in memory in <c>FileDropTests</c>.</summary>
+    /// <summary>In the full run: a commit drags files to a real window in <see cref="RealWindowTests"/> and drops them on a desktop in memory in
+    /// <c>FileDropTests</c>.</summary>
     [FullRunXServerFact]
     public void A_drawing_that_another_program_drops_is_opened_and_a_second_one_after_it()
     {

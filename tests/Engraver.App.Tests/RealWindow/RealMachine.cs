@@ -3,7 +3,8 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The machine beside a real window: a simulated controller of its own, reached over TCP, with home switches. Its time is the test's and stands while the operator's hands are at work, so that a job is met in the middle however slow this computer is.</summary>
+/// <summary>The machine beside a real window: a simulated controller of its own, reached over TCP, with home switches. Its time is the test's and stands
+/// while the operator's hands are at work, so that a job is met in the middle however slow this computer is.</summary>
 internal sealed class RealMachine : IAsyncDisposable
 {
     /// <summary>Counts for a millimetre, both axes.</summary>
@@ -15,7 +16,8 @@ internal sealed class RealMachine : IAsyncDisposable
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
     private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(20);
 
-    /// <summary>An axis at rest has nothing to show while an operator's hands are at work; the host asks it all the same, and a long pause would be thousands of questions.</summary>
+    /// <summary>An axis at rest has nothing to show while an operator's hands are at work; the host asks it all the same, and a long pause would be
+    /// thousands of questions.</summary>
     private static readonly TimeSpan s_momentAtRest = TimeSpan.FromMilliseconds(4);
 
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a broken test waits that long

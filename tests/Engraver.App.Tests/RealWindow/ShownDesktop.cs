@@ -7,7 +7,8 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The desktop as a process of its own on an X server, with a person before it. What it does is read off its title, as the task bar shows it.</summary>
+/// <summary>The desktop as a process of its own on an X server, with a person before it. What it does is read off its title, as the task bar shows
+/// it.</summary>
 internal sealed class ShownDesktop : IDisposable
 {
     private readonly TemporaryDesktopFolder? _ownFolder;
@@ -20,7 +21,8 @@ internal sealed class ShownDesktop : IDisposable
     /// <summary>Two frames of the screen: looking more often takes the time of the processor from what is waited for.</summary>
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(33);
 
-    /// <summary>A window that looks the same so often, while its program has nothing to do, has nothing left to paint; the caret blinks every half second.</summary>
+    /// <summary>A window that looks the same so often, while its program has nothing to do, has nothing left to paint; the caret blinks every half
+    /// second.</summary>
     private const int LooksAtRest = 14;
 
     /// <summary>Four seconds: a program that is at work for longer is not waited for.</summary>
@@ -65,7 +67,8 @@ internal sealed class ShownDesktop : IDisposable
 
     public void Type(string text) => _server.Run("xdotool", "type", text);
 
-    /// <summary>Types words until the window is called so: what acts on the machine is refused while a command is at work, and an operator types it again.</summary>
+    /// <summary>Types words until the window is called so: what acts on the machine is refused while a command is at work, and an operator types it
+    /// again.</summary>
     public void EnterUntil(string beginning, params ReadOnlySpan<string> words)
     {
         for (var tries = 0; tries < 5; tries++)

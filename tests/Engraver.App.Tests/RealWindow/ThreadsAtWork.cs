@@ -1,7 +1,9 @@
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>Whether a program has something to do, however busy the computer is: Linux tells of each thread whether it runs or would run if a processor were free (proc(5), state R).</summary>
-/// <remarks>A thread that is woken for a moment now and then is met at work by chance; one that is met so twice in a row works on, or waits for its turn.</remarks>
+/// <summary>Whether a program has something to do, however busy the computer is: Linux tells of each thread whether it runs or would run if a processor
+/// were free (proc(5), state R).</summary>
+/// <remarks>A thread that is woken for a moment now and then is met at work by chance; one that is met so twice in a row works on, or waits for its
+/// turn.</remarks>
 /// <param name="process">The number of the program.</param>
 internal sealed class ThreadsAtWork(int process)
 {

@@ -10,7 +10,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Sessions;
 
-/// <summary>A monkey at the desktop: commands, answers, clicks, drags, wheels, keys and drops at random. The window lives, nothing fails inside, memory stays, files are left alone, and the machine's stop still answers.</summary>
+/// <summary>A monkey at the desktop: commands, answers, clicks, drags, wheels, keys and drops at random. The window lives, nothing fails inside, memory
+/// stays, files are left alone, and the machine's stop still answers.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class MonkeyTests(DesktopFixture fixture)
 {

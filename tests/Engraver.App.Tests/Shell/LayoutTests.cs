@@ -43,7 +43,8 @@ public sealed class LayoutTests(DesktopFixture fixture)
         here.Rest();
     });
 
-    /// <summary>What is for looking at and drawing on is most of a small screen, until the operator opens a panel; the command line says its last word beside it.</summary>
+    /// <summary>What is for looking at and drawing on is most of a small screen, until the operator opens a panel; the command line says its last word
+    /// beside it.</summary>
     [Fact]
     public Task On_a_small_screen_the_canvas_has_the_room_and_panels_are_opened_at_will() => fixture.WithOperator(here =>
     {

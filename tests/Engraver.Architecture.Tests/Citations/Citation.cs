@@ -16,7 +16,8 @@ public static partial class CitationReader
     public const string Contract = "cli-contract.md";
     public const string Papers = "papers.md";
 
-    /// <summary>Every citation with its place in the text: pages by name, sections of the controller reference in comments, the runner's contract, papers by number.</summary>
+    /// <summary>Every citation with its place in the text: pages by name, sections of the controller reference in comments, the runner's contract,
+    /// papers by number.</summary>
     /// <param name="text">The whole file; file names are found in strings too.</param>
     /// <param name="prose">The same with code blanked: bare marks and words are looked for here only.</param>
     public static IEnumerable<(int Position, Citation Citation)> Read(string text, string prose) =>

@@ -55,7 +55,8 @@ public class CitationTests
             .Append(SourceFile.Read(Path.Combine(TestKit.RepositoryFolder.Root, "README.md")))
             .Where(file => !file.Name.StartsWith("docs/reference/", StringComparison.Ordinal) && !file.Name.StartsWith("tests/Engraver.Architecture.Tests/", StringComparison.Ordinal));
 
-    /// <summary>Where bare marks are looked for: comments. The software platform knows nothing of controllers; its marks are of other standards (SVG, TrueType).</summary>
+    /// <summary>Where bare marks are looked for: comments. The software platform knows nothing of controllers; its marks are of other standards (SVG,
+    /// TrueType).</summary>
     private static string Prose(SourceFile file) =>
         file.Name.Contains("/Engraver.SoftwarePlatform", StringComparison.Ordinal) ? "" : file.Name.EndsWith(".cs", StringComparison.Ordinal) ? CSharpText.Parse(file.Text).Comments : file.Text;
 

@@ -16,7 +16,8 @@ public sealed partial class UnusedPhrases
 
     public static UnusedPhrases Read() => Parse(File.ReadAllText(Path.Combine(RepositoryFolder.Root, "CONTRIBUTING.md")));
 
-    /// <param name="page">A page with the heading and, under it, a table of three columns: phrases, replacement, allowed expressions. Several are separated by commas.</param>
+    /// <param name="page">A page with the heading and, under it, a table of three columns: phrases, replacement, allowed expressions. Several are separated
+    /// by commas.</param>
     public static UnusedPhrases Parse(string page)
     {
         var rows = SectionOf(page).Split('\n').Where(line => line.StartsWith('|')).Skip(2).Select(line => line.Trim('|', ' ').Split('|'));

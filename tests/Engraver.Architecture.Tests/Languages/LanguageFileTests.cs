@@ -5,7 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Languages;
 
-/// <summary>The one file of each language beside English, held against the <c>Texts.resx</c> of every project: nothing is missing, nothing is left over, and every fact has its place.</summary>
+/// <summary>The one file of each language beside English, held against the <c>Texts.resx</c> of every project: nothing is missing, nothing is left over,
+/// and every fact has its place.</summary>
 public sealed partial class LanguageFileTests
 {
     private const int WordsOfASentence = 4;

@@ -2,7 +2,8 @@ using System.Text;
 
 namespace Engraver.Architecture.Tests.Sources;
 
-/// <summary>C# source taken apart: code with every comment, string and character blanked, and comments with everything else blanked. Both keep the length and the line ends of the source.</summary>
+/// <summary>C# source taken apart: code with every comment, string and character blanked, and comments with everything else blanked. Both keep the length
+/// and the line ends of the source.</summary>
 public sealed record CSharpText(string Code, string Comments)
 {
     public static CSharpText Parse(string source)

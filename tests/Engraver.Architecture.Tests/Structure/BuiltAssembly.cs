@@ -20,7 +20,8 @@ public sealed class BuiltAssembly : IDisposable
 
     public IEnumerable<string> References => _metadata.AssemblyReferences.Select(handle => _metadata.GetString(_metadata.GetAssemblyReference(handle).Name));
 
-    /// <summary>Static fields that can be assigned again, those behind static properties included. What the compiler or a source generator made for itself is left out.</summary>
+    /// <summary>Static fields that can be assigned again, those behind static properties included. What the compiler or a source generator made for itself
+    /// is left out.</summary>
     public IEnumerable<string> MutableStatics =>
         from handle in _metadata.TypeDefinitions
         let type = _metadata.GetTypeDefinition(handle)

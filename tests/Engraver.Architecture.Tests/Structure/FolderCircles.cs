@@ -3,7 +3,8 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>Folders that name each other's types, directly or by way of others: a circle. Folders are compared with their neighbours in the same parent, at every level below src; files that stand in the parent itself count for neither. Arrows between projects have a test of their own.</summary>
+/// <summary>Folders that name each other's types, directly or by way of others: a circle. Folders are compared with their neighbours in the same parent, at
+/// every level below src; files that stand in the parent itself count for neither. Arrows between projects have a test of their own.</summary>
 /// <param name="Parent">The folder that holds them, relative to the root: src/Engraver.Core.</param>
 /// <param name="Rooms">Their names, in order.</param>
 public sealed record FolderCircle(string Parent, IReadOnlyList<string> Rooms)

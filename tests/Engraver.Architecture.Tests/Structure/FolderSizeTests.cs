@@ -2,7 +2,8 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>A reader finds a thought in one file and a file in one look at its folder (docs/architecture.md, "Folders"). Lines are counted without blank ones.</summary>
+/// <summary>A reader finds a thought in one file and a file in one look at its folder (docs/architecture.md, "Folders"). Lines are counted without blank
+/// ones.</summary>
 public class FolderSizeTests
 {
     private const int MostFiles = 25;

@@ -25,7 +25,8 @@ public class HabitTests
     [Fact]
     public void No_test_sleeps() => AssertNowhere("tests", @"\b(Thread\.Sleep|Task\.Delay|SpinWait\.SpinUntil)\s*\(");
 
-    /// <summary>A test that ends early where something is missing looks like one that passed. It must be skipped by an attribute that says why (CorpusFactAttribute).</summary>
+    /// <summary>A test that ends early where something is missing looks like one that passed. It must be skipped by an attribute that says why
+    /// (CorpusFactAttribute).</summary>
     [Fact]
     public void No_test_returns_green_where_the_corpus_is_missing() => AssertNowhere("tests", @"\bCorpus is (not \{ \}|null)[^;]*\breturn;");
 

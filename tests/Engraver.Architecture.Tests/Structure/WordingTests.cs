@@ -5,7 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>Texts that people read stand in Texts.resx: each that is asked for is there, each that is there is asked for, and no source holds sentences of its own. Where some still stand for another reason is listed in words.txt, which may only become shorter.</summary>
+/// <summary>Texts that people read stand in Texts.resx: each that is asked for is there, each that is there is asked for, and no source holds sentences of
+/// its own. Where some still stand for another reason is listed in words.txt, which may only become shorter.</summary>
 public partial class WordingTests
 {
     private const string ListName = "tests/Engraver.Architecture.Tests/Structure/words.txt";

@@ -7,7 +7,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Languages;
 
-/// <summary>The runner in the pseudo-language: help of every verb, results for people, refusals. A plain letter outside of marks is a text that no language could translate.</summary>
+/// <summary>The runner in the pseudo-language: help of every verb, results for people, refusals. A plain letter outside of marks is a text that no language
+/// could translate.</summary>
 public class PseudoLanguageTests
 {
     /// <summary>The program's name, units, and what the library for verbs says of itself.</summary>

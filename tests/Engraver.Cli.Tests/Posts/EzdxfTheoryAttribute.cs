@@ -2,7 +2,8 @@ using System.Diagnostics;
 
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>A test that asks ezdxf (Debian: python3-ezdxf), which shares no code with us; skipped where it is not installed. ./test installs it when it may.</summary>
+/// <summary>A test that asks ezdxf (Debian: python3-ezdxf), which shares no code with us; skipped where it is not installed. ./test installs it when it
+/// may.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class EzdxfTheoryAttribute : TheoryAttribute
 {

@@ -53,7 +53,8 @@ public class SavedFileTests
         Assert.Equal("7 true true false", layers["TRUE"]);
     }
 
-    /// <summary>Four lines about a circle, an ellipse and a bulged polyline; each command of reshaping works on them, and the stranger finds what must be left.</summary>
+    /// <summary>Four lines about a circle, an ellipse and a bulged polyline; each command of reshaping works on them, and the stranger finds what must be
+    /// left.</summary>
     [EzdxfTheory]
     [InlineData("TRIM  40,0 ", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
     [InlineData("TRIM  60,50 ", "ARC,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]

@@ -3,7 +3,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A job beside other work of the same process: an opening drawing, tiles, a plan. The controller's dead man allows one second, so the heartbeat must not wait until a thread of the pool is free.</summary>
+/// <summary>A job beside other work of the same process: an opening drawing, tiles, a plan. The controller's dead man allows one second, so the heartbeat
+/// must not wait until a thread of the pool is free.</summary>
 [Collection(nameof(BusyProcess))]
 public class BusyProcessTests
 {

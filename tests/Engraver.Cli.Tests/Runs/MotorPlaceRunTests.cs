@@ -4,7 +4,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The motors of servo axes are judged, not only what they were commanded: over a network and over a serial line, with an output and with an axis as tool drive.</summary>
+/// <summary>The motors of servo axes are judged, not only what they were commanded: over a network and over a serial line, with an output and with an axis
+/// as tool drive.</summary>
 public sealed class MotorPlaceRunTests
 {
     private static readonly string[] s_links = ["tcp", "serial"];
@@ -28,7 +29,8 @@ public sealed class MotorPlaceRunTests
         }
     }
 
-    /// <summary>X stands in the middle of a line that is cut at 20 mm/s: after 0.2 s the motor is 4 mm behind, and the controller itself ends the job.</summary>
+    /// <summary>X stands in the middle of a line that is cut at 20 mm/s: after 0.2 s the motor is 4 mm behind, and the controller itself ends the
+    /// job.</summary>
     [Theory]
     [MemberData(nameof(Ways))]
     public async Task A_blocked_axis_is_never_a_perfect_part(string link, string mode, bool isMill)

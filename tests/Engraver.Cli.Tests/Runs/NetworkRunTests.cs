@@ -23,7 +23,8 @@ public class NetworkRunTests
 
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
-    /// <summary>A commit tries the main strategy between two processes; the others between a process and a controller of the test, below, and all of them over each link in <c>EveryStrategyTests</c>.</summary>
+    /// <summary>A commit tries the main strategy between two processes; the others between a process and a controller of the test, below, and all of them
+    /// over each link in <c>EveryStrategyTests</c>.</summary>
     public static TheoryData<string> Modes => TestExtent.IsFull ? ["stream", "calls", "program"] : ["stream"];
 
     public static TheoryData<string> LentModes => TestExtent.IsFull ? ["stream", "program"] : ["program"];

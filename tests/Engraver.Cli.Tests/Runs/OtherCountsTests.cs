@@ -11,7 +11,8 @@ public sealed class OtherCountsTests : IDisposable
     private readonly TemporaryFolder _folder = new();
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(120));
 
-    /// <summary>As it was found: two profiles with the same homing, or none, were taken one for the other without a word, and the part came out too large.</summary>
+    /// <summary>As it was found: two profiles with the same homing, or none, were taken one for the other without a word, and the part came out too
+    /// large.</summary>
     [Fact]
     public async Task An_origin_is_refused_by_a_profile_with_other_counts_and_taken_when_it_is_set_anew()
     {

@@ -3,7 +3,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A controller of another family is run with a warning, one with a single axis is refused with what is needed; an address needs no scheme where it tells what it is.</summary>
+/// <summary>A controller of another family is run with a warning, one with a single axis is refused with what is needed; an address needs no scheme where
+/// it tells what it is.</summary>
 public sealed class OtherModelTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();

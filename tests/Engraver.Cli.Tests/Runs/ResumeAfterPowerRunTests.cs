@@ -5,7 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The power of a mill fails in the middle of a run: <c>home</c> and <c>run --resume</c> cut the rest where the work is, in machine counts and to its depth.</summary>
+/// <summary>The power of a mill fails in the middle of a run: <c>home</c> and <c>run --resume</c> cut the rest where the work is, in machine counts and to
+/// its depth.</summary>
 public sealed class ResumeAfterPowerRunTests : IDisposable
 {
     private const int TopOfWork = 4800;

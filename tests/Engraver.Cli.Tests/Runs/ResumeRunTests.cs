@@ -79,7 +79,8 @@ public sealed class ResumeRunTests : IDisposable
         await DoneAsync([.. run, "--resume", journal]);
     }
 
-    /// <summary>As it was found: a journal whose last place was edited was believed, and up to 27 % of the drawing was never cut. A crash leaves no end and, at most, half a line.</summary>
+    /// <summary>As it was found: a journal whose last place was edited was believed, and up to 27 % of the drawing was never cut. A crash leaves no end
+    /// and, at most, half a line.</summary>
     [Theory]
     [InlineData("stream", false)]
     [InlineData("calls", true)]
@@ -140,7 +141,8 @@ public sealed class ResumeRunTests : IDisposable
         Assert.Contains("--lead-in", run.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>As it was found: after a dry run in between nothing told any more where the job had been begun, and the rest was cut 33 mm beside it and called complete; and what was left could be cut again and again.</summary>
+    /// <summary>As it was found: after a dry run in between nothing told any more where the job had been begun, and the rest was cut 33 mm beside it and
+    /// called complete; and what was left could be cut again and again.</summary>
     [Fact]
     public async Task A_job_goes_on_once_and_nowhere_else_whatever_was_run_in_between()
     {

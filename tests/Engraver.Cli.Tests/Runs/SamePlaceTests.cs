@@ -5,13 +5,15 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The same job goes to the same place of the machine, whatever ended the one before: by the simulator's counts. The hosts are processes, which can be killed; the origin lies where nobody would get by chance.</summary>
+/// <summary>The same job goes to the same place of the machine, whatever ended the one before: by the simulator's counts. The hosts are processes, which
+/// can be killed; the origin lies where nobody would get by chance.</summary>
 public class SamePlaceTests
 {
     private const int Tool = 1;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
-    /// <summary>A commit tries one strategy from the console (in the session, which runs scripts too, <c>WorkOriginTests</c> try all), the full run each from both programs.</summary>
+    /// <summary>A commit tries one strategy from the console (in the session, which runs scripts too, <c>WorkOriginTests</c> try all), the full run each
+    /// from both programs.</summary>
     public static TheoryData<string> ConsoleModes => TestExtent.IsFull ? ["stream", "calls", "program"] : ["program"];
 
     public static TheoryData<string> ScriptModes => ["Stream", "Calls", "Program"];

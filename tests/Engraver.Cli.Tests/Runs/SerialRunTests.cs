@@ -11,7 +11,8 @@ public class SerialRunTests
 {
     private const byte Tool = 1;
 
-    /// <summary>Four times real time, slow enough that a part is still being cut when the test breaks in. The host takes the controller's clock, so that a busy computer does not set off the dead man.</summary>
+    /// <summary>Four times real time, slow enough that a part is still being cut when the test breaks in. The host takes the controller's clock, so that a
+    /// busy computer does not set off the dead man.</summary>
     private const double Slowly = 4.0;
     private const double AllowedDeviation = 0.0025 + 0.001;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);

@@ -4,7 +4,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The list that the desktop arms by is gone through by the console too, before anything moves; each line of it is asked of the controller then.</summary>
+/// <summary>The list that the desktop arms by is gone through by the console too, before anything moves; each line of it is asked of the controller
+/// then.</summary>
 public class StartListTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(120);

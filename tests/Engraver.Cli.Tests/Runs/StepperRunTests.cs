@@ -8,7 +8,8 @@ public class StepperRunTests
 {
     private const string Profile = """{ "motorTypeX": 2, "motorTypeY": -2 }""";
 
-    /// <summary>The shaft of X is blocked for a moment: the part is wrong by its record, which no host can see, and so none promises that it is right.</summary>
+    /// <summary>The shaft of X is blocked for a moment: the part is wrong by its record, which no host can see, and so none promises that it is
+    /// right.</summary>
     [Fact]
     public async Task A_run_in_which_a_stepper_has_lost_steps_promises_no_more_than_was_commanded()
     {

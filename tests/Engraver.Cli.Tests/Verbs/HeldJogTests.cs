@@ -4,7 +4,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary><c>engraver jog --hold</c> as a process of its own: what stops it, and what stops the machine when it dies. The simulated controller keeps the time of its host, and with the wall once that is dead.</summary>
+/// <summary><c>engraver jog --hold</c> as a process of its own: what stops it, and what stops the machine when it dies. The simulated controller keeps the
+/// time of its host, and with the wall once that is dead.</summary>
 public class HeldJogTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(120);

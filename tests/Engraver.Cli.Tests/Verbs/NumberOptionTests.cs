@@ -4,7 +4,8 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>Every option that is one number, of every verb: a value that is not one number is refused with a sentence that names the option, before anything happens.</summary>
+/// <summary>Every option that is one number, of every verb: a value that is not one number is refused with a sentence that names the option, before
+/// anything happens.</summary>
 public class NumberOptionTests
 {
     /// <summary>What a comma for a point, a variable of a shell that is not set, a unit or a slip of the hand gives.</summary>

@@ -7,7 +7,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>The page of a job is well-formed, needs nothing from elsewhere, says the figures of <c>plan</c> exactly, and does not obey what a drawing says.</summary>
+/// <summary>The page of a job is well-formed, needs nothing from elsewhere, says the figures of <c>plan</c> exactly, and does not obey what a drawing
+/// says.</summary>
 public class ReportVerbTests
 {
     private const string Html = "{http://www.w3.org/1999/xhtml}";

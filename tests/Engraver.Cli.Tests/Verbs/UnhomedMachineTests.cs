@@ -43,7 +43,8 @@ public sealed class UnhomedMachineTests : IDisposable
         Assert.InRange(machine.FastestFrom(0), 7, 8);
     }
 
-    /// <summary>As it was found: <c>zero</c> stored an origin, by which no job runs, said that its place is not known, and forgot those that a homing would have brought back.</summary>
+    /// <summary>As it was found: <c>zero</c> stored an origin, by which no job runs, said that its place is not known, and forgot those that a homing would
+    /// have brought back.</summary>
     [Fact]
     public async Task An_origin_is_not_set_before_the_homing_and_what_to_do_is_told_in_verbs()
     {

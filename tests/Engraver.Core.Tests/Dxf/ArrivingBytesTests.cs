@@ -8,7 +8,8 @@ public class ArrivingBytesTests
 {
     private static readonly DxfText s_lines = new DxfText().Header("AC1015", 4).Section("TABLES").Section("BLOCKS").Section("ENTITIES", [.. Enumerable.Range(0, 600).SelectMany(Line)]).End();
 
-    /// <summary>Line ends, comments as long as nothing that arrives at once, text that is no pair, the entities before their blocks, an end inside a pair, zeros, a byte order mark, the binary form.</summary>
+    /// <summary>Line ends, comments as long as nothing that arrives at once, text that is no pair, the entities before their blocks, an end inside a pair,
+    /// zeros, a byte order mark, the binary form.</summary>
     public static TheoryData<string> Forms => ["LF", "CRLF", "CR", "comment", "damage", "blocks last", "cut", "zeros", "mark", "wide", "binary", "short", "empty"];
 
     [Theory]

@@ -11,7 +11,8 @@ namespace Engraver.Core.Tests.Dxf;
 /// <summary>Real drawings and made ones, against what an independent reader found in them (corpus/README.md).</summary>
 public class CorpusTests
 {
-    /// <summary>18 meshes among the polylines, and six entities of types that no reader of today knows (3DLINE, REPEAT, ENDREP) or that hold no curve (REGION).</summary>
+    /// <summary>18 meshes among the polylines, and six entities of types that no reader of today knows (3DLINE, REPEAT, ENDREP) or that hold no curve
+    /// (REGION).</summary>
     private const int MostRefused = 24;
 
     private const double Tolerance = 1e-6;

@@ -14,7 +14,8 @@ public class ExpansionTests
         (0, "SPLINE"), (70, 8), (71, 2), (72, 6), (73, 3), (40, 0.0), (40, 0.0), (40, 0.0), (40, 1.0), (40, 1.0), (40, 1.0), (10, 0.0), (20, 0.0), (30, 0.0), (10, 5.0), (20, 1.0), (30, 2.0), (10, 7.0), (20, -3.0), (30, 4.0),
     ];
 
-    /// <summary>Where three parts of the content pass in space at the fractions 0, 1/4, 1/2 and 3/4 of the line, of the circle's turn, of the spline's parameter.</summary>
+    /// <summary>Where three parts of the content pass in space at the fractions 0, 1/4, 1/2 and 3/4 of the line, of the circle's turn, of the spline's
+    /// parameter.</summary>
     private static readonly double[][][] s_points =
     [
         [.. Quarters.Select(t => new[] { 1.0 - (5.0 * t), 2.0 + (3.0 * t), 3.0 - (2.5 * t), 1.0 })],

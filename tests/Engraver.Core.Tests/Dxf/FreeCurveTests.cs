@@ -133,7 +133,8 @@ public class FreeCurveTests
         Assert.Empty(whole.Diagnostics);
     }
 
-    /// <summary>As drawn by programs that join Bezier curves and keep their knots apart: between two knots that are hardly apart lies a span so short that the rounding of its place is noise in its speed.</summary>
+    /// <summary>As drawn by programs that join Bezier curves and keep their knots apart: between two knots that are hardly apart lies a span so short that
+    /// the rounding of its place is noise in its speed.</summary>
     [Fact]
     public void Knots_that_are_hardly_apart_are_measured_in_time()
     {

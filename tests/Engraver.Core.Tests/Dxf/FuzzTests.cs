@@ -6,7 +6,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Damaged drawings by the thousand. A million: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Core.Tests -c Release --filter FuzzTests; ENGRAVER_FUZZ_FIRST names the first seed.</summary>
+/// <summary>Damaged drawings by the thousand. A million: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Core.Tests -c Release --filter FuzzTests;
+/// ENGRAVER_FUZZ_FIRST names the first seed.</summary>
 public class FuzzTests
 {
     private const double LargestCoordinate = 1e101;

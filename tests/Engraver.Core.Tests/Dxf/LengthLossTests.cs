@@ -6,7 +6,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>One number inside a curve is changed (a span, a radius, a count): the curve is as long as its numbers say then, or a finding says that it is not.</summary>
+/// <summary>One number inside a curve is changed (a span, a radius, a count): the curve is as long as its numbers say then, or a finding says that it is
+/// not.</summary>
 public class LengthLossTests
 {
     /// <summary>A curve may be shorter than the estimate by this part: sums of chords are shorter themselves.</summary>
@@ -109,7 +110,8 @@ public class LengthLossTests
         return (reach * Math.Cos(angle), reach * Math.Sin(angle));
     }
 
-    /// <summary>At most a turn. An end below its start is met after the angles have begun again; next to nothing is meant then only by two angles near that place.</summary>
+    /// <summary>At most a turn. An end below its start is met after the angles have begun again; next to nothing is meant then only by two angles near that
+    /// place.</summary>
     private static double Turn(double start, double end, double turn)
     {
         if (Math.Abs(end - start) <= 1e-9) return 0.0;

@@ -33,7 +33,8 @@ public class PointTests
         Assert.Equal([("POINT", 1)], DrawingRest.Find(drawing));
     }
 
-    /// <summary>A block of a point on layer 0 by block, twice in a row 10 apart, turned by 90 degrees and twice as large, in an insert on layer CUT of colour 5.</summary>
+    /// <summary>A block of a point on layer 0 by block, twice in a row 10 apart, turned by 90 degrees and twice as large, in an insert on layer CUT of
+    /// colour 5.</summary>
     [Fact]
     public void Points_of_blocks_stand_where_their_copies_are()
     {

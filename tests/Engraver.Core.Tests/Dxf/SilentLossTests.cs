@@ -108,7 +108,8 @@ public class SilentLossTests
     }
 
     /// <summary>
-    /// Zeros in a binary file read as records without a name, wherever they begin: heads and ends of sections and blocks, CLASSES, tables, entities, OBJECTS. Not told can be what is a value
+    /// Zeros in a binary file read as records without a name, wherever they begin: heads and ends of sections and blocks, CLASSES, tables, entities,
+    /// OBJECTS. Not told can be what is a value
     /// as good as another: the name or the flags of a layer, and so only the number of curves is compared.
     /// </summary>
     [Theory]
@@ -211,7 +212,8 @@ public class SilentLossTests
         Assert.Contains("'LINE'", finding.Message, StringComparison.Ordinal);
     }
 
-    /// <summary>Sections that other programs add, of records of their own; preview pictures; what AutoCAD stores behind the entities; header variables behind the header's end.</summary>
+    /// <summary>Sections that other programs add, of records of their own; preview pictures; what AutoCAD stores behind the entities; header variables
+    /// behind the header's end.</summary>
     [Theory]
     [InlineData("THUMBNAILIMAGE", "90 12|310 28000000|310 FFFF")]
     [InlineData("ACDSDATA", "70 2|71 6|0 ACDSSCHEMA|90 0|1 AcDb_Thumbnail_Schema|2 AcDbDs::ID|280 10|91 8|0 ACDSRECORD|90 0")]

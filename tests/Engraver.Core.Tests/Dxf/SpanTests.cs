@@ -88,7 +88,8 @@ public class SpanTests
         }
     }
 
-    /// <summary>Angles that run clockwise by almost a turn end next to where they began: whether a point or a whole ellipse was meant, the operator must see it.</summary>
+    /// <summary>Angles that run clockwise by almost a turn end next to where they began: whether a point or a whole ellipse was meant, the operator must
+    /// see it.</summary>
     [Theory]
     [InlineData(0.0, -6.28318530)]
     [InlineData(6.2831853, -1e-9)]

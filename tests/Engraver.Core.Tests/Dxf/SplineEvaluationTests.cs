@@ -2,7 +2,8 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Splines of every degree, clamped or not, with repeated knots and weights, against the recursion of Cox and de Boor as it stands in the books.</summary>
+/// <summary>Splines of every degree, clamped or not, with repeated knots and weights, against the recursion of Cox and de Boor as it stands in the
+/// books.</summary>
 public class SplineEvaluationTests
 {
     [Fact]

@@ -8,7 +8,8 @@ public class EndHeightsTests
 {
     private const double Tolerance = 0.05;
 
-    /// <summary>Steps of a fifth of the tolerance over forty of them: every level by itself holds no more than the tolerance, and neighbours are told apart.</summary>
+    /// <summary>Steps of a fifth of the tolerance over forty of them: every level by itself holds no more than the tolerance, and neighbours are told
+    /// apart.</summary>
     [Fact]
     public void The_small_steps_of_a_ramp_do_not_make_one_level_of_all_depths()
     {

@@ -2,8 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Tests.Geometry;
 
-/// <summary>The fewest lines and arcs that can follow a curve: dynamic programming over 256 knots of each smooth run. Knows nothing of the fit that it judges.</summary>
-/// <remarks>Between two knots goes one arc (or line) whose tangents happen to be the curve's at both, or two arcs of the family that begins and ends in the curve's directions. Whether they are near enough is sampled, so the answer errs on the low side.</remarks>
+/// <summary>The fewest lines and arcs that can follow a curve: dynamic programming over 256 knots of each smooth run. Knows nothing of the fit that it
+/// judges.</summary>
+/// <remarks>Between two knots goes one arc (or line) whose tangents happen to be the curve's at both, or two arcs of the family that begins and ends in the
+/// curve's directions. Whether they are near enough is sampled, so the answer errs on the low side.</remarks>
 internal sealed class ArcSplineOptimum
 {
     private const int Knots = 256;

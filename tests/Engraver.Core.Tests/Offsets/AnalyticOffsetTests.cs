@@ -88,7 +88,8 @@ public class AnalyticOffsetTests
         IsNear((width * height) - ((4.0 - Math.PI) * radius * radius), loop.SignedArea);
     }
 
-    /// <summary>Outwards: the polygon's area, its length times the distance, and a sector for every tip; the hollow corners are trimmed by tan of half their turn.</summary>
+    /// <summary>Outwards: the polygon's area, its length times the distance, and a sector for every tip; the hollow corners are trimmed by tan of half
+    /// their turn.</summary>
     [Fact]
     public void A_star_has_an_arc_at_every_tip_outwards()
     {

@@ -45,7 +45,8 @@ public class CorpusOffsetTests
         }
     }
 
-    /// <summary>Several distances, in and out: closed, not nearer than the distance, and outwards around everything. What was drawn with gaps or as a curve has their tolerance.</summary>
+    /// <summary>Several distances, in and out: closed, not nearer than the distance, and outwards around everything. What was drawn with gaps or as a curve
+    /// has their tolerance.</summary>
     private static string? FaultOf(OffsetContour contour)
     {
         var box = BoxOf(contour.Segments);

@@ -132,7 +132,8 @@ public class HardOffsetTests
         }
     }
 
-    /// <summary>Of the drawing of an owl: a spline goes on nearly straight in a line, which is followed by a line so short that on the inside of their corner nothing of it is left. The joint that was meant smooth has one node,
+    /// <summary>Of the drawing of an owl: a spline goes on nearly straight in a line, which is followed by a line so short that on the inside of their
+    /// corner nothing of it is left. The joint that was meant smooth has one node,
     /// by which the long line lies a little too near; it is not taken for covered all the same.</summary>
     [Fact]
     public void A_loop_stays_closed_where_a_smooth_joint_and_a_short_line_follow_each_other()

@@ -3,7 +3,8 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Core.Tests.Offsets;
 
-/// <summary>Judges an offset by plain arithmetic that shares nothing with how it is computed: distances to every piece, winding numbers of finely divided loops.</summary>
+/// <summary>Judges an offset by plain arithmetic that shares nothing with how it is computed: distances to every piece, winding numbers of finely divided
+/// loops.</summary>
 internal sealed class OffsetWitness
 {
     private const int PartsOfTurn = 720;
@@ -71,7 +72,8 @@ internal sealed class OffsetWitness
         return null;
     }
 
-    /// <summary>A place at the distance on the left (or right) of a piece or corner that nothing drawn is nearer to, but that is not on the result; null for none.</summary>
+    /// <summary>A place at the distance on the left (or right) of a piece or corner that nothing drawn is nearer to, but that is not on the result; null
+    /// for none.</summary>
     public string? Missing(OffsetResult result, double distance, bool left)
     {
         var found = result.Loops.SelectMany(loop => loop.Segments).ToArray();

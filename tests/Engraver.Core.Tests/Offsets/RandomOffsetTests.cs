@@ -21,7 +21,9 @@ public class RandomOffsetTests
         for (var seed = 0; seed < Seeds; seed++) JudgeOpen(seed);
     }
 
-    /// <summary>Drawings that were wrong once: on a lattice a run was judged in a tangent point (123 to 368), a wall belonged to one side alone (4); and one on a circle of 29 m, where a crossing was reckoned from its far centre (4355); a line there and back counted as a contour with an inside (4717, 5787).</summary>
+    /// <summary>Drawings that were wrong once: on a lattice a run was judged in a tangent point (123 to 368), a wall belonged to one side alone (4); and
+    /// one on a circle of 29 m, where a crossing was reckoned from its far centre (4355); a line there and back counted as a contour with an inside (4717,
+    /// 5787).</summary>
     [Theory]
     [InlineData(4)]
     [InlineData(123)]

@@ -118,7 +118,8 @@ public class AnalyticPocketTests
         IsNear(result.ReachableArea, result.CoveredArea);
     }
 
-    /// <summary>Climb milling with a right-hand tool: the wall on the right, so that the outer wall is passed counter-clockwise and an island clockwise.</summary>
+    /// <summary>Climb milling with a right-hand tool: the wall on the right, so that the outer wall is passed counter-clockwise and an island
+    /// clockwise.</summary>
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

@@ -35,7 +35,8 @@ public class ClDataTests
             for (var i = 0; i < found.Count; i++) AssertSame(segments[i], found[i]);
         }).QuickCheckThrowOnFailure();
 
-    /// <summary>Other programs draw an ARC from 30 to 390 degrees as a point. Where the tool starts is in the extended data, which the reader of CL data follows.</summary>
+    /// <summary>Other programs draw an ARC from 30 to 390 degrees as a point. Where the tool starts is in the extended data, which the reader of CL data
+    /// follows.</summary>
     [Theory]
     [InlineData(0.0, 360.0)]
     [InlineData(180.0, 360.0)]

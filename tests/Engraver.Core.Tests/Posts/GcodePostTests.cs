@@ -87,7 +87,8 @@ public class GcodePostTests
         Assert.Equal("DOC0002", Ids(Written([])));
     }
 
-    /// <summary>Rounded ends, a rounded centre and small or flat arcs: whatever is drawn, both controllers take it, and nothing is farther from it than a few units.</summary>
+    /// <summary>Rounded ends, a rounded centre and small or flat arcs: whatever is drawn, both controllers take it, and nothing is farther from it than a
+    /// few units.</summary>
     [Theory]
     [InlineData("linuxcnc", GcodeController.LinuxCnc, 4e-6)]
     [InlineData("grbl", GcodeController.Grbl, 6e-4)]

@@ -49,7 +49,8 @@ public class FilletTests
         Assert.Equal((new Point2D(0, -5), false), (crossed.Second!.Value.Joint, crossed.Second.Value.EndsThere));
     }
 
-    /// <summary>A line 3 above the middle of a circle of radius 10; a circle of radius 2 on the line and outside touches at a place found by Pythagoras.</summary>
+    /// <summary>A line 3 above the middle of a circle of radius 10; a circle of radius 2 on the line and outside touches at a place found by
+    /// Pythagoras.</summary>
     [Fact]
     public void A_line_and_a_circle()
     {

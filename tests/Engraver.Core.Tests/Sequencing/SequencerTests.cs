@@ -164,7 +164,8 @@ public class SequencerTests
                 && result.Strokes.All(IsJoined);
         }).QuickCheckThrowOnFailure();
 
-    /// <summary>Many contours in a grid of cells, few in a tree of boxes, and nothing before what lies inside it: looked at one by one, no start that may be taken is nearer than the one that is.</summary>
+    /// <summary>Many contours in a grid of cells, few in a tree of boxes, and nothing before what lies inside it: looked at one by one, no start that may
+    /// be taken is nearer than the one that is.</summary>
     [Theory]
     [InlineData(1, 300, 40)]
     [InlineData(2, 900, 40)]

@@ -7,7 +7,8 @@ using Xunit.Sdk;
 
 namespace Engraver.Core.Tests.Trajectories;
 
-/// <summary>What the SACETraj plug-in does wrong (sace-xps-agie.md 1.4), each as a rule that our lines keep and those of the plug-in's generator break.</summary>
+/// <summary>What the SACETraj plug-in does wrong (sace-xps-agie.md 1.4), each as a rule that our lines keep and those of the plug-in's generator
+/// break.</summary>
 public class PlugInDefectTests
 {
     /// <summary>"The guaranteed error is not met."</summary>
@@ -110,7 +111,8 @@ public class PlugInDefectTests
         Assert.Equal(40.0, ours.Sum(one => one.Length), precision: 9);
     }
 
-    /// <summary>"Every new point rescans to the end: scan work grew 62 x for 16 x length on a scaled ellipse." Ours is knots placed and steps measured, counted and not timed.</summary>
+    /// <summary>"Every new point rescans to the end: scan work grew 62 x for 16 x length on a scaled ellipse." Ours is knots placed and steps measured,
+    /// counted and not timed.</summary>
     [Theory]
     [InlineData(0.02)]
     [InlineData(0.004)]

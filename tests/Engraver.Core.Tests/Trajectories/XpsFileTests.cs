@@ -26,7 +26,8 @@ public class XpsFileTests
         Assert.InRange(file.VerifiedBound, 0.0, 1e-9);
     }
 
-    /// <summary>sace-xps-agie.md 2.4: from rest to rest, within speed and acceleration, and no element in less time than the controller takes: what is too short for the speed is run slower.</summary>
+    /// <summary>sace-xps-agie.md 2.4: from rest to rest, within speed and acceleration, and no element in less time than the controller takes: what is too
+    /// short for the speed is run slower.</summary>
     [Fact]
     public void A_pvt_file_ends_at_rest_and_keeps_the_shortest_time()
     {
@@ -49,7 +50,8 @@ public class XpsFileTests
         Assert.InRange(file.VerifiedBound, 0.0, 1e-8);
     }
 
-    /// <summary>Near its inflection a long spline has arcs of many kilometres: a rounded angle of nine decimals moved their ends by a micrometre, and no file was written.</summary>
+    /// <summary>Near its inflection a long spline has arcs of many kilometres: a rounded angle of nine decimals moved their ends by a micrometre, and no
+    /// file was written.</summary>
     [Theory]
     [InlineData(TrajectoryFormat.XpsLineArc, 1_800.0)]
     [InlineData(TrajectoryFormat.XpsLineArc, 18_000.0)]
@@ -89,7 +91,8 @@ public class XpsFileTests
         Assert.Empty(file.BrokenLimits);
     }
 
-    /// <summary>A bend below 0.05 degrees is gone through where the error allows; between long lines, which no file divides, it does not, and the machine stops there.</summary>
+    /// <summary>A bend below 0.05 degrees is gone through where the error allows; between long lines, which no file divides, it does not, and the machine
+    /// stops there.</summary>
     [Theory]
     [InlineData(TrajectoryFormat.Sace, 120.0)]
     [InlineData(TrajectoryFormat.XpsSpline, 120.0)]

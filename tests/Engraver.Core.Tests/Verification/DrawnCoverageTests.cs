@@ -5,7 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>A run is compared with the segments nearest to it only, and what that leaves open with what was cut beside it. What that finds is held against every pair of a chord and a segment, on random runs along, across and beside random segments.</summary>
+/// <summary>A run is compared with the segments nearest to it only, and what that leaves open with what was cut beside it. What that finds is held against
+/// every pair of a chord and a segment, on random runs along, across and beside random segments.</summary>
 public class DrawnCoverageTests
 {
     private const int Cases = 300;
@@ -87,7 +88,8 @@ public class DrawnCoverageTests
         }
     }
 
-    /// <summary>In its tight turns the arcs that are cut for a spline turn by more than the pieces that it is held against, and reach a little into the next.</summary>
+    /// <summary>In its tight turns the arcs that are cut for a spline turn by more than the pieces that it is held against, and reach a little into the
+    /// next.</summary>
     [Fact]
     public void Tightly_turning_splines_are_whole_when_arcs_are_cut_for_them()
     {
@@ -160,7 +162,8 @@ public class DrawnCoverageTests
         }
     }
 
-    /// <summary>As a real drawing has it: the control points at both ends of a straight spline coincide, so that it stands still there and a guess beside its end leads nowhere.</summary>
+    /// <summary>As a real drawing has it: the control points at both ends of a straight spline coincide, so that it stands still there and a guess beside
+    /// its end leads nowhere.</summary>
     [Fact]
     public void The_foot_on_a_curve_that_stands_still_at_its_ends_is_found_from_every_guess()
     {

@@ -80,7 +80,8 @@ public class HeightJudgeTests
         Assert.InRange(Judge([Level(-1.0)], s_drive, [.. found.Take(2), new(0.002, 49, 50, true, 0.5)]).MaxDeviation, 50.0, 80.0); // dragged along before it was up
     }
 
-    /// <summary>Sides of 28.6 um on a machine that counts in 1 um: neighbours lie within what is allowed beside each of them. Told by their corners, and by samples 6 um apart.</summary>
+    /// <summary>Sides of 28.6 um on a machine that counts in 1 um: neighbours lie within what is allowed beside each of them. Told by their corners, and by
+    /// samples 6 um apart.</summary>
     [Theory]
     [InlineData(1)]
     [InlineData(5)]

@@ -4,7 +4,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>The judge and the curves of <see cref="DrawnCurves"/>: what is cut on them is right, what is cut 5 counts beside them is not, and what is left out is missing.</summary>
+/// <summary>The judge and the curves of <see cref="DrawnCurves"/>: what is cut on them is right, what is cut 5 counts beside them is not, and what is left
+/// out is missing.</summary>
 public class JudgedCurveTests
 {
     private const double FiveCounts = 0.005;

@@ -111,7 +111,8 @@ public class ToolpathCheckTests
     }
 
     /// <summary>The spoiled piece moved along itself, or another part of the curve lies where it was put.</summary>
-    /// <summary>Splines that cross one another everywhere: an arc is held against its own spline and no other, in steps that do not grow with their number.</summary>
+    /// <summary>Splines that cross one another everywhere: an arc is held against its own spline and no other, in steps that do not grow with their
+    /// number.</summary>
     [Fact]
     public void An_arc_is_held_against_its_own_curve_however_many_cross_it()
     {

@@ -30,7 +30,8 @@ public class TraceJudgeTests
         }
     }
 
-    /// <summary>An arc of ten kilometres looks like a line, and its angles are as small as rounding: the ramps of its cut are samples a hundredth of a millimetre apart.</summary>
+    /// <summary>An arc of ten kilometres looks like a line, and its angles are as small as rounding: the ramps of its cut are samples a hundredth of a
+    /// millimetre apart.</summary>
     [Theory]
     [InlineData(1e5)]
     [InlineData(1e7)]

@@ -4,7 +4,8 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Somebody hits the abort input while a job runs: the machine stands at once, and the job has to see it, switch the tool off and say why (galil-dmc.md A.10, D).</summary>
+/// <summary>Somebody hits the abort input while a job runs: the machine stands at once, and the job has to see it, switch the tool off and say why
+/// (galil-dmc.md A.10, D).</summary>
 public class AbortInputTests
 {
     [Theory]
@@ -47,7 +48,8 @@ public class AbortInputTests
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
-    /// <summary>An abort stops without a ramp: an encoder counts what a servo does then, and nothing counts the steps that a stepper loses. The stop code stays, and does not tell of a job behind it.</summary>
+    /// <summary>An abort stops without a ramp: an encoder counts what a servo does then, and nothing counts the steps that a stepper loses. The stop code
+    /// stays, and does not tell of a job behind it.</summary>
     [Theory]
     [InlineData(JobMode.Stream, "2", true)]
     [InlineData(JobMode.Calls, "-2", true)]

@@ -23,7 +23,8 @@ internal static class CutRecord
         return cutting;
     }
 
-    /// <summary>After <paramref name="sample"/> the tool is off within <paramref name="toolSeconds"/> and the machine stands within <paramref name="restSeconds"/>, controller time.</summary>
+    /// <summary>After <paramref name="sample"/> the tool is off within <paramref name="toolSeconds"/> and the machine stands within
+    /// <paramref name="restSeconds"/>, controller time.</summary>
     public static void AssertSafeAfter(SimulatedBench bench, long sample, double toolSeconds, double restSeconds)
     {
         var record = bench.Controller.Record.Snapshot();

@@ -4,7 +4,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A tool that the Z axis holds: rapids at clearance height, down to the work, up again, and up on every way out that leaves the axes trustworthy (ADR 11). The programs are written by hand, the witness is the record.</summary>
+/// <summary>A tool that the Z axis holds: rapids at clearance height, down to the work, up again, and up on every way out that leaves the axes trustworthy
+/// (ADR 11). The programs are written by hand, the witness is the record.</summary>
 public class HeightDriveTests
 {
     private const int Clearance = 3200;
@@ -182,7 +183,8 @@ public class HeightDriveTests
         Assert.Equal(1, bench.Last.Outputs);
     }
 
-    /// <summary>Each sample of the record in which the plane moved lies at clearance height or above, or on the path; one in which the height alone changed stands over an end of a stroke or where the tool was found.</summary>
+    /// <summary>Each sample of the record in which the plane moved lies at clearance height or above, or on the path; one in which the height alone changed
+    /// stands over an end of a stroke or where the tool was found.</summary>
     private static void AssertMovesAsAllowed(SimulatedBench bench, MotionProgram program)
     {
         var path = program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(Points).ToList();

@@ -185,7 +185,8 @@ public class JobRunnerTests
         CutRecord.AssertWholePathWasCut(bench, program);
     }
 
-    /// <summary>A circle that arrived as two turns of it ends where it should: only the length of the path tells, also where the sequence ran dry behind it.</summary>
+    /// <summary>A circle that arrived as two turns of it ends where it should: only the length of the path tells, also where the sequence ran dry behind
+    /// it.</summary>
     [Fact]
     public async Task A_sequence_that_ran_dry_is_not_taken_up_again_when_its_path_was_longer_than_planned()
     {

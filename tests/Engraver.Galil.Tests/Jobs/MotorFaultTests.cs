@@ -3,7 +3,8 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A motor that cannot follow (a jammed axis, a drive that gave up) while a job runs: whether the controller switches it off (OE 1) or not, the job has to see it (galil-dmc.md A.10, C.3, OE, ER).</summary>
+/// <summary>A motor that cannot follow (a jammed axis, a drive that gave up) while a job runs: whether the controller switches it off (OE 1) or not, the
+/// job has to see it (galil-dmc.md A.10, C.3, OE, ER).</summary>
 public class MotorFaultTests
 {
     [Theory]

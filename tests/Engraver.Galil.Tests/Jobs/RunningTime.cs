@@ -1,6 +1,7 @@
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A wall clock of its own: every look at it takes a while, every short pause its length, and long time-outs never come. No run depends on the computer.</summary>
+/// <summary>A wall clock of its own: every look at it takes a while, every short pause its length, and long time-outs never come. No run depends on the
+/// computer.</summary>
 internal sealed class RunningTime : TimeProvider
 {
     private static readonly TimeSpan PerLook = TimeSpan.FromMicroseconds(20);

@@ -5,7 +5,8 @@ using Engraver.Galil.Jobs.Execution;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Somebody else switches the tool or halts our watchdog in the middle of a job, or a command of ours for the tool arrives as another one: it is seen, told, and what was not cut counts as missing.</summary>
+/// <summary>Somebody else switches the tool or halts our watchdog in the middle of a job, or a command of ours for the tool arrives as another one: it is
+/// seen, told, and what was not cut counts as missing.</summary>
 public class SomebodyElseTests
 {
     private const int Network = 0;
@@ -54,7 +55,8 @@ public class SomebodyElseTests
         Assert.InRange(result.SegmentsExecuted, 400, 1500);
     }
 
-    /// <summary>Command, operand that then tells it, and how long the tool may be on afterwards, s: what is too fast is seen in two polls, what is too slow after half a second.</summary>
+    /// <summary>Command, operand that then tells it, and how long the tool may be on afterwards, s: what is too fast is seen in two polls, what is too slow
+    /// after half a second.</summary>
     public static TheoryData<string, string, double, JobMode, int> Feeds()
     {
         var feeds = new TheoryData<string, string, double, JobMode, int>();

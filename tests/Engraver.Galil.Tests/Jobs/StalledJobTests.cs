@@ -105,7 +105,8 @@ public class StalledJobTests
         Assert.InRange(result.Seconds, 15.0, 60.0); // the bytes of the second sequence, far longer than a standstill may last
     }
 
-    /// <summary>Runs a job in which <paramref name="act"/> happens once; the operator stops it after <paramref name="patience"/> seconds of the controller, so that a test of something endless ends.</summary>
+    /// <summary>Runs a job in which <paramref name="act"/> happens once; the operator stops it after <paramref name="patience"/> seconds of the controller,
+    /// so that a test of something endless ends.</summary>
     private static async Task<JobResult> RunAsync(
         SimulatedBench bench, MotionProgram program, JobMode mode, int baud, Func<JobProgress, bool> when, Action act, Func<string, string>? harm = null, double patience = 60.0)
     {

@@ -7,7 +7,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Where a millimetre of X and one of Y are different numbers of counts, the controller's vector speed is no speed in millimetres: what the motors do is held against the feed that was asked.</summary>
+/// <summary>Where a millimetre of X and one of Y are different numbers of counts, the controller's vector speed is no speed in millimetres: what the motors
+/// do is held against the feed that was asked.</summary>
 public class UnequalAxesFeedTests
 {
     private const double FeedMmPerSecond = 10.0;

@@ -7,7 +7,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The watchdog in the controller allows 1.0 s of the controller's own clock, whatever its speed, for a host in another process that has the clock (<c>?clock=PORT</c>) and dies.</summary>
+/// <summary>The watchdog in the controller allows 1.0 s of the controller's own clock, whatever its speed, for a host in another process that has the clock
+/// (<c>?clock=PORT</c>) and dies.</summary>
 public class WatchdogSpeedTests
 {
     private const byte Tool = 1;

@@ -13,7 +13,8 @@ public enum EchoTime
     AmidTheAnswer,
 }
 
-/// <summary>A controller of a few lines on a serial line at 19,200 baud: it echoes what it hears, answers what it knows and prompts for the rest. The answer to one line it keeps until told.</summary>
+/// <summary>A controller of a few lines on a serial line at 19,200 baud: it echoes what it hears, answers what it knows and prompts for the rest. The
+/// answer to one line it keeps until told.</summary>
 /// <param name="answers">What is answered to a command, its line end included; "" is a prompt alone.</param>
 internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) : IControllerLink
 {

@@ -165,7 +165,8 @@ public class SerialLinkTests
 /// <summary>The link at the other end of a cable without a controller.</summary>
 internal static class PseudoTerminalLinks
 {
-    /// <param name="time">A clock of the test's, on which a line that takes no byte is given up after 2 s; null for the wall's, which a busy computer must not run out of.</param>
+    /// <param name="time">A clock of the test's, on which a line that takes no byte is given up after 2 s; null for the wall's, which a busy computer must
+    /// not run out of.</param>
     public static SerialLink Open(this PseudoTerminalPair cable, TimeProvider? time = null) =>
         SerialLink.Open(new SerialAddress(cable.Device, 19200), TimeSpan.FromSeconds(time is null ? 60 : 2), time ?? TimeProvider.System);
 }

@@ -6,7 +6,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>The serial line of a simulated controller takes ten bits at its rate for each byte, unless it is told that what it carries is of no interest.</summary>
+/// <summary>The serial line of a simulated controller takes ten bits at its rate for each byte, unless it is told that what it carries is of no
+/// interest.</summary>
 public sealed class SimulatedLineTests : IDisposable
 {
     private const int Baud = 9600;

@@ -5,7 +5,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>Executes VP and CR as the reference describes them (galil-dmc.md B.2, B.3), from the text that is sent. Written for the tests, with plain trigonometry, and shares nothing with the prediction.</summary>
+/// <summary>Executes VP and CR as the reference describes them (galil-dmc.md B.2, B.3), from the text that is sent. Written for the tests, with plain
+/// trigonometry, and shares nothing with the prediction.</summary>
 internal sealed class SegmentReplay(double angleQuantum)
 {
     private const double LongestStep = 3.0;

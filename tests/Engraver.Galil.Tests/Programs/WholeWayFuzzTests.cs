@@ -11,7 +11,8 @@ using Engraver.TestKit;
 namespace Engraver.Galil.Tests.Programs;
 
 /// <summary>
-/// Damaged drawings all the way to the motion program. More of them: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Galil.Tests -c Release --filter WholeWayFuzzTests;
+/// Damaged drawings all the way to the motion program. More of them: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Galil.Tests -c Release --filter
+/// WholeWayFuzzTests;
 /// ENGRAVER_FUZZ_FIRST names the first seed, ENGRAVER_FUZZ_LOG a file that is told after every thousand how many are done.
 /// </summary>
 public class WholeWayFuzzTests

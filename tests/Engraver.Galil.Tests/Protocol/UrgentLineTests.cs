@@ -98,7 +98,8 @@ public class UrgentLineTests
         Assert.Equal(new Accepted("5.0000"), await channel.SendAsync("MG x", CancellationToken.None));
     }
 
-    /// <summary>As it was found: behind garbage, when echoes are not compared any more, a stop on a free line waited for its turn, and one in 70 found that the next question had taken it: 47 ms at 19,200 baud.</summary>
+    /// <summary>As it was found: behind garbage, when echoes are not compared any more, a stop on a free line waited for its turn, and one in 70 found that
+    /// the next question had taken it: 47 ms at 19,200 baud.</summary>
     [Fact]
     public async Task It_goes_out_at_once_on_a_line_without_echoes_whoever_takes_the_turn_next()
     {

@@ -39,7 +39,8 @@ public class HostClockTests
         Assert.Equal(TimeSpan.FromMilliseconds(16), clock.GetElapsedTime(begun));
     }
 
-    /// <summary>As it was found: beside busy processes a host that computed for ten seconds found time gone, and its watchdog tripped. A host of this process is late only where this process is.</summary>
+    /// <summary>As it was found: beside busy processes a host that computed for ten seconds found time gone, and its watchdog tripped. A host of this
+    /// process is late only where this process is.</summary>
     [Theory]
     [InlineData(1.0)]
     [InlineData(20.0)]

@@ -2,7 +2,8 @@ using System.Text;
 
 namespace Engraver.Simulator.Tests.Fuzzing;
 
-/// <summary>One controller in virtual time under a seeded storm of lines, bytes, hands at its switches and passing time. Whatever it survives it must answer afterwards.</summary>
+/// <summary>One controller in virtual time under a seeded storm of lines, bytes, hands at its switches and passing time. Whatever it survives it must
+/// answer afterwards.</summary>
 internal sealed class FuzzedController : IAsyncDisposable
 {
     /// <summary>Lines between two questions that must be answered.</summary>

@@ -4,7 +4,8 @@ using Engraver.Simulator.Language.Commands;
 
 namespace Engraver.Simulator.Tests.Fuzzing;
 
-/// <summary>Makes up lines as a client could send them: every command of the table, with one to eight axes, in every form of arguments, right and wrong.</summary>
+/// <summary>Makes up lines as a client could send them: every command of the table, with one to eight axes, in every form of arguments, right and
+/// wrong.</summary>
 internal sealed class StatementSource(Random random)
 {
     private const string Letters = "ABCDEFGHNMSTXYZW*";

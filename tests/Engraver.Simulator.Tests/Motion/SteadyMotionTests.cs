@@ -3,7 +3,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Simulator.Tests.Motion;
 
-/// <summary>Spans of constant speed are jumped over, and nothing tells it: two controllers get the same commands and the same time, one steps every sample.</summary>
+/// <summary>Spans of constant speed are jumped over, and nothing tells it: two controllers get the same commands and the same time, one steps every
+/// sample.</summary>
 public class SteadyMotionTests
 {
     private const string Operands = "_CSS,_AVS,_VPA,_VPB,_RPA,_RPB,_RPC,_TPA,_TVA,_TVB,_VMS,_BGS,_BGA,_SCA,_NO,w,TIME";
@@ -73,7 +74,8 @@ public class SteadyMotionTests
         if (counter.Rows > 100_000) Assert.True(counter.Singles < counter.Rows / 2);
     }
 
-    /// <summary>A question that will be refused when its line is run is no reason to fail before: the thread ends with its error, as stepped, wherever in a sample it comes to the line.</summary>
+    /// <summary>A question that will be refused when its line is run is no reason to fail before: the thread ends with its error, as stepped, wherever in a
+    /// sample it comes to the line.</summary>
     [Theory]
     [InlineData("nosuch=0")]
     [InlineData("@OUT[9]=0")]

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit.Programs;
 
-/// <summary>DMC programs as a test reads them: statement by statement, what moves in plan or switches output 1, with calls and variables; everything else is passed over and nothing is checked.</summary>
+/// <summary>DMC programs as a test reads them: statement by statement, what moves in plan or switches output 1, with calls and variables; everything else
+/// is passed over and nothing is checked.</summary>
 public sealed class DmcLines
 {
     private const int MostStatements = 200_000;
@@ -29,7 +30,8 @@ public sealed class DmcLines
     /// <summary>What is cut, millimetres by 1000 counts; null when a number cannot be read or the program does not end.</summary>
     public static IReadOnlyList<Segment>? Cuts(string text) => Read(text)?._cuts;
 
-    /// <summary>Every move with its seconds by the speeds and accelerations in force, and the waits of the program before it; a wait behind the last move keeps nothing. Null as above.</summary>
+    /// <summary>Every move with its seconds by the speeds and accelerations in force, and the waits of the program before it; a wait behind the last move
+    /// keeps nothing. Null as above.</summary>
     public static IReadOnlyList<(string Name, double Value)>? Acts(string text) => Read(text)?._acts;
 
     private static DmcLines? Read(string text)

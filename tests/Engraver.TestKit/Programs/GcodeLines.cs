@@ -40,7 +40,8 @@ public static partial class GcodeLines
         return cuts;
     }
 
-    /// <summary>Round the centre with a radius that goes evenly from that of the start to that of the end, where the two are not quite the same (rs274-hpgl.md 1.3).</summary>
+    /// <summary>Round the centre with a radius that goes evenly from that of the start to that of the end, where the two are not quite the same
+    /// (rs274-hpgl.md 1.3).</summary>
     private static IEnumerable<Segment> Arc(Point2D start, Point2D end, Point2D centre, bool clockwise)
     {
         var (from, to) = ((start - centre).Direction.Degrees, (end - centre).Direction.Degrees);

@@ -3,7 +3,8 @@ using System.Text.RegularExpressions;
 
 namespace Engraver.TestKit.Programs;
 
-/// <summary>What a program makes its machine do beside the places of its cuts, in its order, as a test reads it: tool, frame, speeds, waits, pen, heights, times. Nothing is checked; a state is told when it becomes another one.</summary>
+/// <summary>What a program makes its machine do beside the places of its cuts, in its order, as a test reads it: tool, frame, speeds, waits, pen, heights,
+/// times. Nothing is checked; a state is told when it becomes another one.</summary>
 public static partial class ProgramActs
 {
     /// <summary>Part of a feed or of a time that may be another, and what any number may.</summary>
@@ -117,7 +118,8 @@ public static partial class ProgramActs
         return acts.All;
     }
 
-    /// <summary>The direction of a first line is its own, and of a first arc the path shows it. The allowed turn does nothing while it is larger than the turns: of interest is whether it is.</summary>
+    /// <summary>The direction of a first line is its own, and of a first arc the path shows it. The allowed turn does nothing while it is larger than the
+    /// turns: of interest is whether it is.</summary>
     private static List<(string Name, double Value)>? LineArc(string text)
     {
         var (acts, tangent) = (new Acts(), (double?)null);

@@ -12,7 +12,8 @@ using Engraver.Workbench.Tests.Machines;
 
 namespace Engraver.Workbench.Tests.Certificates;
 
-/// <summary>A certificate holds for exactly what was read back: a byte of the drawing, a setting, a field of the profile or a letter of the program that is another makes it stale, and it says which.</summary>
+/// <summary>A certificate holds for exactly what was read back: a byte of the drawing, a setting, a field of the profile or a letter of the program that is
+/// another makes it stale, and it says which.</summary>
 public class CertificateTests
 {
     [Fact]

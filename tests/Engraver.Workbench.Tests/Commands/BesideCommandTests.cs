@@ -149,7 +149,8 @@ public sealed class BesideCommandTests : IAsyncDisposable
         Assert.DoesNotContain("WORK", _session.Document.UndoNames);
     }
 
-    /// <summary>Esc in the moment in which a command beside the work has its first answer and not yet its second question (seen once: the question stayed open).</summary>
+    /// <summary>Esc in the moment in which a command beside the work has its first answer and not yet its second question (seen once: the question stayed
+    /// open).</summary>
     [Fact]
     public async Task Esc_between_two_questions_of_what_is_asked_beside_the_work_ends_it()
     {
@@ -170,7 +171,8 @@ public sealed class BesideCommandTests : IAsyncDisposable
         Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
     }
 
-    /// <summary>Esc from another thread while a command beside the work has begun and not come back yet (LIST of a large drawing): it is waited for, and the token it was given still answers.</summary>
+    /// <summary>Esc from another thread while a command beside the work has begun and not come back yet (LIST of a large drawing): it is waited for, and
+    /// the token it was given still answers.</summary>
     [Fact]
     public async Task Esc_while_a_command_beside_the_work_computes_waits_until_it_has_ended()
     {

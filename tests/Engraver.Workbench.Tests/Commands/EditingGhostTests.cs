@@ -6,7 +6,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>What is picked lights up at once, and what a click would give is seen before it, on a line (A1, from 0,0 to 10,0), an arc, a circle (A3, 20,5, radius 3) and a square.</summary>
+/// <summary>What is picked lights up at once, and what a click would give is seen before it, on a line (A1, from 0,0 to 10,0), an arc, a circle (A3, 20,5,
+/// radius 3) and a square.</summary>
 public class EditingGhostTests
 {
     [Fact]

@@ -8,7 +8,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCGOTO moves the machine by hand, under the watchdog and the stop of a job. The simulated controller is behind a socket, as a real one would be.</summary>
+/// <summary>CNCGOTO moves the machine by hand, under the watchdog and the stop of a job. The simulated controller is behind a socket, as a real one would
+/// be.</summary>
 public sealed class GoToCommandTests : IAsyncDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-goto-");

@@ -6,7 +6,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>GRIPEDIT on a line (A1, from 0,0 to 10,0), an arc (A2, 5,5, radius 4, 350 to 100 degrees), a circle (A3, 20,5, radius 3) and a square (A4, 30,0, side 8).</summary>
+/// <summary>GRIPEDIT on a line (A1, from 0,0 to 10,0), an arc (A2, 5,5, radius 4, 350 to 100 degrees), a circle (A3, 20,5, radius 3) and a square (A4,
+/// 30,0, side 8).</summary>
 public class GripEditTests
 {
     [Fact]

@@ -9,7 +9,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCHOME, and what homing is for: work origins that outlive a power cycle. The simulated machine is switched on at another place each time; its switches stay where they are.</summary>
+/// <summary>CNCHOME, and what homing is for: work origins that outlive a power cycle. The simulated machine is switched on at another place each time; its
+/// switches stay where they are.</summary>
 public sealed class HomeCommandTests : IAsyncDisposable
 {
     private const int Number = 2143;

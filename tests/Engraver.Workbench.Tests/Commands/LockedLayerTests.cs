@@ -75,7 +75,8 @@ public sealed class LockedLayerTests
         Assert.Equal("Command:", talk.Session.Prompt.Text.Trim());
     }
 
-    /// <summary>Texts and points cannot be selected: those of a locked layer stay when everything is erased or moved, are copied, and move with the whole drawing.</summary>
+    /// <summary>Texts and points cannot be selected: those of a locked layer stay when everything is erased or moved, are copied, and move with the whole
+    /// drawing.</summary>
     [Fact]
     public async Task Texts_and_points_of_a_locked_layer_stay()
     {

@@ -9,7 +9,8 @@ using Engraver.Workbench.Tests.Commands.Reshaping;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>The properties of a line (A1, from 0,0 to 10,0), an arc (A2, 5,5, radius 4, 350 to 100 degrees), a circle (A3, 20,5, radius 3) and a square (A4, 30,0, side 8), and CHPROP.</summary>
+/// <summary>The properties of a line (A1, from 0,0 to 10,0), an arc (A2, 5,5, radius 4, 350 to 100 degrees), a circle (A3, 20,5, radius 3) and a square
+/// (A4, 30,0, side 8), and CHPROP.</summary>
 public class PropertyTests
 {
     [Theory]

@@ -9,7 +9,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>The power fails in the middle of a cut with a tool that an axis holds: switched on elsewhere, homed and resumed, the rest is cut where the work is. By the records of both lives of the controller, in machine counts.</summary>
+/// <summary>The power fails in the middle of a cut with a tool that an axis holds: switched on elsewhere, homed and resumed, the rest is cut where the work
+/// is. By the records of both lives of the controller, in machine counts.</summary>
 public sealed class ResumeAfterPowerTests : IAsyncDisposable
 {
     private const int TopOfWork = 4000;
@@ -78,7 +79,8 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
         _folder.Delete(recursive: true);
     }
 
-    /// <summary>An L of 30 and 20 mm from the origin, half a millimetre deep: every sample in the work lies on it, or above it, and every place was passed.</summary>
+    /// <summary>An L of 30 and 20 mm from the origin, half a millimetre deep: every sample in the work lies on it, or above it, and every place was
+    /// passed.</summary>
     private static void AssertCut(IReadOnlyList<MotionSample> record)
     {
         var deep = record.Where(sample => sample.C < TopOfWork).ToList();

@@ -14,7 +14,8 @@ using Engraver.Workbench.Tests.Machines;
 
 namespace Engraver.Workbench.Tests.Documents;
 
-/// <summary>A toolpath that is not what is drawn makes no program, so that it can neither be run nor posted nor armed, whoever accepts what; and no good drawing is refused.</summary>
+/// <summary>A toolpath that is not what is drawn makes no program, so that it can neither be run nor posted nor armed, whoever accepts what; and no good
+/// drawing is refused.</summary>
 public class SpoiledToolpathTests
 {
     private static readonly DrawingSettings s_settings = new();

@@ -7,7 +7,8 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Languages;
 
-/// <summary>Options of prompts in another language: shown in it, answered in it, and still in English, so that scripts and hands that know AutoCAD go on.</summary>
+/// <summary>Options of prompts in another language: shown in it, answered in it, and still in English, so that scripts and hands that know AutoCAD go
+/// on.</summary>
 public sealed partial class OptionLanguageTests
 {
     private static readonly CultureInfo s_german = new("de");

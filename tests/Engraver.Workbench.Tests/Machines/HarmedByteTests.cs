@@ -69,8 +69,10 @@ public sealed class HarmedByteTests : IDisposable
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
     }
 
-    /// <summary>The same with an arc in the sequence. Over a network its vertices go as places (VP), and nothing repeats them to us: the polls, the end and the length of the path are all that tells.
-    /// The length may differ by 2 counts and half a count a segment, here 52 (galil-dmc.md B.1 does not say how it is kept). A vertex between two segments of 60 counts must be moved by 62 to add so much.</summary>
+    /// <summary>The same with an arc in the sequence. Over a network its vertices go as places (VP), and nothing repeats them to us: the polls, the end and
+    /// the length of the path are all that tells.
+    /// The length may differ by 2 counts and half a count a segment, here 52 (galil-dmc.md B.1 does not say how it is kept). A vertex between two segments
+    /// of 60 counts must be moved by 62 to add so much.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]

@@ -10,7 +10,8 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>The travel of the axis that holds the tool: a cut 2.5 mm deep under a clearance of 4 mm reaches from -2.5 to 4 mm over the work, a dry run of it from 4 to 10.5 mm.</summary>
+/// <summary>The travel of the axis that holds the tool: a cut 2.5 mm deep under a clearance of 4 mm reaches from -2.5 to 4 mm over the work, a dry run of
+/// it from 4 to 10.5 mm.</summary>
 public sealed class HeightTravelTests
 {
     [Fact]

@@ -8,7 +8,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A machine session connected over TCP to a simulated controller that the test holds in its hands; the session's clock moves only when the test says so.</summary>
+/// <summary>A machine session connected over TCP to a simulated controller that the test holds in its hands; the session's clock moves only when the test
+/// says so.</summary>
 internal sealed class MachineBench : IAsyncDisposable
 {
     private static readonly TimeSpan s_untilNextStep = TimeSpan.FromSeconds(1); // of the wall

@@ -4,7 +4,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A continuous jog needs signs of life from whoever shows the machine to the operator; the clock of the session is the test's, the simulated machine goes by its own.</summary>
+/// <summary>A continuous jog needs signs of life from whoever shows the machine to the operator; the clock of the session is the test's, the simulated
+/// machine goes by its own.</summary>
 public sealed class OperatorPresenceTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-presence-");

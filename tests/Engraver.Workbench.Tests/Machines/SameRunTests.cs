@@ -9,7 +9,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>Host and simulated controller go by one clock, which goes on only while the host waits: the same job does the same, byte for byte, however the host's tasks are held up.</summary>
+/// <summary>Host and simulated controller go by one clock, which goes on only while the host waits: the same job does the same, byte for byte, however the
+/// host's tasks are held up.</summary>
 [Collection(nameof(SameRunTests))]
 [CollectionDefinition(nameof(SameRunTests), DisableParallelization = true)]
 public sealed class SameRunTests : IDisposable

@@ -58,7 +58,8 @@ public class PlannedMotionTests
         }
     }
 
-    /// <summary>An ellipse is one row of the table and many moves of the toolpath: what was cut is told by moves, or the canvas lights up another part of the drawing (seen: an ellipse before two circles).</summary>
+    /// <summary>An ellipse is one row of the table and many moves of the toolpath: what was cut is told by moves, or the canvas lights up another part of
+    /// the drawing (seen: an ellipse before two circles).</summary>
     [Fact]
     public void A_segment_of_an_ellipse_is_on_its_move_and_what_follows_on_its_own()
     {

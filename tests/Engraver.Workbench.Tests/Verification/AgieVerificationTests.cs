@@ -14,7 +14,8 @@ public class AgieVerificationTests
 {
     private const string Row = "%\t001\t01\t000\t000\t+001000\t+000000\t02\t02\n";
 
-    /// <summary>Largest allowed distance of a cut from the drawing, and of the drawing from a cut, mm; the second with what the places between samples may lack.</summary>
+    /// <summary>Largest allowed distance of a cut from the drawing, and of the drawing from a cut, mm; the second with what the places between samples may
+    /// lack.</summary>
     private const double Tolerance = 0.0036;
     private const double Coverage = 0.0056;
 

@@ -10,7 +10,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Whatever number stands in a program, of any format: the verification ends, with a result or with a finding, and does no more work than for any other program.</summary>
+/// <summary>Whatever number stands in a program, of any format: the verification ends, with a result or with a finding, and does no more work than for any
+/// other program.</summary>
 public sealed partial class ExtremeNumberTests
 {
     /// <summary>A guard only: one verification takes a few hundredths of a second.</summary>

@@ -10,7 +10,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>A program is read as it goes: of every target no more is read ahead of the motions than a line, a command, or what is loaded at once. So memory does not grow with its length.</summary>
+/// <summary>A program is read as it goes: of every target no more is read ahead of the motions than a line, a command, or what is loaded at once. So memory
+/// does not grow with its length.</summary>
 public class LongProgramTests
 {
     /// <summary>Characters: what is read from a file at once, and a hundred lines of a controller's program.</summary>

@@ -9,7 +9,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Whatever is drawn, whatever the machine and the options of the post: a program that was posted is never refused by the verification that is told the same, and one of another feed, wait or place always is.</summary>
+/// <summary>Whatever is drawn, whatever the machine and the options of the post: a program that was posted is never refused by the verification that is
+/// told the same, and one of another feed, wait or place always is.</summary>
 public class OwnProgramTests
 {
     private static readonly string[] s_targets = ["galil", "galil-calls", "galil", "galil-calls", "galil", "galil-calls", "galil", "galil-calls", "cldata", "agie", "gcode", "gcode grbl", "hpgl", "xps-linearc", "xps-spline", "xps-pvt"];

@@ -45,7 +45,8 @@ public class ProgramVerificationTests
         Assert.Equal((0.0035, 0.0, 0.0), (report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm));
     }
 
-    /// <summary>A sample of the corpus, posted and verified: real drawings of every size, and those that were made to be difficult or damaged. tests/verify-corpus does it for all of them, with limits of time and memory.</summary>
+    /// <summary>A sample of the corpus, posted and verified: real drawings of every size, and those that were made to be difficult or damaged.
+    /// tests/verify-corpus does it for all of them, with limits of time and memory.</summary>
     [CorpusTheory]
     [InlineData("files", 0, 60_000, 12)]
     [InlineData("files", 60_000, 250_000, 40)]

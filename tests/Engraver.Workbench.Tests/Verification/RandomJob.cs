@@ -24,7 +24,8 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
         return new RandomJob(target, drawing, settings, OptionsOf(random, target)) { _shapes = shapes };
     }
 
-    /// <summary>The program; null where the post refuses the job, and then it must say why, and where strokes are shorter than a count (MOT0004), which no program cuts.</summary>
+    /// <summary>The program; null where the post refuses the job, and then it must say why, and where strokes are shorter than a count (MOT0004), which no
+    /// program cuts.</summary>
     public string? Post()
     {
         var posted = PostedProgram.Create(Drawing, Settings, Entry.Post, Options);

@@ -10,7 +10,9 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Of every target's program, seeded corruptions of one character or one number are noticed by the verification, or do no harm: what a test reads from the text in its own way cuts the drawing and nothing else, and does everything else (tool, frame, speeds, waits, pen, heights, times) as the program does that was posted.</summary>
+/// <summary>Of every target's program, seeded corruptions of one character or one number are noticed by the verification, or do no harm: what a test reads
+/// from the text in its own way cuts the drawing and nothing else, and does everything else (tool, frame, speeds, waits, pen, heights, times) as the
+/// program does that was posted.</summary>
 public sealed class TargetCorruptionTests : IDisposable
 {
     /// <summary>The curves of these two are read as many chords, which takes a second each time.</summary>

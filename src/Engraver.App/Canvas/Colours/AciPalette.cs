@@ -3,7 +3,8 @@ using Engraver.Core.Drawings;
 namespace Engraver.App.Canvas.Colours;
 
 /// <summary>The 255 colours of the AutoCAD colour index as 0xAARRGGBB. Index 0 (by block) and 7 (white or black, by background) are the foreground.</summary>
-/// <remarks>1 to 9 are named colours and greys; 10 to 249 are 24 hues 15 degrees apart, five values each, full and half saturated; 250 to 255 are greys.</remarks>
+/// <remarks>1 to 9 are named colours and greys; 10 to 249 are 24 hues 15 degrees apart, five values each, full and half saturated; 250 to 255 are
+/// greys.</remarks>
 public static class AciPalette
 {
     public const int Count = 256;

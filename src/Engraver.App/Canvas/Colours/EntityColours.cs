@@ -2,7 +2,8 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.App.Canvas.Colours;
 
-/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are the AutoCAD colour index, higher ones the other colours of this drawing, which are true or faded. What lies on a locked layer is faded half into the background, as in AutoCAD (LAYLOCKFADECTL 50).</summary>
+/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are the AutoCAD colour index, higher ones the other colours of this
+/// drawing, which are true or faded. What lies on a locked layer is faded half into the background, as in AutoCAD (LAYLOCKFADECTL 50).</summary>
 public sealed class EntityColours
 {
     private const int MostColours = ushort.MaxValue;

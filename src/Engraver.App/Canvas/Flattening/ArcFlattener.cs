@@ -4,7 +4,8 @@ using Engraver.Core.Geometry;
 namespace Engraver.App.Canvas.Flattening;
 
 /// <summary>An arc as chords that leave it by less than <see cref="FlatnessPixels"/> at the scale of the view, whatever the scale is.</summary>
-/// <remarks>The arc is halved until its pieces are flat; halves that cannot be seen are left out. Where it is divided depends on the view only, never on the clip: tiles meet exactly.</remarks>
+/// <remarks>The arc is halved until its pieces are flat; halves that cannot be seen are left out. Where it is divided depends on the view only, never on
+/// the clip: tiles meet exactly.</remarks>
 internal static class ArcFlattener
 {
     /// <summary>Largest distance of a chord from its arc, pixels; half of what an eye could see.</summary>

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Flattening;
 
-/// <summary>An ellipse or spline as chords that leave it by less than <see cref="ArcFlattener.FlatnessPixels"/>: rational Bezier spans in pixels, halved until their control points lie that close to the chord.</summary>
+/// <summary>An ellipse or spline as chords that leave it by less than <see cref="ArcFlattener.FlatnessPixels"/>: rational Bezier spans in pixels, halved
+/// until their control points lie that close to the chord.</summary>
 /// <remarks>All weights are positive, so a span lies in the hull of its control points: a hull outside the clip is left out, a flat hull is a chord.</remarks>
 internal static class CurveFlattener
 {

@@ -32,7 +32,8 @@ internal static class SegmentFlattener
         sink.Chord(a.X, a.Y, b.X, b.Y);
     }
 
-    /// <summary>One border of the clipping by Liang and Barsky (1984): narrows the part of a line, first to last as fractions of it, to the inner side. False when nothing is left.</summary>
+    /// <summary>One border of the clipping by Liang and Barsky (1984): narrows the part of a line, first to last as fractions of it, to the inner side.
+    /// False when nothing is left.</summary>
     private static bool Cut(double outward, double room, ref double first, ref double last)
     {
         if (outward == 0.0) return room >= 0.0;

@@ -4,7 +4,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Canvas.Interaction;
 
-/// <summary>Works out what a click would give, beside the hand that moves the cursor: one ghost at a time on another thread, then the one for where the cursor is by then.</summary>
+/// <summary>Works out what a click would give, beside the hand that moves the cursor: one ghost at a time on another thread, then the one for where the
+/// cursor is by then.</summary>
 /// <param name="changed">Called on the thread of the desktop when another ghost is to be seen.</param>
 internal sealed class GhostRunner(Action changed)
 {

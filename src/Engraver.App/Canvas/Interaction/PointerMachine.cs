@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Interaction;
 
-/// <summary>Turns presses, movements and the wheel into intents, as AutoCAD does: the wheel zooms about the cursor, pressed it pans, clicked twice it shows everything;
+/// <summary>Turns presses, movements and the wheel into intents, as AutoCAD does: the wheel zooms about the cursor, pressed it pans, clicked twice it shows
+/// everything;
 /// a click picks what is under it, a click on nothing begins a box that a second click (or letting go after a drag) ends.</summary>
 internal sealed class PointerMachine
 {
@@ -85,7 +86,8 @@ internal sealed class PointerMachine
         return from.DistanceTo(at) > DragDistance ? FinishBox(at, _boxRemoves) : CanvasIntent.None;
     }
 
-    /// <summary>A grip that was pressed, or the first corner of a box at "Select objects", and then dragged is let go here; after a click a second one gives the place.</summary>
+    /// <summary>A grip that was pressed, or the first corner of a box at "Select objects", and then dragged is let go here; after a click a second one
+    /// gives the place.</summary>
     private CanvasIntent? Dragged(Point2D at)
     {
         var (grip, point) = (_gripFrom, _pointFrom);

@@ -5,7 +5,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Marks;
 
-/// <summary>The marks of one view. Where they would cover each other only the first in their order is drawn; zooming in brings the others. Where there are very many they are small, so that the drawing is seen between them.</summary>
+/// <summary>The marks of one view. Where they would cover each other only the first in their order is drawn; zooming in brings the others. Where there are
+/// very many they are small, so that the drawing is seen between them.</summary>
 internal sealed class MarkLayer : IPictureLayer
 {
     private const double CellSize = 8.0;

@@ -89,7 +89,8 @@ internal static class MarkShape
         where TSink : struct, IChordSink => sink.Chord(from.X, from.Y, to.X, to.Y);
 }
 
-/// <summary>Signs that keep their size on the screen whatever the zoom. Each kind has a shape of its own, so that colour alone never carries the meaning.</summary>
+/// <summary>Signs that keep their size on the screen whatever the zoom. Each kind has a shape of its own, so that colour alone never carries the
+/// meaning.</summary>
 internal enum MarkKind : byte
 {
     /// <summary>A number beside an arrow in the direction of travel.</summary>

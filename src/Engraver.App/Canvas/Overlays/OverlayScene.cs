@@ -26,12 +26,14 @@ public sealed class OverlayScene
     /// <summary>Cutting moves of the job; the numbers of the engraved layer run from 0 to it.</summary>
     public int MoveCount { get; internal init; }
 
-    /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds. Made by the first picture that shows them.</summary>
+    /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds. Made by the first picture that shows
+    /// them.</summary>
     internal PrimitiveStore Contours => Unseen.Contours.Value;
 
     internal PrimitiveStore Rapids { get; init; } = PrimitiveStore.Empty;
 
-    /// <summary>The moves as they are cut; the entity of a primitive is the number of the move in the whole job, the colour its speed. Made by the first picture that shows them.</summary>
+    /// <summary>The moves as they are cut; the entity of a primitive is the number of the move in the whole job, the colour its speed. Made by the first
+    /// picture that shows them.</summary>
     internal PrimitiveStore CutPath => Unseen.CutPath.Value;
 
     /// <summary>Colour: what the operator chose (CNCTRACE).</summary>

@@ -5,13 +5,15 @@ using Engraver.Core.Reshaping;
 
 namespace Engraver.App.Canvas.Picking;
 
-/// <summary>Finds the end, middle, centre, point, quadrant or intersection near the cursor, and of what lies under it the foot, the tangent and the nearest place. Drawing units.</summary>
+/// <summary>Finds the end, middle, centre, point, quadrant or intersection near the cursor, and of what lies under it the foot, the tangent and the nearest
+/// place. Drawing units.</summary>
 public static class ObjectSnap
 {
     /// <summary>In a crowd only so many curves are crossed with each other.</summary>
     private const int MostCrossed = 48;
 
-    /// <summary>The nearest snap place within the aperture. What lies under the cursor offers its centre, its foot and its tangent however far they are, when nothing else is nearer, and at last its nearest place; null when there is nothing.</summary>
+    /// <summary>The nearest snap place within the aperture. What lies under the cursor offers its centre, its foot and its tangent however far they are,
+    /// when nothing else is nearer, and at last its nearest place; null when there is nothing.</summary>
     /// <param name="kinds">Which snaps are on.</param>
     /// <param name="aperture">Half the side of the snap box.</param>
     /// <param name="from">The point before, of which feet and tangents are; null: there are none.</param>

@@ -3,7 +3,8 @@ using Engraver.App.Canvas.Views;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>Keeps the last finished picture and draws the wanted one. Until that is ready, the finished one is shown, moved and scaled to the wanted view.</summary>
+/// <summary>Keeps the last finished picture and draws the wanted one. Until that is ready, the finished one is shown, moved and scaled to the wanted
+/// view.</summary>
 /// <remarks>Called from one thread (that of the window); only the drawing itself runs on others.</remarks>
 internal sealed class PictureKeeper
 {

@@ -2,7 +2,8 @@ using Avalonia.Threading;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>Decides when a picture is drawn anew: while the view moves the last picture is shown moved, and the wanted one is drawn once the view rests.</summary>
+/// <summary>Decides when a picture is drawn anew: while the view moves the last picture is shown moved, and the wanted one is drawn once the view
+/// rests.</summary>
 internal sealed class PictureRefiner
 {
     private readonly PictureKeeper _keeper;
@@ -28,7 +29,8 @@ internal sealed class PictureRefiner
         DrawSoon();
     }
 
-    /// <summary>Draws the wanted picture once the view rests, the first one of all at once. A picture that is being drawn is finished first, so that steady changes (a running machine) cannot starve it.</summary>
+    /// <summary>Draws the wanted picture once the view rests, the first one of all at once. A picture that is being drawn is finished first, so that steady
+    /// changes (a running machine) cannot starve it.</summary>
     public void DrawSoon()
     {
         if (_keeper.IsDrawing) return;

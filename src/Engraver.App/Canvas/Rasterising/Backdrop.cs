@@ -3,7 +3,8 @@ using Engraver.App.Canvas.Views;
 
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>What lies under everything: the background, the grid and the two axes. Grid lines are whole pixels, so a picture needs only a level for each column and row.</summary>
+/// <summary>What lies under everything: the background, the grid and the two axes. Grid lines are whole pixels, so a picture needs only a level for each
+/// column and row.</summary>
 internal sealed class Backdrop
 {
     private const byte Minor = 1;
@@ -45,7 +46,8 @@ internal sealed class Backdrop
         }
     }
 
-    /// <summary>Marks the lines between two places. Where lines lie closer than numbers of that size can tell apart (zoomed in far from zero), there are none.</summary>
+    /// <summary>Marks the lines between two places. Where lines lie closer than numbers of that size can tell apart (zoomed in far from zero), there are
+    /// none.</summary>
     private static void Mark(byte[] levels, double from, double to, GridStep step, Func<double, double> toPixel)
     {
         var (first, last) = (Math.Ceiling(from / step.Minor), Math.Floor(to / step.Minor));

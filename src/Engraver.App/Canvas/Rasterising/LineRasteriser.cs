@@ -3,8 +3,10 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>Draws lines into a tile: the coverage of a pixel is how far its centre lies inside a bar with round ends, from 0 half a pixel outside the edge to 1 half a pixel inside.</summary>
-/// <remarks>A pixel's coverage depends on the line alone, not on where the tile begins, so tiles meet without a seam. Works in double: ends may lie a billion pixels away.</remarks>
+/// <summary>Draws lines into a tile: the coverage of a pixel is how far its centre lies inside a bar with round ends, from 0 half a pixel outside the edge
+/// to 1 half a pixel inside.</summary>
+/// <remarks>A pixel's coverage depends on the line alone, not on where the tile begins, so tiles meet without a seam. Works in double: ends may lie a
+/// billion pixels away.</remarks>
 internal static class LineRasteriser
 {
     /// <summary>Lines no longer than this in x and y are drawn by <see cref="DrawShort"/>, pixels.</summary>

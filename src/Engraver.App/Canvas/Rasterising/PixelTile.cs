@@ -1,7 +1,8 @@
 namespace Engraver.App.Canvas.Rasterising;
 
 /// <summary>A rectangle of the picture while it is drawn: one layer at a time as colour and coverage, then laid over the layers before.</summary>
-/// <remarks>Within a layer a pixel keeps its largest coverage (0xAARRGGBB, A = coverage 0 to 255): pieces that meet end to end look like one line, however short they are.</remarks>
+/// <remarks>Within a layer a pixel keeps its largest coverage (0xAARRGGBB, A = coverage 0 to 255): pieces that meet end to end look like one line, however
+/// short they are.</remarks>
 internal sealed class PixelTile
 {
     public const int Side = 256;

@@ -5,7 +5,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>Primitives with the colours and the pen they are drawn with: blocks outside the tile are skipped unread, blocks smaller than a pixel become a dot.</summary>
+/// <summary>Primitives with the colours and the pen they are drawn with: blocks outside the tile are skipped unread, blocks smaller than a pixel become a
+/// dot.</summary>
 /// <param name="palette">0xAARRGGBB for each palette index; an index beyond it takes the last.</param>
 /// <param name="pen">Pixels of the screen.</param>
 internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LinePen pen) : IPictureLayer
@@ -16,7 +17,8 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
     /// <summary>Only entities for which this is true (by entity index; what lies beyond is left out); null: all.</summary>
     public bool[]? Only { get; init; }
 
-    /// <summary>Entities from this one on take the last colour of the palette (still to do), those before it the first (engraved). Null: every primitive has its own colour.</summary>
+    /// <summary>Entities from this one on take the last colour of the palette (still to do), those before it the first (engraved). Null: every primitive
+    /// has its own colour.</summary>
     public int? Done { get; init; }
 
     private LinePen Pen => pen;

@@ -4,7 +4,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>A drawing made ready for the canvas, once for each state of the document. It may be drawn and searched from all threads. Entities that are hidden or on layers that are off or frozen are not in it.</summary>
+/// <summary>A drawing made ready for the canvas, once for each state of the document. It may be drawn and searched from all threads. Entities that are
+/// hidden or on layers that are off or frozen are not in it.</summary>
 /// <remarks>Where entities cross, the one that is drawn on top follows from where they are, not from the order of the drawing.</remarks>
 public sealed class CanvasScene
 {

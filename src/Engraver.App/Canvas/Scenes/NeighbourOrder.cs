@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>Sorts primitives so that neighbours in the drawing are neighbours in memory: by size class, then along Morton's curve. Equal keys keep the order of the drawing.</summary>
+/// <summary>Sorts primitives so that neighbours in the drawing are neighbours in memory: by size class, then along Morton's curve. Equal keys keep the
+/// order of the drawing.</summary>
 internal static class NeighbourOrder
 {
     private const int SampleCount = 1024;
@@ -10,7 +11,8 @@ internal static class NeighbourOrder
     private const int Digits = 3;
     private const double LastCell = 32767.0;
 
-    /// <summary>Borders between the size classes, as parts of the frame: what is longer than a quarter, a sixteenth, a 64th of it does not share a block with smaller things.</summary>
+    /// <summary>Borders between the size classes, as parts of the frame: what is longer than a quarter, a sixteenth, a 64th of it does not share a block
+    /// with smaller things.</summary>
     private static readonly double[] s_classes = [1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0];
 
     /// <summary>The order in memory: for each place the index of its primitive.</summary>

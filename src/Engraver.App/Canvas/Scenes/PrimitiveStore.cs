@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 namespace Engraver.App.Canvas.Scenes;
 
 /// <summary>Primitives in blocks of neighbours, each block with its box: the whole spatial index. Immutable, safe for all threads.</summary>
-/// <remarks>A scan over the boxes of a million primitives reads 16 thousand of them, about as long as a tree would take to descend, and costs half a byte for each primitive.</remarks>
+/// <remarks>A scan over the boxes of a million primitives reads 16 thousand of them, about as long as a tree would take to descend, and costs half a byte
+/// for each primitive.</remarks>
 internal sealed class PrimitiveStore
 {
     public const int BlockSize = 64;

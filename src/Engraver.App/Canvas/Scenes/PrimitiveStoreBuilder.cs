@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>Collects primitives in the order of the drawing and makes the store of them. For small scenes and overlays; the parts of a drawing are collected faster by <see cref="DrawingPrimitives"/>.</summary>
+/// <summary>Collects primitives in the order of the drawing and makes the store of them. For small scenes and overlays; the parts of a drawing are
+/// collected faster by <see cref="DrawingPrimitives"/>.</summary>
 internal sealed class PrimitiveStoreBuilder
 {
     private readonly List<ScenePrimitive> _primitives = [];

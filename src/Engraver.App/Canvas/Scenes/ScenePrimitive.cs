@@ -3,8 +3,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>One line, arc, circle or free curve ready to be drawn, drawing units. 40 bytes, so that a million of them pass through both cores in a few milliseconds.</summary>
-/// <remarks>Line: A,B start, C,D end. Arc and circle: A,B centre, C radius, D index into the store's arcs. Ellipse and spline: A index into the store's curves.</remarks>
+/// <summary>One line, arc, circle or free curve ready to be drawn, drawing units. 40 bytes, so that a million of them pass through both cores in a few
+/// milliseconds.</summary>
+/// <remarks>Line: A,B start, C,D end. Arc and circle: A,B centre, C radius, D index into the store's arcs. Ellipse and spline: A index into the store's
+/// curves.</remarks>
 [SuppressMessage("Design", "CA1051", Justification = "A row of a column, written through a reference.")]
 internal struct ScenePrimitive
 {

@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Views;
 
-/// <summary>Which part of the drawing the canvas shows. Drawing units; pixels are those of the screen, x to the right, y down, from the upper left corner.</summary>
+/// <summary>Which part of the drawing the canvas shows. Drawing units; pixels are those of the screen, x to the right, y down, from the upper left
+/// corner.</summary>
 /// <param name="Centre">The place in the middle of the picture.</param>
 /// <param name="UnitsPerPixel">Drawing units that one pixel covers, above 0.</param>
 public readonly record struct CanvasView(Point2D Centre, double UnitsPerPixel, PixelSize Size)

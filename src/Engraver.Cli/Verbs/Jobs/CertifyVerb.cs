@@ -14,7 +14,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Cli.Verbs.Jobs;
 
-/// <summary><c>engraver certify</c>: reads the program of a job back and writes down that it does what the drawing says; with <c>--check</c> only whether what is written down still holds.</summary>
+/// <summary><c>engraver certify</c>: reads the program of a job back and writes down that it does what the drawing says; with <c>--check</c> only whether
+/// what is written down still holds.</summary>
 internal sealed class CertifyVerb
 {
     private readonly VerbHost _host;

@@ -8,13 +8,16 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>The paper's method, corrected (paper 001; galil-dmc.md F.0, EX11): #LINEAR and #CIRC in the controller are called for each segment with assigned variables,
-/// relative to the machine's actual position, with a full stop after each. Progress is counted by <c>seq</c>, because <c>done</c> alone is a race (F.3).</summary>
+/// <summary>The paper's method, corrected (paper 001; galil-dmc.md F.0, EX11): #LINEAR and #CIRC in the controller are called for each segment with
+/// assigned variables,
+/// relative to the machine's actual position, with a full stop after each. Progress is counted by <c>seq</c>, because <c>done</c> alone is a race
+/// (F.3).</summary>
 internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISequenceStrategy
 {
     private readonly AngleQuantum _quantum = new(machine.Profile.AngleQuantumDegrees);
 
-    /// <summary>The server clears go and the arguments when it starts, and then sets up the machine: an empty call that is completed shows that it has done both.</summary>
+    /// <summary>The server clears go and the arguments when it starts, and then sets up the machine: an empty call that is completed shows that it has done
+    /// both.</summary>
     public async ValueTask<JobStep> StartAsync()
     {
         if (await machine.AwaitAsync(ResidentProgram.Variables.Done, value => value != 0).ConfigureAwait(false) is { Ends: true } end) return end;

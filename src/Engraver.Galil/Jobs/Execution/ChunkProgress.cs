@@ -15,7 +15,8 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
 
     public bool IsEnd(int mark) => mark == _endMark;
 
-    /// <summary>Whether the chunk wants the tool on: on while a sequence runs, off in a rapid (the motion between two sequences); null where that depends on the line it executes.</summary>
+    /// <summary>Whether the chunk wants the tool on: on while a sequence runs, off in a rapid (the motion between two sequences); null where that depends
+    /// on the line it executes.</summary>
     public static bool? IsToolWanted(MachineState state) => (state.Calls % 2 != 0, state.SequenceRunning, state.AxesRunning) switch
     {
         (true, true, _) => true,

@@ -1,6 +1,7 @@
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Says how much slower the path has to be when few sent segments are left to execute (a short lead), instead of letting the buffer run dry (galil-dmc.md F.1, J 7). <see cref="SpeedRatio"/> makes VR of it.</summary>
+/// <summary>Says how much slower the path has to be when few sent segments are left to execute (a short lead), instead of letting the buffer run dry
+/// (galil-dmc.md F.1, J 7). <see cref="SpeedRatio"/> makes VR of it.</summary>
 /// <param name="reactionSeconds">Delay between detecting a short lead and the command reaching the controller.</param>
 /// <param name="rampSeconds">Time of the path from full speed to rest: VR acts no faster than VA and VD allow, so it must be sent that much earlier.</param>
 internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
@@ -9,7 +10,8 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     private const int ShortLead = 20;
     private const int VeryShortLead = 8;
 
-    /// <summary>A lead of this many seconds suffices even with few segments: at 1.6 ms a command more than a hundred can be sent meanwhile. Much more than the short lead, so that the speed does not oscillate.</summary>
+    /// <summary>A lead of this many seconds suffices even with few segments: at 1.6 ms a command more than a hundred can be sent meanwhile. Much more than
+    /// the short lead, so that the speed does not oscillate.</summary>
     private const double ComfortableSeconds = 0.25;
 
     private const double Full = 1.0;

@@ -3,7 +3,8 @@ using Engraver.Galil.Programs.Resident;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Motion by hand that is run as a job without strokes: under its watchdog, its stop and its promise to leave the controller as it was found.</summary>
+/// <summary>Motion by hand that is run as a job without strokes: under its watchdog, its stop and its promise to leave the controller as it was
+/// found.</summary>
 /// <param name="Resident">The program in the controller meanwhile; null for that of a stream.</param>
 /// <param name="Create">What is done with the machine.</param>
 internal sealed record HandOperation(ResidentProgram? Resident, Func<JobMachine, IJobStrategy> Create)
@@ -22,7 +23,8 @@ internal sealed class OutputPulse(JobMachine machine) : IJobStrategy
     public ValueTask StoppedAsync(int counter) => ValueTask.CompletedTask;
 }
 
-/// <summary>A move without cutting: a rapid to one point in the controller's own counts, under the watchdog and the stop of a job. The tool is off throughout.</summary>
+/// <summary>A move without cutting: a rapid to one point in the controller's own counts, under the watchdog and the stop of a job. The tool is off
+/// throughout.</summary>
 /// <param name="withHeight">The height is part of the place; otherwise it stays as it is.</param>
 /// <param name="speed">SP of each axis; null for rapid speed.</param>
 internal sealed class HandMove(JobMachine machine, CountsPoint goal, bool withHeight, Func<MachineAxis, int>? speed = null) : IJobStrategy

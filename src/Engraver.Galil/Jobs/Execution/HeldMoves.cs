@@ -4,12 +4,14 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Moves by hand while a job stands held and nothing of it is under way in the controller: under the job's own watchdog and stop, tool off or up.</summary>
+/// <summary>Moves by hand while a job stands held and nothing of it is under way in the controller: under the job's own watchdog and stop, tool off or
+/// up.</summary>
 /// <param name="limits">The travel that is in force, counts; empty where none is known.</param>
 /// <param name="moved">Told when the machine stands where a move has brought it, before the operator is.</param>
 internal sealed class HeldMoves(JobMachine machine, JobControl control, IReadOnlyList<SoftLimit> limits, Action moved)
 {
-    /// <summary>Makes a move and tells the operator how it ended. What ends a move, such as a limit switch, does not end the job as long as the next look finds the machine as it should be.</summary>
+    /// <summary>Makes a move and tells the operator how it ended. What ends a move, such as a limit switch, does not end the job as long as the next look
+    /// finds the machine as it should be.</summary>
     public async ValueTask<JobStep> MakeAsync(HeldMove move)
     {
         var goal = move.GoalFrom(machine.State.Position);

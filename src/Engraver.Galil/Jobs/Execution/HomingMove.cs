@@ -5,7 +5,8 @@ using Variables = Engraver.Galil.Programs.Resident.ResidentProgram.Variables;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Homing: the program in the controller (<see cref="HomingProgram"/>) is told to go and is watched, one axis after the other, each with its time.</summary>
+/// <summary>Homing: the program in the controller (<see cref="HomingProgram"/>) is told to go and is watched, one axis after the other, each with its
+/// time.</summary>
 internal sealed class HomingMove(JobMachine machine) : IJobStrategy
 {
     /// <summary>_MT of a stepper is 2, -2, 2.5 or -2.5 (galil-dmc.md C).</summary>

@@ -23,7 +23,8 @@ internal interface ISequenceStrategy
     /// <summary>Called once after the resident program was started: waits until it is ready.</summary>
     ValueTask<JobStep> StartAsync();
 
-    /// <summary>Cuts the sequence from the machine's present position and returns when it is at rest. Switches the tool on when everything is ready to move.</summary>
+    /// <summary>Cuts the sequence from the machine's present position and returns when it is at rest. Switches the tool on when everything is ready to
+    /// move.</summary>
     ValueTask<JobStep> CutAsync(VectorSequence sequence);
 
     /// <summary>Called when the machine was stopped in the middle and is at rest: counts the segments that were completed.</summary>

@@ -7,11 +7,15 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>What a job does about its <see cref="JobControl"/>: holds on the path and goes on, and puts overrides in force. It is asked after every poll, so that every wait of every execution strategy can be held.</summary>
+/// <summary>What a job does about its <see cref="JobControl"/>: holds on the path and goes on, and puts overrides in force. It is asked after every poll,
+/// so that every wait of every execution strategy can be held.</summary>
 /// <remarks>
-/// A running sequence is held by VR 0 (galil-dmc.md B.8): its segments stay in the buffer, the polls, the heartbeat and the watchdog go on. The tool goes off once the path stands. VR does not reach a rapid, which
-/// is finished; what comes behind it waits at a gate: of this computer before a rapid, a tool or a call, or, where a program runs the job, of that program behind its rapid.
-/// Where an axis holds the tool, and where the operator moves the machine by hand, what is held is given up (<see cref="JobStep.Parted"/>): its axes are free then. The job stays held in <see cref="AwayAsync"/> and cuts the rest anew.
+/// A running sequence is held by VR 0 (galil-dmc.md B.8): its segments stay in the buffer, the polls, the heartbeat and the watchdog go on. The tool goes
+/// off once the path stands. VR does not reach a rapid, which
+/// is finished; what comes behind it waits at a gate: of this computer before a rapid, a tool or a call, or, where a program runs the job, of that program
+/// behind its rapid.
+/// Where an axis holds the tool, and where the operator moves the machine by hand, what is held is given up (<see cref="JobStep.Parted"/>): its axes are
+/// free then. The job stays held in <see cref="AwayAsync"/> and cuts the rest anew.
 /// </remarks>
 internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyList<SoftLimit> limits)
 {
@@ -30,7 +34,8 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     /// <summary>Told when the phase changes or an override comes in force.</summary>
     public Action? Changed { get; set; }
 
-    /// <summary>Told when what was under way is given up, before anything of it ends in the controller: from here on the watchdog's variables tell nothing of this job.</summary>
+    /// <summary>Told when what was under way is given up, before anything of it ends in the controller: from here on the watchdog's variables tell nothing
+    /// of this job.</summary>
     public Action? Parted { get; set; }
 
     /// <summary>A program in the controller runs the job: whether it has come to its end. Null while this computer commands every motion.</summary>
@@ -174,7 +179,8 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
         return await machine.PollUntilAsync(state => !state.SequenceRunning || state.PathSpeed != 0 || !WillMove(state) || PollTimes.SamplesSince(from, state.Time) > SamplesToMove).ConfigureAwait(false);
     }
 
-    /// <summary>Polls until two looks in a row see the machine at rest at the same place: at a corner where the path stops by itself one look may, while VR still runs down.</summary>
+    /// <summary>Polls until two looks in a row see the machine at rest at the same place: at a corner where the path stops by itself one look may, while VR
+    /// still runs down.</summary>
     private async ValueTask<JobStep> AwaitStandstillAsync()
     {
         var from = machine.State.Time;
@@ -203,7 +209,8 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
         return end.Ends || atGate != 0;
     }
 
-    /// <summary>Stands held until the operator wants it otherwise; watched and with heartbeats. A move by hand gives up what is held, and so does a spindle that is to stop: it has to turn again before anything goes on.</summary>
+    /// <summary>Stands held until the operator wants it otherwise; watched and with heartbeats. A move by hand gives up what is held, and so does a spindle
+    /// that is to stop: it has to turn again before anything goes on.</summary>
     private async ValueTask<JobStep> StayAsync()
     {
         Holds++;
@@ -228,7 +235,8 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
         return JobStep.Done;
     }
 
-    /// <summary>Gives up what is held, at its standstill. A program that runs the job is halted first, because it would go on with its next line when the sequence ends; STS then ends that (galil-dmc.md B.8), and AB 1 where STS does not end what VR 0 holds.</summary>
+    /// <summary>Gives up what is held, at its standstill. A program that runs the job is halted first, because it would go on with its next line when the
+    /// sequence ends; STS then ends that (galil-dmc.md B.8), and AB 1 where STS does not end what VR 0 holds.</summary>
     /// <returns><see cref="JobStep.Parted"/>, or why it could not be done.</returns>
     private async ValueTask<JobStep> PartAsync()
     {
@@ -259,7 +267,8 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
         return AwaitIdle is { } idle ? await idle().ConfigureAwait(false) : JobStep.Done;
     }
 
-    /// <summary>The job stands held and nothing is under way in the controller: the tool goes up, the spindle does as it is set to, and the operator may move the machine by hand. Returns when the job is to go on with what is left.</summary>
+    /// <summary>The job stands held and nothing is under way in the controller: the tool goes up, the spindle does as it is set to, and the operator may
+    /// move the machine by hand. Returns when the job is to go on with what is left.</summary>
     public async ValueTask<JobStep> AwayAsync()
     {
         _isAttending = true;

@@ -6,7 +6,8 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Motion as long as a key is held (JG, BG; galil-dmc.md C). Where the travel is known the axis is sent to its end instead (PA, SP, BG): it stops there and not behind it, and a release brakes it just the same.</summary>
+/// <summary>Motion as long as a key is held (JG, BG; galil-dmc.md C). Where the travel is known the axis is sent to its end instead (PA, SP, BG): it stops
+/// there and not behind it, and a release brakes it just the same.</summary>
 /// <param name="limits">The travel that is in force, counts.</param>
 /// <param name="isOver">Whether the key was released, where no stop of the whole job says so; null where one does.</param>
 internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyList<SoftLimit> limits, Func<bool>? isOver = null) : IJobStrategy
@@ -41,7 +42,8 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
         return await HoldAsync().ConfigureAwait(false);
     }
 
-    /// <summary>A jog on a machine that was kept ready, and has been polled just now: its release does not end the operation in the controller, it only brakes.</summary>
+    /// <summary>A jog on a machine that was kept ready, and has been polled just now: its release does not end the operation in the controller, it only
+    /// brakes.</summary>
     public async ValueTask<JobStep> KeptReadyAsync()
     {
         _isKept = true;
@@ -60,7 +62,8 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
         return Velocity is { IsZero: true } ? JobStep.Broken(Wording.Get("JogMove.NoAxis")) : JobStep.Done;
     }
 
-    /// <summary>The brake of a release once more, behind whatever this side has sent: the first one may have been before a BG or a JG that was on its way over another handle.</summary>
+    /// <summary>The brake of a release once more, behind whatever this side has sent: the first one may have been before a BG or a JG that was on its way
+    /// over another handle.</summary>
     private async ValueTask<JobStep> BrakeAsync()
     {
         if (!IsReleased || _isBraked) return JobStep.Done;
@@ -146,7 +149,8 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
         return JobStep.Done;
     }
 
-    /// <summary>Ends the jog when one of several axes was stopped, by a limit switch for example: the others must not go on in a direction that nobody asked for. An axis at the end of its travel does not end it.</summary>
+    /// <summary>Ends the jog when one of several axes was stopped, by a limit switch for example: the others must not go on in a direction that nobody
+    /// asked for. An axis at the end of its travel does not end it.</summary>
     private async ValueTask<JobStep> IsAnyHaltedAsync()
     {
         var (codes, end) = await machine.AskAllAsync(StopCodeOperands).ConfigureAwait(false);

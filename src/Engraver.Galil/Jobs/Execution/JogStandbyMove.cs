@@ -3,7 +3,8 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Keeps the controller ready for jogs: our program is in its memory and its watchdog runs, so that a press sends no more than the motion. Between two jogs the machine is polled, with the heartbeat of a job.</summary>
+/// <summary>Keeps the controller ready for jogs: our program is in its memory and its watchdog runs, so that a press sends no more than the motion. Between
+/// two jogs the machine is polled, with the heartbeat of a job.</summary>
 internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IReadOnlyList<SoftLimit> limits) : IJobStrategy
 {
     /// <summary>Without a press the controller gets its own program back after this time.</summary>

@@ -10,9 +10,11 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Runs the job in the controller, one chunk after another; the next one is loaded while the machine is at rest with the tool off (galil-dmc.md F.1 method 2).</summary>
+/// <summary>Runs the job in the controller, one chunk after another; the next one is loaded while the machine is at rest with the tool off
+/// (galil-dmc.md F.1 method 2).</summary>
 /// <remarks>
-/// While a program is loaded no thread watches the machine, so a spindle stands meanwhile; it is switched on once the program waits behind its first rapid, with its watchdog at work.
+/// While a program is loaded no thread watches the machine, so a spindle stands meanwhile; it is switched on once the program waits behind its first rapid,
+/// with its watchdog at work.
 /// No operand reports how many lines the program memory holds (galil-dmc.md 0.3: 1000, not confirmed), so the download itself tests it: when it is refused
 /// for too many lines, the rest of the job is packed for half as many.
 /// </remarks>
@@ -126,7 +128,8 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         Text($"XQ {SupervisedProgram.Entry},{ResidentProgram.MainThread}"),
     ];
 
-    /// <summary>Spindle on while the program waits behind its first rapid, and the gate open when it has its speed, whether or not the job was held meanwhile.</summary>
+    /// <summary>Spindle on while the program waits behind its first rapid, and the gate open when it has its speed, whether or not the job was held
+    /// meanwhile.</summary>
     private async ValueTask<JobStep> TurnAsync()
     {
         machine.Hold.KeepsGate = true;
@@ -143,7 +146,8 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         return await machine.SendAsync(ResidentServer.OpenGateCommand).ConfigureAwait(false);
     }
 
-    /// <summary>The program was read back before it ran; the path is watched all the same, because somebody else may move the axes. Over a serial line sequence and position are queried one after the other, and only the end is compared.</summary>
+    /// <summary>The program was read back before it ran; the path is watched all the same, because somebody else may move the axes. Over a serial line
+    /// sequence and position are queried one after the other, and only the end is compared.</summary>
     private async ValueTask<JobStep> WatchedAsync(ProgramChunk chunk)
     {
         var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
@@ -153,7 +157,8 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here with { Z = chunk.Parts[^1].Sequences[^1].End.Z }); // a tool that an axis holds is up again by now
     }
 
-    /// <summary>Over a network the speed belongs to seq, which is read with it; on a serial line seq is read earlier, and the speed may be that of any sequence of the chunk.</summary>
+    /// <summary>Over a network the speed belongs to seq, which is read with it; on a serial line seq is read earlier, and the speed may be that of any
+    /// sequence of the chunk.</summary>
     private Func<MachineState, PlannedSpeed?> PlannedSpeeds()
     {
         if (machine.Line is null) return state => IsCutting(state) && state.Calls / 2 < _sequences.Count ? PlannedSpeed.Of(_sequences[state.Calls / 2].Speed) : null;

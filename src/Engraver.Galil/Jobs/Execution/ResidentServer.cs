@@ -18,7 +18,8 @@ internal static class ResidentServer
     /// <summary>The same for a jog: the watchdog then trips 0.25 s after it.</summary>
     public static string CloseHeartbeatCommand { get; } = JobMachine.Text($"{Variables.Heartbeat}={CloseHeartbeatTicks}");
 
-    /// <summary>Gives every polled variable a value before it is read, because an undefined one is refused, and sets the watchdog's time before it starts.</summary>
+    /// <summary>Gives every polled variable a value before it is read, because an undefined one is refused, and sets the watchdog's time before it
+    /// starts.</summary>
     public static string DefineVariables(MachineProfile profile) =>
         JobMachine.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.Hold}=0;{Variables.AtGate}=0;{Variables.JobMark}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile)}");
 
@@ -55,7 +56,8 @@ internal static class ResidentServer
     /// <summary>Operand for the line of the watchdog's thread; -1 while it does not run.</summary>
     public static string WatchdogLine { get; } = JobMachine.Text($"_XQ{WatchdogThread}");
 
-    /// <summary>Gives the watchdog the clearance height to which it raises the tool; behind it the lowest height there is, for a move that leaves the height alone.</summary>
+    /// <summary>Gives the watchdog the clearance height to which it raises the tool; behind it the lowest height there is, for a move that leaves the
+    /// height alone.</summary>
     /// <param name="frame">Controller counts at the drawing's zero; null before the frame is taken, when the machine stands at the drawing's height 0.</param>
     /// <param name="lift">Of a dry run; a frame that is given has it already.</param>
     /// <param name="isCut">The program cuts.</param>

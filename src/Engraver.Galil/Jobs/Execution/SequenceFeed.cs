@@ -9,11 +9,15 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Streams one VM ... VE: fills the segment buffer, begins, sends further segments by _CSS, slows down when few are left to execute, ends with VE (galil-dmc.md B.7, F.1).</summary>
+/// <summary>Streams one VM ... VE: fills the segment buffer, begins, sends further segments by _CSS, slows down when few are left to execute, ends with VE
+/// (galil-dmc.md B.7, F.1).</summary>
 /// <remarks>
-/// Over a network nothing repeats what the controller received. A sequence of lines is therefore sent as increments (LM, LI): a damaged one shifts the rest of the path up to its end, where the position shows it.
-/// A VP is absolute in its sequence: after a damaged vertex the next one is right again, and where segments are shorter than the distance between two polls the error would not be seen.
-/// With an arc in it a sequence must go as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex moved beside the path by up to about sqrt((L + A/2)^2 - L^2) counts is not noticed, L the length of
+/// Over a network nothing repeats what the controller received. A sequence of lines is therefore sent as increments (LM, LI): a damaged one shifts the rest
+/// of the path up to its end, where the position shows it.
+/// A VP is absolute in its sequence: after a damaged vertex the next one is right again, and where segments are shorter than the distance between two polls
+/// the error would not be seen.
+/// With an arc in it a sequence must go as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex moved beside the path by up to about sqrt((L +
+/// A/2)^2 - L^2) counts is not noticed, L the length of
 /// its segments and A what the path length may differ by: 62 counts for 100 segments of 60. What is farther off is.
 /// </remarks>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
@@ -37,7 +41,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Shorter delays between two commands need no extra poll, seconds.</summary>
     private const double HeldUpSeconds = 0.05;
 
-    /// <summary>Largest difference between the controller's path length and the planned one, counts: it is truncated to whole counts, and how it is summed over segments is not known (galil-dmc.md B.1).</summary>
+    /// <summary>Largest difference between the controller's path length and the planned one, counts: it is truncated to whole counts, and how it is summed
+    /// over segments is not known (galil-dmc.md B.1).</summary>
     private const double LengthAllowance = 2.0;
     private const double LengthPerSegment = 0.5;
 
@@ -109,7 +114,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         }
     }
 
-    /// <summary>True every few segments; and when this computer was delayed for so long that the buffer may have run dry, which the next segment would hide.</summary>
+    /// <summary>True every few segments; and when this computer was delayed for so long that the buffer may have run dry, which the next segment would
+    /// hide.</summary>
     private bool IsTimeToWatch => _begun && (machine.Hold.IsAsked || _sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds + UsualSeconds));
 
     /// <summary>Time that the commands since the last poll need on a serial line, with a heartbeat for each at worst: that long is not a delay.</summary>
@@ -227,8 +233,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return await machine.Hold.AttendAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Compares the position at the end with the planned one, and the length of the path too: a closed contour ends where it began, even if nothing of it was cut or a turn was too short
-    /// (_AVS counts from the start of the sequence, galil-dmc.md B.1). The length is not read on a serial line, where every command was compared with its echo and a query takes long.</summary>
+    /// <summary>Compares the position at the end with the planned one, and the length of the path too: a closed contour ends where it began, even if
+    /// nothing of it was cut or a turn was too short
+    /// (_AVS counts from the start of the sequence, galil-dmc.md B.1). The length is not read on a serial line, where every command was compared with its
+    /// echo and a query takes long.</summary>
     private async ValueTask<JobStep> CheckCutAsync()
     {
         if (_watch!.LookAtEnd(_sent, machine.Here) is { Ends: true } elsewhere) return elsewhere;

@@ -2,7 +2,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Streams continuous vector sequences (galil-dmc.md F.1 method 1). A sequence that ran dry is closed at its standstill, and the rest of it becomes a new one.</summary>
+/// <summary>Streams continuous vector sequences (galil-dmc.md F.1 method 1). A sequence that ran dry is closed at its standstill, and the rest of it
+/// becomes a new one.</summary>
 internal sealed class StreamStrategy(JobMachine machine, JobLedger ledger) : ISequenceStrategy
 {
     private SequenceFeed? _feed;

@@ -3,7 +3,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>A run that did not restore the controller, because this computer or the link failed. Its journal holds the controller's state before the run.</summary>
+/// <summary>A run that did not restore the controller, because this computer or the link failed. Its journal holds the controller's state before the
+/// run.</summary>
 /// <param name="JournalPath">The journal of that run.</param>
 /// <param name="Found">The controller's state before that run.</param>
 /// <param name="Program">The program that was in the memory.</param>
@@ -33,7 +34,8 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
         return JobJournal.IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new CrashRecovery(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
     }
 
-    /// <summary>The last "found" line of the journal, unless the controller was restored after it. A line that was changed after it was written tells nothing.</summary>
+    /// <summary>The last "found" line of the journal, unless the controller was restored after it. A line that was changed after it was written tells
+    /// nothing.</summary>
     private static JournalFound? Unended(string journal)
     {
         JournalFound? found = null;

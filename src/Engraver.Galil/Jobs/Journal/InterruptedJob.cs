@@ -25,7 +25,8 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     /// <summary>Why the journal could not be written any more while its job went on; empty where it was.</summary>
     public string GivenUp { get; private init; } = "";
 
-    /// <summary>Why it is not resumed, whatever else a resume asks for: nothing of it is left to cut, or how far it was cut is not known. Empty where it may be.</summary>
+    /// <summary>Why it is not resumed, whatever else a resume asks for: nothing of it is left to cut, or how far it was cut is not known. Empty where it
+    /// may be.</summary>
     public string WhyOver => this switch
     {
         { GivenUp: { Length: > 0 } reason } => Wording.Get("Resume.JournalIncomplete", reason),

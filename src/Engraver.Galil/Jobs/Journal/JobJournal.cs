@@ -6,7 +6,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>The journal file: one JSON object per line with a running number and a check sum (<see cref="JournalSeal"/>), each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
+/// <summary>The journal file: one JSON object per line with a running number and a check sum (<see cref="JournalSeal"/>), each flushed to the file before
+/// the job goes on, so that a crash leaves every line but the last readable.</summary>
 internal sealed class JobJournal : IDisposable
 {
     /// <summary>Generated at build time: reflection at the first use would delay the heartbeat.</summary>
@@ -48,7 +49,8 @@ internal sealed class JobJournal : IDisposable
     /// <summary>What was written so far stays in a journal that is given up.</summary>
     public void Keep() => _kept = Now;
 
-    /// <summary>The journal cannot be written any more (a full disk), and its job goes on: the last place that it tells would soon be wrong. Puts a line that says so in place of everything behind <see cref="Keep"/>, which needs no more room on the disk,
+    /// <summary>The journal cannot be written any more (a full disk), and its job goes on: the last place that it tells would soon be wrong. Puts a line
+    /// that says so in place of everything behind <see cref="Keep"/>, which needs no more room on the disk,
     /// and where even that fails takes the job out of the journal.</summary>
     public void GiveUp(string reason)
     {
@@ -157,7 +159,8 @@ public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int Segment
     public double Along { get; init; }
 }
 
-/// <summary>The controller's state before a job, written before anything in it is changed: if this program dies, the next run restores it (<see cref="CrashRecovery"/>).</summary>
+/// <summary>The controller's state before a job, written before anything in it is changed: if this program dies, the next run restores it
+/// (<see cref="CrashRecovery"/>).</summary>
 /// <param name="Address">The controller's address.</param>
 /// <param name="Controller">Its model string.</param>
 /// <param name="SerialNumber">_BN; null where the controller does not report it.</param>

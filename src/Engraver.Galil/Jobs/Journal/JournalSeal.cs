@@ -4,7 +4,8 @@ using System.Text;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>The running number and the check sum with which each line of a journal ends: <c>,"n":17,"sum":"0f3a9c21"}</c>. The sum is the first 32 bits of SHA-256 over what stands before it in the line.</summary>
+/// <summary>The running number and the check sum with which each line of a journal ends: <c>,"n":17,"sum":"0f3a9c21"}</c>. The sum is the first 32 bits of
+/// SHA-256 over what stands before it in the line.</summary>
 /// <param name="Number">From 1 in a file.</param>
 /// <param name="IsTrue">The line is as it was written.</param>
 internal readonly record struct JournalSeal(long Number, bool IsTrue)
@@ -35,7 +36,8 @@ internal readonly record struct JournalSeal(long Number, bool IsTrue)
     private static string SumOf(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)))[..SumDigits];
 }
 
-/// <summary>Looks whether the lines of a journal are those that were written, none changed and none missing before the last. Half a line, as a crash leaves it, is no line.</summary>
+/// <summary>Looks whether the lines of a journal are those that were written, none changed and none missing before the last. Half a line, as a crash leaves
+/// it, is no line.</summary>
 internal sealed class JournalCheck
 {
     private int _lines;

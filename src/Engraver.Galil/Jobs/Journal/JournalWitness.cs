@@ -4,7 +4,8 @@ using Engraver.Core.Motion;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>Compares the last place that a journal tells with the position that the same line tells, and with what the controller has counted: what lies before that place is not cut again.</summary>
+/// <summary>Compares the last place that a journal tells with the position that the same line tells, and with what the controller has counted: what lies
+/// before that place is not cut again.</summary>
 /// <remarks>The position may lie ahead of the place (a poll later, braking, on the way to the next stroke), never behind it.</remarks>
 /// <param name="job">Of the journal.</param>
 /// <param name="program">The whole program.</param>
@@ -43,7 +44,8 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
         return job.Place.Segments > counted ? Contradicted(new JobPlace(counted, 0.0)) : "";
     }
 
-    /// <summary>Why the place cannot have been reached when the watchdog stopped the machine; empty when it can. What the controller counts is cleared between two sequences: then only the position tells.</summary>
+    /// <summary>Why the place cannot have been reached when the watchdog stopped the machine; empty when it can. What the controller counts is cleared
+    /// between two sequences: then only the position tells.</summary>
     /// <param name="trip">By what the controller counted.</param>
     /// <param name="at">Where it stopped the machine, job frame.</param>
     public string WhyNotReached(JobPlace trip, CountsPoint at) => trip >= job.Place || IsAhead(job.Place, new Point2D(at.X, at.Y)) ? "" : Contradicted(trip);

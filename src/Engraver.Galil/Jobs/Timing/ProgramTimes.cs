@@ -5,11 +5,13 @@ using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back, and behind each chunk but the first the spindle turns up again; then only the controller's own statements take time.</summary>
+/// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back, and behind each chunk but the
+/// first the spindle turns up again; then only the controller's own statements take time.</summary>
 /// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
 internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
 {
-    /// <summary>Bytes exchanged around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the query for the watchdog; the answer to the poll before it, and about half a poll until
+    /// <summary>Bytes exchanged around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the query for the watchdog; the
+    /// answer to the poll before it, and about half a poll until
     /// its end is seen by the first part of a poll, whose second part is still to come.</summary>
     private const int BytesAroundChunk = 290;
 

@@ -6,8 +6,10 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>Simulates the exchange of a job over a serial line byte by byte, with the heartbeats between (<see cref="JobMachine"/>, <see cref="Heartbeat"/>), to find the time of each exchange.</summary>
-/// <remarks>Averages are not accurate enough: a poll takes as long as a settle or a short cut, so that one more or less matters, and that depends on the digits of an answer. All times are seconds since the job began.</remarks>
+/// <summary>Simulates the exchange of a job over a serial line byte by byte, with the heartbeats between (<see cref="JobMachine"/>,
+/// <see cref="Heartbeat"/>), to find the time of each exchange.</summary>
+/// <remarks>Averages are not accurate enough: a poll takes as long as a settle or a short cut, so that one more or less matters, and that depends on the
+/// digits of an answer. All times are seconds since the job began.</remarks>
 internal sealed class SerialConversation(SerialLine line)
 {
     /// <summary>Bytes of CR and prompt for each part of a line.</summary>

@@ -8,7 +8,8 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>A job led over a serial line: every byte of a question, a command and an answer takes its time (galil-dmc.md A.2), and an end is noticed by the next question only.</summary>
+/// <summary>A job led over a serial line: every byte of a question, a command and an answer takes its time (galil-dmc.md A.2), and an end is noticed by the
+/// next question only.</summary>
 /// <remarks>For one estimate: what a step takes depends on those before it, which are told in the order of cutting.</remarks>
 internal sealed class SerialTimes(SerialLine line) : DmcTimes
 {

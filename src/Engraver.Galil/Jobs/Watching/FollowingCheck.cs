@@ -3,7 +3,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Whether the motors of a machine at rest are where they were sent: the host polls the reference position, and an axis that was blocked for less than ER says nothing by itself (galil-dmc.md C, TE and ER).</summary>
+/// <summary>Whether the motors of a machine at rest are where they were sent: the host polls the reference position, and an axis that was blocked for less
+/// than ER says nothing by itself (galil-dmc.md C, TE and ER).</summary>
 internal sealed class FollowingCheck(ControllerSession session, MachineProfile profile)
 {
     /// <summary>Position error that a motor at rest may keep, mm: friction, and a load that it holds.</summary>

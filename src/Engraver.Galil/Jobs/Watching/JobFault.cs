@@ -20,7 +20,8 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         return JobStep.Broken(Wording.Get("JobFault.NoProgress", machine.StandstillSeconds, Place, why));
     }
 
-    /// <summary>The path does not have the speed that the job set: another host or program changed VS, VR or VA. What it set is left as it is. The tool is still on: the controller is asked once.</summary>
+    /// <summary>The path does not have the speed that the job set: another host or program changed VS, VR or VA. What it set is left as it is. The tool is
+    /// still on: the controller is asked once.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask<JobStep> FeedChangedAsync()
     {
@@ -78,7 +79,8 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         return machine.Refuse(new Rejected(code, TcCodes.Text(code), Wording.Get("JobMachine.ProgramLine", line)), machine.PlaceInProgram((int)line));
     }
 
-    /// <summary>Why a motion ended early, in words: the axes that a switch, an input or their error has stopped, each with its reason; where there is none, the stop code of the first axis.</summary>
+    /// <summary>Why a motion ended early, in words: the axes that a switch, an input or their error has stopped, each with its reason; where there is none,
+    /// the stop code of the first axis.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask<string> WhyStoppedAsync()
     {
@@ -111,7 +113,8 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         return JobStep.Broken(Wording.Get("JobMachine.FollowingErrorExceeded", machine.State.Position.X, machine.State.Position.Y, findings)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
     }
 
-    /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>
+    /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while
+    /// it is active, by AB, or by HX.</summary>
     private async ValueTask<JobStep> ProgramHaltedAsync()
     {
         var where = Wording.Get("JobFault.Position", machine.State.Position.X, machine.State.Position.Y);

@@ -6,8 +6,10 @@ namespace Engraver.Galil.Jobs.Watching;
 
 /// <summary>Compares polled positions with the planned path while a sequence runs: a damaged command moves the machine beside it.</summary>
 /// <remarks>
-/// A polled position is a reference (_RP), so no servo lag is in it; but the two axes are read one after the other, and a sample of the motion may lie between (galil-dmc.md C: 1 ms at TM 1000).
-/// So a correct point may appear beside the path by up to speed x sample x |sin x cos| of the path's direction, at a joint by half of speed x sample. A larger distance is a fault at the first poll; within it
+/// A polled position is a reference (_RP), so no servo lag is in it; but the two axes are read one after the other, and a sample of the motion may lie
+/// between (galil-dmc.md C: 1 ms at TM 1000).
+/// So a correct point may appear beside the path by up to speed x sample x |sin x cos| of the path's direction, at a joint by half of speed x sample. A
+/// larger distance is a fault at the first poll; within it
 /// only <see cref="MostInARow"/> polls in a row are, because a sample lies between the two readings only now and then.
 /// </remarks>
 /// <param name="start">Where the first segment begins, job frame.</param>
@@ -17,7 +19,8 @@ namespace Engraver.Galil.Jobs.Watching;
 /// <param name="sampleSeconds">Sample time of the controller's motion.</param>
 internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed, double sampleSeconds, bool followsHeight = false)
 {
-    /// <summary>Largest distance of a correct point from the planned path, counts: the position is rounded in both axes, and so is the assumed start of an arc.</summary>
+    /// <summary>Largest distance of a correct point from the planned path, counts: the position is rounded in both axes, and so is the assumed start of an
+    /// arc.</summary>
     public const double Allowance = 2.0;
 
     /// <summary>Number of polls in a row with a distance that two readings at different times could explain, which together are a fault.</summary>

@@ -3,8 +3,10 @@ using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Detects a job without progress: it sent no command, and the controller neither moved nor counted. Otherwise the job would wait for ever for a motion that does not come, and keep the watchdog from tripping.</summary>
-/// <remarks>Measured in controller time, so that a slow host does not look like a stalled machine; and by several polls, because a single late answer proves nothing.</remarks>
+/// <summary>Detects a job without progress: it sent no command, and the controller neither moved nor counted. Otherwise the job would wait for ever for a
+/// motion that does not come, and keep the watchdog from tripping.</summary>
+/// <remarks>Measured in controller time, so that a slow host does not look like a stalled machine; and by several polls, because a single late answer
+/// proves nothing.</remarks>
 internal sealed class ProgressWatch(MachineProfile profile)
 {
     private const double SamplesPerSecond = 1000.0;

@@ -2,10 +2,12 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Reads back settings before the job relies on them. Over a network only: on a serial line every command is already compared with its echo, and a query would take long.</summary>
+/// <summary>Reads back settings before the job relies on them. Over a network only: on a serial line every command is already compared with its echo, and a
+/// query would take long.</summary>
 internal static class SettingCheck
 {
-    /// <summary>Allowed difference: the controller keeps speeds and accelerations in steps (galil-dmc.md B.4: VS 2, VA 1024), and this part of the value does no harm.</summary>
+    /// <summary>Allowed difference: the controller keeps speeds and accelerations in steps (galil-dmc.md B.4: VS 2, VA 1024), and this part of the value
+    /// does no harm.</summary>
     private const double Share = 0.02;
 
     /// <param name="wanted">Operand, value sent, and the step in which the controller keeps it.</param>

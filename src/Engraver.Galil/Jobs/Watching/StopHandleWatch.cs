@@ -3,7 +3,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Tests from time to time whether the stop handle still works: a cut connection is not reported by itself, and the operator must not find out when pressing stop.</summary>
+/// <summary>Tests from time to time whether the stop handle still works: a cut connection is not reported by itself, and the operator must not find out
+/// when pressing stop.</summary>
 /// <remarks>The sending of segments never waits for it.</remarks>
 internal sealed class StopHandleWatch(ControllerSession session, JobLedger ledger)
 {

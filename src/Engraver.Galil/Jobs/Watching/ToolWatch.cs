@@ -1,8 +1,10 @@
 namespace Engraver.Galil.Jobs.Watching;
 
 /// <summary>Detects a tool output that is not as the job wants it: somebody else may have switched it, or the command for it was damaged.</summary>
-/// <remarks>One poll is not enough: its operands are read one after the other, and between two of them the controller may have switched the tool off and not yet set the reason (a refused line, an axis that cannot follow),
-/// or a program may have ended its stroke. The next poll shows it. Where a program switches the tool, both polls must lie in the same part of it, as <c>seq</c> says.</remarks>
+/// <remarks>One poll is not enough: its operands are read one after the other, and between two of them the controller may have switched the tool off and
+/// not yet set the reason (a refused line, an axis that cannot follow),
+/// or a program may have ended its stroke. The next poll shows it. Where a program switches the tool, both polls must lie in the same part of it, as
+/// <c>seq</c> says.</remarks>
 internal sealed class ToolWatch
 {
     private int? _callsWhenWrong;

@@ -73,7 +73,8 @@ internal readonly record struct ArcAim(AngleQuantum Quantum)
         return new ArcPrediction(from, radius, kept, Quantum.Keep(sweep + Math.IEEERemainder(turn - sweep, 360.0)));
     }
 
-    /// <summary>The centre at distance <paramref name="radius"/> from both points, on the side of the wanted arc's; null when they are too far apart or coincide.</summary>
+    /// <summary>The centre at distance <paramref name="radius"/> from both points, on the side of the wanted arc's; null when they are too far apart or
+    /// coincide.</summary>
     private static Point2D? CentreThrough(Point2D from, Point2D to, int radius, ArcSegment wanted)
     {
         var chord = to - from;
@@ -94,14 +95,16 @@ internal readonly record struct ArcAim(AngleQuantum Quantum)
     private static bool IsSurelyRounded(double value) => Math.Abs(value - Math.Floor(value) - 0.5) >= UnsureHalf;
 }
 
-/// <summary>How an angle changes on its way into the controller: four decimals in the text, truncated to 1/65536 like every number (0.6 becomes 0.59999), then the steps of CR (galil-dmc.md B.3, E).</summary>
+/// <summary>How an angle changes on its way into the controller: four decimals in the text, truncated to 1/65536 like every number (0.6 becomes 0.59999),
+/// then the steps of CR (galil-dmc.md B.3, E).</summary>
 /// <param name="Degrees">The controller's step, 1/65536 or, in older manuals, 1/256 degree.</param>
 public readonly record struct AngleQuantum(double Degrees)
 {
     private const decimal NumberSteps = 65536;
     private const int DecimalsInText = 4;
 
-    /// <summary>The angle that the controller has after it is sent this one. On a circle of 700,000 counts one step is a fifth of a count, and a chain of arcs adds them up.</summary>
+    /// <summary>The angle that the controller has after it is sent this one. On a circle of 700,000 counts one step is a fifth of a count, and a chain of
+    /// arcs adds them up.</summary>
     public double Keep(double degrees)
     {
         var text = Math.Round((decimal)degrees, DecimalsInText, MidpointRounding.AwayFromZero);

@@ -2,7 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>The path of a CR from a given position: the centre is P - r(cos theta, sin theta), the end follows from the angles as the controller keeps them (galil-dmc.md B.3).</summary>
+/// <summary>The path of a CR from a given position: the centre is P - r(cos theta, sin theta), the end follows from the angles as the controller keeps them
+/// (galil-dmc.md B.3).</summary>
 /// <remarks>Inside a sequence the controller keeps the real end point after CR, so the next arc starts from <see cref="End"/>, not from whole counts.</remarks>
 /// <param name="From">Position of the controller before it, counts.</param>
 /// <param name="Radius">Whole counts.</param>
@@ -20,7 +21,8 @@ public readonly record struct ArcPrediction(Point2D From, int Radius, double The
     private ArcSegment Path => new(Centre, Radius, Angle.FromDegrees(ThetaDegrees), Angle.FromDegrees(DeltaDegrees));
 
     /// <summary>Largest distance between the cut path and the circle of the wanted arc (counts, exact, not sampled).</summary>
-    /// <remarks>From the wanted centre a point of the path is at |d + r u| with d the offset of the centre; that is monotone between the directions of d and -d,
+    /// <remarks>From the wanted centre a point of the path is at |d + r u| with d the offset of the centre; that is monotone between the directions of d
+    /// and -d,
     /// so that only these two and the two ends of the path can be the worst.</remarks>
     public double DeviationFrom(ArcSegment wanted)
     {

@@ -3,7 +3,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>The speed at which the host can still send a long sequence: a segment needs about 1.6 ms (galil-dmc.md B.7), and a buffer that runs dry stops the machine at once.</summary>
+/// <summary>The speed at which the host can still send a long sequence: a segment needs about 1.6 ms (galil-dmc.md B.7), and a buffer that runs dry stops
+/// the machine at once.</summary>
 internal static class FeedLimit
 {
     /// <summary>A sequence of up to this many segments is in the buffer before it starts.</summary>

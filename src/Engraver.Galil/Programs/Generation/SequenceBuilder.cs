@@ -94,7 +94,8 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
     }
 }
 
-/// <summary>VS of lines in three axes: the feed along the path in millimetres, whatever the axes' counts (galil-dmc.md B.5: VS is the root of the sum over all axes of LM), and downwards no faster than the plunge feed.</summary>
+/// <summary>VS of lines in three axes: the feed along the path in millimetres, whatever the axes' counts (galil-dmc.md B.5: VS is the root of the sum over
+/// all axes of LM), and downwards no faster than the plunge feed.</summary>
 internal readonly record struct SlopeSpeed(MachineProfile Profile)
 {
     /// <param name="way">In plan, counts.</param>

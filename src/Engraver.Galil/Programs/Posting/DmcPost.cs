@@ -7,14 +7,16 @@ using static Engraver.Galil.Programs.Subprograms;
 namespace Engraver.Galil.Programs.Posting;
 
 /// <summary>Writes a motion program as self-contained controller programs, started with XQ #JOB.</summary>
-/// <remarks>One or more chunks, each complete with its subprograms, to be downloaded and run (XQ #JOB) in order; with more than one, each begins with a comment line "'CHUNK 2 OF 3".
+/// <remarks>One or more chunks, each complete with its subprograms, to be downloaded and run (XQ #JOB) in order; with more than one, each begins with a
+/// comment line "'CHUNK 2 OF 3".
 /// Where the machine stands when the job starts is the drawing's start point, whatever the controller's position reads there: the first chunk keeps that
 /// position in ox and oy, rapids count from it, and later chunks find it still there, for a download leaves the variables alone.</remarks>
 public static class DmcPost
 {
     private const string CountCall = "seq=seq+1";
 
-    /// <summary>The paper's way (section 5.2): variables are assigned and #LINEAR or #CIRC is called, a line for each; seq counts the calls, rapids and tool changes included.</summary>
+    /// <summary>The paper's way (section 5.2): variables are assigned and #LINEAR or #CIRC is called, a line for each; seq counts the calls, rapids and
+    /// tool changes included.</summary>
     /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs must be aimed from there.</param>
     /// <param name="options">The controller's memory.</param>
     /// <param name="sourceOf">Where an entity stands in the drawing, for diagnostics.</param>
@@ -75,7 +77,8 @@ public static class DmcPost
         return lines.Line(variables).Line(options.Unattended ? UnattendedProgram.Start : string.Empty).Lines;
     }
 
-    /// <summary>Where the drawing's start point is by the controller's own zero: where the machine stands, or where the operator says that the drawing's zero is.</summary>
+    /// <summary>Where the drawing's start point is by the controller's own zero: where the machine stands, or where the operator says that the drawing's
+    /// zero is.</summary>
     private static string TakeOrigin(MotionProgram program, DmcPostOptions options) => string.Join(';', "xyz".Zip(program.Profile.Axes.All, (name, axis) => (name, options.Origin) switch
     {
         ('x', { } origin) => Text($"ox={origin.X + program.Start.X}"),
@@ -157,7 +160,8 @@ public sealed record DmcPostOptions
     /// <summary>The program watches itself and ends with the tool off whatever happens, with nobody connected (<see cref="UnattendedProgram"/>).</summary>
     public bool Unattended { get; init; }
 
-    /// <summary>Counts of the drawing's zero by the controller's own zero; null: the drawing's start point is where the machine stands when the job starts.</summary>
+    /// <summary>Counts of the drawing's zero by the controller's own zero; null: the drawing's start point is where the machine stands when the job
+    /// starts.</summary>
     public PostOrigin? Origin { get; init; }
 }
 

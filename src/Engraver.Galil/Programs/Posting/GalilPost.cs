@@ -63,7 +63,8 @@ public sealed class GalilPost : IPost
         return text with { SegmentLines = Posting.SegmentLines.Map(text.Chunks, _style) };
     }
 
-    /// <summary>Without options nearly every stroke is known to fit the memory by its number of segments, so that a million of them need not be written.</summary>
+    /// <summary>Without options nearly every stroke is known to fit the memory by its number of segments, so that a million of them need not be
+    /// written.</summary>
     /// <exception cref="ArgumentException">The request has no program in this style.</exception>
     public IReadOnlyList<Diagnostic> Findings(PostRequest request)
     {

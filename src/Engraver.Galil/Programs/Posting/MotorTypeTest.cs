@@ -4,7 +4,8 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>What a posted program does about the motor types of the profile: it compares them with those of the controller and ends with a message where one differs. It cannot set them, because MT needs the motor off, and an axis may then count from another place (galil-dmc.md C, MT).</summary>
+/// <summary>What a posted program does about the motor types of the profile: it compares them with those of the controller and ends with a message where
+/// one differs. It cannot set them, because MT needs the motor off, and an axis may then count from another place (galil-dmc.md C, MT).</summary>
 internal static class MotorTypeTest
 {
     /// <summary>Before the motors are switched on; empty for a profile without motor types.</summary>

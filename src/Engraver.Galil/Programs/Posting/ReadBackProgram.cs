@@ -6,7 +6,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>A posted file taken apart, while it is read, into the programs that are to be loaded and run one after the other (docs of <c>engraver post</c>: comment lines <c>'CHUNK 2 OF 3</c>). One program is held at a time.</summary>
+/// <summary>A posted file taken apart, while it is read, into the programs that are to be loaded and run one after the other (docs of <c>engraver post</c>:
+/// comment lines <c>'CHUNK 2 OF 3</c>). One program is held at a time.</summary>
 /// <remarks>Marks count up from 1 to the number they name, the first one before everything else.</remarks>
 public sealed partial class ReadBackProgram(TextReader text)
 {

@@ -2,7 +2,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>Which line of a posted program commands each segment: its VP, CR and LI, or its calls of #LINEAR, #CIRC and #SLOPE, stand in the order of cutting.</summary>
+/// <summary>Which line of a posted program commands each segment: its VP, CR and LI, or its calls of #LINEAR, #CIRC and #SLOPE, stand in the order of
+/// cutting.</summary>
 public static class SegmentLines
 {
     private static readonly SearchStarts s_segments = new("VP ", "CR ", "LI ");

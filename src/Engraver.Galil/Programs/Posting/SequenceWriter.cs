@@ -26,7 +26,8 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
         return lines.Line([.. spelling.ToolOff]).Lines;
     }
 
-    /// <summary>A number of lines that <see cref="Stroke"/> does not exceed: a line for each segment, one before and one behind the sequence, and in one that is longer than the buffer a wait before each line.</summary>
+    /// <summary>A number of lines that <see cref="Stroke"/> does not exceed: a line for each segment, one before and one behind the sequence, and in one
+    /// that is longer than the buffer a wait before each line.</summary>
     public static int MostLines(MotionStroke stroke)
     {
         var lines = 2;

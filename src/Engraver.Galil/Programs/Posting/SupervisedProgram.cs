@@ -7,10 +7,13 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>A job as programs that cut on their own while a host watches (paper 001's own use; galil-dmc.md F.1 method 2): counted, checked after every motion, with the watchdog, #POSERR and #CMDERR.</summary>
+/// <summary>A job as programs that cut on their own while a host watches (paper 001's own use; galil-dmc.md F.1 method 2): counted, checked after every
+/// motion, with the watchdog, #POSERR and #CMDERR.</summary>
 /// <remarks>
-/// <c>seq</c> is counted twice for each vector sequence: odd while it is under way, so that <c>_CSS</c> is known to belong to it, even in between; once more when the chunk
-/// is done and the tool has settled. A motion that did not end where it should (a limit switch, an ST from elsewhere) ends in #STRAY: tool off, stop, <c>errcode</c> -1; without this check the
+/// <c>seq</c> is counted twice for each vector sequence: odd while it is under way, so that <c>_CSS</c> is known to belong to it, even in between; once
+/// more when the chunk
+/// is done and the tool has settled. A motion that did not end where it should (a limit switch, an ST from elsewhere) ends in #STRAY: tool off, stop,
+/// <c>errcode</c> -1; without this check the
 /// program would go on from the wrong place.
 /// </remarks>
 internal sealed class SupervisedProgram

@@ -5,10 +5,13 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>What a posted program needs to run from the controller's memory with nobody connected: a watchdog that knows of no host, and handlers that switch the tool off, stop and end the job whatever happens (galil-dmc.md C.3).</summary>
+/// <summary>What a posted program needs to run from the controller's memory with nobody connected: a watchdog that knows of no host, and handlers that
+/// switch the tool off, stop and end the job whatever happens (galil-dmc.md C.3).</summary>
 /// <remarks>
-/// The watchdog (thread 1) trips when the tool works and nothing moves for the time of <see cref="StandstillLimit"/>: a job that waits for ever. It counts no heartbeat, so the silence of a host is nothing to it, and it ends with the job.
-/// #TCPERR says nothing: a message that nobody takes would be the next error. None of the handlers goes back to where it came from, for the program would go on from the wrong place.
+/// The watchdog (thread 1) trips when the tool works and nothing moves for the time of <see cref="StandstillLimit"/>: a job that waits for ever. It counts
+/// no heartbeat, so the silence of a host is nothing to it, and it ends with the job.
+/// #TCPERR says nothing: a message that nobody takes would be the next error. None of the handlers goes back to where it came from, for the program would
+/// go on from the wrong place.
 /// </remarks>
 internal static class UnattendedProgram
 {

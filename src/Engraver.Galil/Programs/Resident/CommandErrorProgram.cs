@@ -3,7 +3,8 @@ using Engraver.Core.Machines;
 namespace Engraver.Galil.Programs.Resident;
 
 /// <summary>#CMDERR of the resident programs: without it one refused line stops every thread, the watchdog too (galil-dmc.md J.15).</summary>
-/// <remarks>After a return thread 0 would continue after the refused line, so the handler does not return: it clears the stack and loops in #HALT until the host halts the thread.</remarks>
+/// <remarks>After a return thread 0 would continue after the refused line, so the handler does not return: it clears the stack and loops in #HALT until the
+/// host halts the thread.</remarks>
 public static class CommandErrorProgram
 {
     /// <summary>A loop that does nothing, for a thread that must live so that #POSERR and #CMDERR run (galil-dmc.md C.3).</summary>
@@ -28,7 +29,8 @@ public static class CommandErrorProgram
         "EN",
     ];
 
-    /// <summary>While the host lives it raises the tool and then switches the spindle off; behind a trip of the watchdog it was the raising that was refused, and nobody else is there.</summary>
+    /// <summary>While the host lives it raises the tool and then switches the spindle off; behind a trip of the watchdog it was the raising that was
+    /// refused, and nobody else is there.</summary>
     private static IReadOnlyList<string> SpindleOff(MachineProfile profile) =>
         profile is { Height: not null, Spindle: not null } ? [$"IF ({ResidentProgram.Variables.WatchdogTripped}<>0)", Subprograms.SpindleOff(profile), "ENDIF"] : [];
 }

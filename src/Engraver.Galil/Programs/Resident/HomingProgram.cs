@@ -8,9 +8,12 @@ namespace Engraver.Galil.Programs.Resident;
 
 /// <summary>#HOME in thread 0: homes one axis after the other by JG, BG and the inputs (galil-dmc.md C.1, C.2, EX8), and gives each its zero.</summary>
 /// <remarks>
-/// An explicit program and not HM or FE: those choose their direction by the level of the input, creep at a speed that the 21x3 does not let one set, and know no limit switch (C.2).
-/// Each axis: off the switch, if it stands on it; towards it, fast, until it is hit; back, slowly, until it is left: that edge is the mark. Where the mark is an index pulse, the axis goes on
-/// slowly until the latch has it (ALT; C, AL). At rest DP gives the mark its machine position; the axis then backs off. Every wait ends too when the axis stops for another reason.
+/// An explicit program and not HM or FE: those choose their direction by the level of the input, creep at a speed that the 21x3 does not let one set, and
+/// know no limit switch (C.2).
+/// Each axis: off the switch, if it stands on it; towards it, fast, until it is hit; back, slowly, until it is left: that edge is the mark. Where the mark
+/// is an index pulse, the axis goes on
+/// slowly until the latch has it (ALT; C, AL). At rest DP gives the mark its machine position; the axis then backs off. Every wait ends too when the axis
+/// stops for another reason.
 /// </remarks>
 internal static class HomingProgram
 {

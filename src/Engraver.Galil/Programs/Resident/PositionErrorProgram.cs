@@ -3,7 +3,8 @@ using Engraver.Core.Machines;
 namespace Engraver.Galil.Programs.Resident;
 
 /// <summary>#POSERR of the resident programs: an axis whose position error exceeds ER ends the job (galil-dmc.md C.3, ER).</summary>
-/// <remarks>Without it the job would continue with a jammed axis: the host polls the reference position, and a controller with OE 0 leaves the motors on.</remarks>
+/// <remarks>Without it the job would continue with a jammed axis: the host polls the reference position, and a controller with OE 0 leaves the motors
+/// on.</remarks>
 internal static class PositionErrorProgram
 {
     /// <summary>Value of the error code in that case; TC codes are positive.</summary>

@@ -2,9 +2,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>The program in the controller while the host runs a job: a loop in thread 0 (on older firmware handlers run only beside one, galil-dmc.md C.3), the watchdog in thread 1, #POSERR and #CMDERR.</summary>
+/// <summary>The program in the controller while the host runs a job: a loop in thread 0 (on older firmware handlers run only beside one, galil-dmc.md C.3),
+/// the watchdog in thread 1, #POSERR and #CMDERR.</summary>
 /// <remarks>
-/// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/> and <see cref="Variables.StillLimit"/>, <c>XQ</c> <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
+/// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/> and <see cref="Variables.StillLimit"/>, <c>XQ</c>
+/// <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
 /// <see cref="Variables.Heartbeat"/> at least every 300 ms. The constants hold every name that the host needs.
 /// </remarks>
 /// <param name="Text">Program lines, each ended with LF.</param>
@@ -54,10 +56,12 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         /// <summary>Number of those ticks that trips the watchdog.</summary>
         public const string StillLimit = "stillmax";
 
-        /// <summary>0 until the watchdog has stopped the machine: <see cref="WatchdogProgram.HostLost"/> or <see cref="WatchdogProgram.ToolForgotten"/>.</summary>
+        /// <summary>0 until the watchdog has stopped the machine: <see cref="WatchdogProgram.HostLost"/> or
+        /// <see cref="WatchdogProgram.ToolForgotten"/>.</summary>
         public const string WatchdogTripped = "wtrip";
 
-        /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 for neither. When it is not 0, the server has ended.</summary>
+        /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 for neither. When it is
+        /// not 0, the server has ended.</summary>
         public const string ErrorCode = "errcode";
 
         /// <summary>Line of the program that was refused.</summary>

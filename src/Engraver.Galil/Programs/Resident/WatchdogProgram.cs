@@ -3,13 +3,17 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>#WDOG in thread 1 (galil-dmc.md EX12): stops the machine when the host has not assigned the heartbeat for 1.0 s (host lost), and when the tool has been on for too long while nothing
+/// <summary>#WDOG in thread 1 (galil-dmc.md EX12): stops the machine when the host has not assigned the heartbeat for 1.0 s (host lost), and when the tool
+/// has been on for too long while nothing
 /// moves (tool forgotten), with or without a host.</summary>
 /// <remarks>
-/// The trip is one line, which no other thread can interrupt: tool off first; then the place is kept in variables, from which a later session resumes the job (ADR 10); then thread 0 is halted, because a server that waits for the end of a motion would go on
+/// The trip is one line, which no other thread can interrupt: tool off first; then the place is kept in variables, from which a later session resumes the
+/// job (ADR 10); then thread 0 is halted, because a server that waits for the end of a motion would go on
 /// with its next statement as soon as the stop is done; then the plane and every axis are stopped. STS drops the rest of the sequence in the buffer (B.8);
-/// the host clears it with CSS when it is back. The host assigns the heartbeat and the longest standstill before it starts the watchdog: undefined, either is a refused line, and nothing moves.
-/// Standstill means that no axis moves and the buffer (<c>_LMS</c>) does not change: a host that sends a sequence over a slow line while the tool is on is at work.
+/// the host clears it with CSS when it is back. The host assigns the heartbeat and the longest standstill before it starts the watchdog: undefined, either
+/// is a refused line, and nothing moves.
+/// Standstill means that no axis moves and the buffer (<c>_LMS</c>) does not change: a host that sends a sequence over a slow line while the tool is on is
+/// at work.
 /// </remarks>
 public static class WatchdogProgram
 {
@@ -56,7 +60,8 @@ public static class WatchdogProgram
 
     private static IEnumerable<(string Operand, string Kept)> Watched(MachineProfile profile) => profile.Axes.Letters.Select((letter, i) => ($"_RP{letter}", $"w{"abc"[i]}"));
 
-    /// <summary>Where an axis holds the tool: when the machine has braked the tool is raised straight up, out of the cut it came by, and then the spindle stands (ADR 11). A sequence that ran dry is still open then, and only AB1 ends it (galil-dmc.md B.7).</summary>
+    /// <summary>Where an axis holds the tool: when the machine has braked the tool is raised straight up, out of the cut it came by, and then the spindle
+    /// stands (ADR 11). A sequence that ran dry is still open then, and only AB1 ends it (galil-dmc.md B.7).</summary>
     private static IReadOnlyList<string> RaiseLines(MachineProfile profile) => profile.Axes.Z is not { } z || profile.Height is null ? [] : new ProgramLines()
         .Line("#WUP")
         .Line(Subprograms.Text($"WT {DmcProfile.EvenMilliseconds(LongestBrake(profile) + 0.1)}"))

@@ -3,7 +3,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Timing;
 
-/// <summary>Computes the speed at which a serial line can stream a vector sequence: the buffer is full when the machine starts, and from then on every segment must arrive in time (galil-dmc.md A.4, B.7).</summary>
+/// <summary>Computes the speed at which a serial line can stream a vector sequence: the buffer is full when the machine starts, and from then on every
+/// segment must arrive in time (galil-dmc.md A.4, B.7).</summary>
 public static class LinkFeedLimit
 {
     /// <summary>Segments between two readings of the counter; a reading takes the time of five segments.</summary>
@@ -18,7 +19,8 @@ public static class LinkFeedLimit
     /// <summary>Bytes of CR and prompt.</summary>
     private const int FrameBytes = 2;
 
-    /// <summary>Factor on the time of a segment for polls, heartbeats and long numbers in answers; generous, because a buffer that runs dry is worse than a slow cut.</summary>
+    /// <summary>Factor on the time of a segment for polls, heartbeats and long numbers in answers; generous, because a buffer that runs dry is worse than a
+    /// slow cut.</summary>
     private const double Overhead = 1.2;
 
     /// <summary>Time of the controller to execute a command, seconds (galil-dmc.md A.4).</summary>
@@ -70,7 +72,8 @@ public static class LinkFeedLimit
     /// <summary>Letters do not matter, only how long a command is.</summary>
     private static readonly MachineAxes s_anyAxes = MachineAxes.Default with { Z = new MachineAxis('C', 1.0) };
 
-    /// <summary>Simulates the sending, each segment as soon as the one before it is sent and a place is free, and tests that each arrives <paramref name="margin"/> before the path needs it.</summary>
+    /// <summary>Simulates the sending, each segment as soon as the one before it is sent and a place is free, and tests that each arrives
+    /// <paramref name="margin"/> before the path needs it.</summary>
     /// <remarks>Assumes full speed from the first moment; the real ramp leaves more time.</remarks>
     private static bool IsFedInTime(IReadOnlyList<VectorSegment> segments, double[] costs, int speed, double latency, double margin)
     {

@@ -5,7 +5,8 @@ namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
 /// <summary>Offset 0 at the focus, 1 on the ellipse around the centre.</summary>
 internal sealed class RadialGradientPaint(GradientTable table, Matrix toBrush, Point centre, Point focus, double radiusX, double radiusY) : Paint
 {
-    /// <summary>Largest distance of the focus from the centre, in radii: on or outside the circle it would leave areas without colour, so it is moved inside.</summary>
+    /// <summary>Largest distance of the focus from the centre, in radii: on or outside the circle it would leave areas without colour, so it is moved
+    /// inside.</summary>
     private const double FarthestFocus = 0.9999;
 
     private readonly Vector _focus = Inside(new Vector((focus.X - centre.X) / radiusX, (focus.Y - centre.Y) / radiusY));

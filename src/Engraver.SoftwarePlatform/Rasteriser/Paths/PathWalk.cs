@@ -53,7 +53,8 @@ internal static class PathWalk
         sink.LineTo(d.X, d.Y);
     }
 
-    /// <summary>Number of chords of a cubic, whose distance from them is at most 3/4 of its largest second difference, divided by the square of that number.</summary>
+    /// <summary>Number of chords of a cubic, whose distance from them is at most 3/4 of its largest second difference, divided by the square of that
+    /// number.</summary>
     private static int StepsFor(Vector a, Vector b, Vector c, Vector d, double tolerance)
     {
         var first = a - b * 2 + c;

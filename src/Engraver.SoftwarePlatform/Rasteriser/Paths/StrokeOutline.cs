@@ -108,7 +108,8 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
         }
     }
 
-    /// <summary>Adds the crossing of both borders; where a segment is too short for that, a point through the corner itself, so that there is no hole.</summary>
+    /// <summary>Adds the crossing of both borders; where a segment is too short for that, a point through the corner itself, so that there is no
+    /// hole.</summary>
     private void AddInnerJoin(Vector before, Vector corner, Vector after, Vector normal0, Vector normal1, double cosine)
     {
         var back = _half * Math.Sqrt(Math.Max(0, 1 - cosine) / Math.Max(1e-9, 1 + cosine));

@@ -3,7 +3,8 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 namespace Engraver.SoftwarePlatform.Text.Outlines;
 
 /// <summary>Runs the program of one glyph (Adobe TN 5177, "The Type 2 charstring format"). Hints are skipped.</summary>
-/// <remarks>Not supported, so that the glyph stays blank: arithmetic operators, and accented letters composed by endchar. Fonts in use today do without them.</remarks>
+/// <remarks>Not supported, so that the glyph stays blank: arithmetic operators, and accented letters composed by endchar. Fonts in use today do without
+/// them.</remarks>
 internal sealed class CharstringInterpreter(VectorPath path, CffIndex globalSubroutines, CffIndex localSubroutines)
 {
     private const int DeepestCall = 10;

@@ -2,7 +2,8 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Text.Outlines;
 
-/// <summary>A glyph that is part of another one (OpenType 1.9, glyf, "Composite glyph description"). Components placed by matching points are put at the origin.</summary>
+/// <summary>A glyph that is part of another one (OpenType 1.9, glyf, "Composite glyph description"). Components placed by matching points are put at the
+/// origin.</summary>
 internal readonly record struct GlyphComponent(int Glyph, Matrix Transform, bool HasMore)
 {
     private const int ArgumentsAreWords = 0x0001;

@@ -11,7 +11,8 @@ internal static unsafe partial class Xlib
     [LibraryImport(Library)]
     public static partial nint XOpenIM(nint display, nint database, nint name, nint className);
 
-    /// <summary>Variadic in C: pairs of a name and a value, ended by a null name. Passing word-sized arguments is the same call on x64 and arm64 Linux.</summary>
+    /// <summary>Variadic in C: pairs of a name and a value, ended by a null name. Passing word-sized arguments is the same call on x64 and arm64
+    /// Linux.</summary>
     [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
     public static partial nint XCreateIC(nint inputMethod, string name1, nint value1, string name2, nint value2, string name3, nint value3, nint end);
 

@@ -1,6 +1,7 @@
 namespace Engraver.SoftwarePlatform.X11.Selections;
 
-/// <summary>Waits for an answer as long as pieces of it arrive: only silence ends the wait, however large the answer is and however busy the computer.</summary>
+/// <summary>Waits for an answer as long as pieces of it arrive: only silence ends the wait, however large the answer is and however busy the
+/// computer.</summary>
 internal sealed class PatientAnswer : IDisposable
 {
     private readonly TaskCompletionSource<byte[]?> _whole = new(TaskCreationOptions.RunContinuationsAsynchronously);

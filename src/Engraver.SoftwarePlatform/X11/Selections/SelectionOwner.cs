@@ -30,7 +30,8 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
         OnCleared();
     }
 
-    /// <summary>Asks the server whether we own the clipboard, because the event that another program took it may still be on its way. On the event thread.</summary>
+    /// <summary>Asks the server whether we own the clipboard, because the event that another program took it may still be on its way. On the event
+    /// thread.</summary>
     public bool StillOwns() => _owns && Xlib.XGetSelectionOwner(connection.Display, atoms.Clipboard) == helper;
 
     /// <summary>Another program took the clipboard; meanwhile it may be ours again.</summary>

@@ -2,7 +2,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>CNCCOMMISSION: Finds out step by step how a machine is wired and moves, by questions and small moves, and ends with a machine profile. Each step can be repeated or left out.</summary>
+/// <summary>CNCCOMMISSION: Finds out step by step how a machine is wired and moves, by questions and small moves, and ends with a machine profile. Each
+/// step can be repeated or left out.</summary>
 internal sealed class CncCommissionCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_ways = [.. Keyword.List("Go", "Skip"), new Keyword("Back") { Use = "Step" }, .. Keyword.List("End")];
@@ -67,7 +68,8 @@ internal interface ICommissioningStep
     /// <summary>For the question before it.</summary>
     string Name { get; }
 
-    /// <returns>False when it was left before its end: a move was not wanted, was stopped or was refused, or something has to be mended first. What was accepted until then stays.</returns>
+    /// <returns>False when it was left before its end: a move was not wanted, was stopped or was refused, or something has to be mended first. What was
+    /// accepted until then stays.</returns>
     /// <exception cref="CommandException">The link or the controller does not allow to go on.</exception>
     /// <exception cref="OperationCanceledException">Esc, or the operator's stop: nothing that was not accepted stays.</exception>
     Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation);

@@ -18,7 +18,8 @@ internal sealed partial class CommissionedMachine
     /// <summary>Speed of the test moves, counts/s, even.</summary>
     public int Speed { get; private set; } = 500;
 
-    /// <summary>The machine in counts: a millimetre of it is one count, because how many there are is only being found out. A travel that the profile tells is kept to.</summary>
+    /// <summary>The machine in counts: a millimetre of it is one count, because how many there are is only being found out. A travel that the profile tells
+    /// is kept to.</summary>
     public MachineProfile Test
     {
         get

@@ -96,7 +96,8 @@ internal sealed partial class CommissionedMachine
         return true;
     }
 
-    /// <summary>Switches motors off that were found off, and those on that were found on. One whose type or encoder was changed, and one that ran away, is not switched on by this program: it stays off, which is said.</summary>
+    /// <summary>Switches motors off that were found off, and those on that were found on. One whose type or encoder was changed, and one that ran away, is
+    /// not switched on by this program: it stays off, which is said.</summary>
     /// <remarks>Once: a second call does nothing.</remarks>
     public async Task LeaveMotorsAsFoundAsync()
     {

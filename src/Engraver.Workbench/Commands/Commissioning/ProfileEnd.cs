@@ -6,7 +6,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>The end of a commissioning: the profile is written and used if the operator wants it, the settings of the controller are burned if the operator says so.</summary>
+/// <summary>The end of a commissioning: the profile is written and used if the operator wants it, the settings of the controller are burned if the operator
+/// says so.</summary>
 internal static class ProfileEnd
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List("Yes", "No");

@@ -2,7 +2,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>What a command draws piece by piece. Each piece is in the drawing at once, so that it is seen and can be snapped to; all of them are one step of undo, and Esc keeps what is drawn, as in AutoCAD.</summary>
+/// <summary>What a command draws piece by piece. Each piece is in the drawing at once, so that it is seen and can be snapped to; all of them are one
+/// step of undo, and Esc keeps what is drawn, as in AutoCAD.</summary>
 internal sealed class PiecewiseDrawing
 {
     private readonly CommandContext _context;

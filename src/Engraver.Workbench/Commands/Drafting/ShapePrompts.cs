@@ -4,7 +4,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>Questions whose answer completes a shape: the shape is seen at the cursor beforehand, and a place or an amount of which none can be made is asked for again.</summary>
+/// <summary>Questions whose answer completes a shape: the shape is seen at the cursor beforehand, and a place or an amount of which none can be made is
+/// asked for again.</summary>
 internal static class ShapePrompts
 {
     /// <summary>Shortest length that is drawn, drawing units.</summary>

@@ -3,7 +3,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible, thawed, plottable layers are cut.</summary>
+/// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible,
+/// thawed, plottable layers are cut.</summary>
 internal sealed class LayerCommand : ICommand
 {
     /// <summary>Stands for all layers.</summary>

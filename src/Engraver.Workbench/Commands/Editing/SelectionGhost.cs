@@ -3,7 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>The selected objects as a ghost that follows the cursor, drawing units. A large selection is its box and a sample of its segments, so that every movement of the mouse stays cheap.</summary>
+/// <summary>The selected objects as a ghost that follows the cursor, drawing units. A large selection is its box and a sample of its segments, so that
+/// every movement of the mouse stays cheap.</summary>
 internal sealed class SelectionGhost
 {
     /// <summary>Segments of a ghost at most, over all its copies.</summary>

@@ -6,7 +6,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>Opens a file for OPEN and RECENT: takes one document step, restores the view that the file was left with (else shows all), and adds the file to the recent ones.</summary>
+/// <summary>Opens a file for OPEN and RECENT: takes one document step, restores the view that the file was left with (else shows all), and adds the file to
+/// the recent ones.</summary>
 internal static class DrawingOpening
 {
     /// <param name="name">As the operator wrote it.</param>

@@ -32,7 +32,8 @@ internal static class DrawingSaving
         context.Say(Wording.Get("SaveAs.Written", name, CountText.Format(sheet.Entities.Count, "Curve"), sheet.Points.Count > 0 ? $"{CountText.Format(sheet.Texts.Count, "Text")}, {CountText.Format(sheet.Points.Count, "PointObject")}" : CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 
-    /// <summary>Writes what belongs to the drawing beside a file of it. A file there that this session neither read nor wrote is kept under another name.</summary>
+    /// <summary>Writes what belongs to the drawing beside a file of it. A file there that this session neither read nor wrote is kept under another
+    /// name.</summary>
     /// <param name="drawing">Path of the drawing's file.</param>
     /// <returns>False when there was nothing to write.</returns>
     public static bool WriteSidecar(CommandContext context, string drawing)

@@ -7,7 +7,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>HISTORY: Lists the jobs that were run and the programs that were written; opens the drawing of one, with the settings of that time where it is to be run again.</summary>
+/// <summary>HISTORY: Lists the jobs that were run and the programs that were written; opens the drawing of one, with the settings of that time where it is
+/// to be run again.</summary>
 internal sealed class HistoryCommand : ICommand
 {
     /// <summary>Entries that are listed where none is searched for.</summary>

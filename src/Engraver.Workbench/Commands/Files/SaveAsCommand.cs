@@ -22,7 +22,8 @@ internal sealed class SaveAsCommand : ICommand
     }
 }
 
-/// <summary>QSAVE: Saves the drawing in its own file (that which SAVEAS wrote last, else the one that was opened), when it was edited, and what belongs to it beside it.</summary>
+/// <summary>QSAVE: Saves the drawing in its own file (that which SAVEAS wrote last, else the one that was opened), when it was edited, and what belongs to
+/// it beside it.</summary>
 internal sealed class QSaveCommand : ICommand
 {
     public CommandInfo Info { get; } = new("QSAVE", CommandGroup.File);

@@ -9,7 +9,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>VERIFY: Reads a posted program back, runs it in a simulated controller of its own, and compares what it cuts with the open drawing; no machine moves.</summary>
+/// <summary>VERIFY: Reads a posted program back, runs it in a simulated controller of its own, and compares what it cuts with the open drawing; no machine
+/// moves.</summary>
 internal sealed class VerifyCommand : ICommand
 {
     public const string Name = "VERIFY";

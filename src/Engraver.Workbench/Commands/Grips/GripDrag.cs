@@ -6,7 +6,8 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Grips;
 
-/// <summary>Objects that are dragged by a grip: what an edit would give, and the edits that were taken, all as one step of undo. What is selected stays selected.</summary>
+/// <summary>Objects that are dragged by a grip: what an edit would give, and the edits that were taken, all as one step of undo. What is selected stays
+/// selected.</summary>
 internal sealed class GripDrag
 {
     private readonly CommandContext _context;

@@ -6,7 +6,8 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Grips;
 
-/// <summary>GRIPEDIT: Drags the selected objects by a grip: stretches them, or after Enter moves, turns, scales or mirrors them. The canvas begins it when a grip is pressed.</summary>
+/// <summary>GRIPEDIT: Drags the selected objects by a grip: stretches them, or after Enter moves, turns, scales or mirrors them. The canvas begins it when
+/// a grip is pressed.</summary>
 internal sealed class GripEditCommand : ICommand
 {
     private const string Name = "GRIPEDIT";

@@ -20,7 +20,8 @@ internal sealed class CncHoldCommand : ICommand
     }
 }
 
-/// <summary>CNCRESUME: Lets a held job go on. With none held it chooses what START cuts: what an interrupted job has left, by its journal; the contours from one on; or the whole drawing again.</summary>
+/// <summary>CNCRESUME: Lets a held job go on. With none held it chooses what START cuts: what an interrupted job has left, by its journal; the contours
+/// from one on; or the whole drawing again.</summary>
 internal sealed class CncResumeCommand : ICommand
 {
     /// <summary>The length that is cut again, as it was given last.</summary>

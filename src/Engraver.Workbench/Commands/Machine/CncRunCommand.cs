@@ -5,7 +5,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCRUN: Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first, the drawing or its trajectories.</summary>
+/// <summary>CNCRUN: Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first, the
+/// drawing or its trajectories.</summary>
 internal sealed class CncRunCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", "Trajectories", .. Enum.GetNames<JobMode>()]);

@@ -7,7 +7,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCZERO: The place where the machine stands becomes a place of the drawing, in the active work origin: its zero, or what is typed; with Height the tool stands at a typed height of the drawing, as over a feeler gauge.</summary>
+/// <summary>CNCZERO: The place where the machine stands becomes a place of the drawing, in the active work origin: its zero, or what is typed; with Height
+/// the tool stands at a typed height of the drawing, as over a feeler gauge.</summary>
 internal sealed class CncZeroCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y", "Z", "Point", "Height", "Edges", "Centre");
@@ -41,7 +42,8 @@ internal sealed class CncZeroCommand : ICommand
         ((axes is not ("Y" or "Z" or "Height") && origin.X is not null) || (axes is not ("X" or "Z" or "Height") && origin.Y is not null) || (axes is "Z" or "Height" or "All" && origin.Z is not null));
 }
 
-/// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, puts the active one at a typed place of the machine, and lists where they lie.</summary>
+/// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, puts the active one at a typed place of the machine, and lists where they
+/// lie.</summary>
 internal sealed class CncOriginCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_names = Keyword.List([.. WorkOriginNames.All, "Typed", "List"]);

@@ -6,7 +6,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>The zero by touching the work piece: on its edges, one after the other, or in the middle of two touches. Between two touches the machine is moved by other commands, so each touch is a command of its own.</summary>
+/// <summary>The zero by touching the work piece: on its edges, one after the other, or in the middle of two touches. Between two touches the machine is
+/// moved by other commands, so each touch is a command of its own.</summary>
 internal static class TouchedZero
 {
     private const string Radius = "CNCZERO.Radius";

@@ -2,7 +2,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>The edits of a command that goes on: each is seen at once, all of them are one step of the document, and the command's own Undo takes them back one by one.</summary>
+/// <summary>The edits of a command that goes on: each is seen at once, all of them are one step of the document, and the command's own Undo takes them back
+/// one by one.</summary>
 internal sealed class EditSteps(CommandContext context)
 {
     private readonly Stack<(DocumentState State, int Depth)> _before = new();

@@ -3,7 +3,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>Asks for an object at a place, as a <see cref="PointPrompt"/> takes it; <c>shift:</c> before the coordinates stands for a click with Shift, which means the opposite (TRIM extends).</summary>
+/// <summary>Asks for an object at a place, as a <see cref="PointPrompt"/> takes it; <c>shift:</c> before the coordinates stands for a click with Shift,
+/// which means the opposite (TRIM extends).</summary>
 internal sealed record PickPrompt(string Instruction) : ValuePrompt<ObjectPick>(Instruction)
 {
     /// <summary>What is typed before the coordinates of a click with Shift.</summary>

@@ -9,7 +9,8 @@ namespace Engraver.Workbench.Commands.Reshaping;
 /// <param name="After">Which part comes out of it; less than <paramref name="Before"/> at the seam.</param>
 internal readonly record struct PolylineCorner(int Before, int After, Fillet Fillet)
 {
-    /// <summary>Neighbouring parts, two lines with one part between them, and the last and the first part of an open polyline can be joined, as in AutoCAD.</summary>
+    /// <summary>Neighbouring parts, two lines with one part between them, and the last and the first part of an open polyline can be joined, as in
+    /// AutoCAD.</summary>
     public static bool AreJoinable(Drawing drawing, int entity, int first, int second)
     {
         var row = drawing.Entities[entity];

@@ -12,7 +12,8 @@ namespace Engraver.Workbench.Commands.Reshaping;
 /// <param name="Left">Number of corners between lines that stay, because a line is too short.</param>
 internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Parts, bool Closed, int Made, int Left)
 {
-    /// <summary>Every corner between two lines; an arc between two lines that run towards each other gives way to the new one, as in AutoCAD. A line that is rounded at both ends must be long enough for both.</summary>
+    /// <summary>Every corner between two lines; an arc between two lines that run towards each other gives way to the new one, as in AutoCAD. A line that
+    /// is rounded at both ends must be long enough for both.</summary>
     public static RoundedPolyline Of(Drawing drawing, int entity, CornerShape shape)
     {
         var row = drawing.Entities[entity];

@@ -26,7 +26,8 @@ internal sealed class StretchCommand : ICommand
         DrawingChange.Take(context, DrawingChange.Along(context, stretch.Whole(drawing)).Moved(edited, Transform2D.Move(by)), [.. stretch.Entities]);
     }
 
-    /// <summary>Boxes and single objects until Enter. To the left a box crosses, to the right what lies in it moves whole, as does what is picked singly.</summary>
+    /// <summary>Boxes and single objects until Enter. To the left a box crosses, to the right what lies in it moves whole, as does what is picked
+    /// singly.</summary>
     private static async Task<Stretch> SelectAsync(CommandContext context)
     {
         var stretch = new Stretch(ObjectSelection.WithoutLocked(context, context.Document.Current.Selection));

@@ -4,7 +4,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>LANGUAGE: Chooses the language of the desktop, from its next start: a window that speaks two languages at once would be worse than one that waits.</summary>
+/// <summary>LANGUAGE: Chooses the language of the desktop, from its next start: a window that speaks two languages at once would be worse than one that
+/// waits.</summary>
 internal sealed class LanguageCommand : ICommand
 {
     private const string Auto = "Auto";

@@ -8,7 +8,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>Every setting that a person may choose, on pages, as a window of settings shows them: from the table of settings and that of the system variables. A value is changed by the command that is typed for it.</summary>
+/// <summary>Every setting that a person may choose, on pages, as a window of settings shows them: from the table of settings and that of the system
+/// variables. A value is changed by the command that is typed for it.</summary>
 public static class OptionTable
 {
     private const string Off = "OFF";

@@ -2,7 +2,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>OPTIONS: Shows every setting with its value and meaning, in a window where there is one; else, and as -OPTIONS, it lists them, and a name changes one.</summary>
+/// <summary>OPTIONS: Shows every setting with its value and meaning, in a window where there is one; else, and as -OPTIONS, it lists them, and a name
+/// changes one.</summary>
 internal sealed class OptionsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("OPTIONS", CommandGroup.File) { Transparent = true };

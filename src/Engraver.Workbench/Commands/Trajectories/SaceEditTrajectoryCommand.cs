@@ -4,7 +4,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACEEDITTRAJECTORY: Changes one trajectory: its name, its height, its error or steps (it is made anew), its place in the list, or deletes it.</summary>
+/// <summary>SACEEDITTRAJECTORY: Changes one trajectory: its name, its height, its error or steps (it is made anew), its place in the list, or deletes
+/// it.</summary>
 internal sealed class SaceEditTrajectoryCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_acts = Keyword.List("Name", "Z", "Error", "Steps", "Up", "DOwn", "Delete");

@@ -18,7 +18,8 @@ internal sealed class SaceOffsetCommand : ICommand
     }
 }
 
-/// <summary>SACEUNIFORMOFFSET: Makes a series of trajectories at decreasing offsets, the last at the radius of what the tool removes (paper 004, section 2.2: offset step, number of passes, direction).</summary>
+/// <summary>SACEUNIFORMOFFSET: Makes a series of trajectories at decreasing offsets, the last at the radius of what the tool removes (paper 004,
+/// section 2.2: offset step, number of passes, direction).</summary>
 internal sealed class SaceUniformOffsetCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACEUNIFORMOFFSET", CommandGroup.Trajectory);
@@ -34,8 +35,10 @@ internal sealed class SaceUniformOffsetCommand : ICommand
     }
 }
 
-/// <summary>SACECONSTANTOFFSETS: Makes a series of trajectories at increasing offsets up to a largest one, as the plug-in does (sace-xps-agie.md 1.1).</summary>
-/// <remarks>Offsets r, r + step, ... up to the largest; one that lies between the largest less r and the largest becomes the largest less r, but never less than r, and none comes twice.</remarks>
+/// <summary>SACECONSTANTOFFSETS: Makes a series of trajectories at increasing offsets up to a largest one, as the plug-in does
+/// (sace-xps-agie.md 1.1).</summary>
+/// <remarks>Offsets r, r + step, ... up to the largest; one that lies between the largest less r and the largest becomes the largest less r, but never less
+/// than r, and none comes twice.</remarks>
 internal sealed class SaceConstantOffsetsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACECONSTANTOFFSETS", CommandGroup.Trajectory);

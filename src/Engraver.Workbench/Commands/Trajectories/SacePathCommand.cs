@@ -16,7 +16,8 @@ internal sealed class SacePathCommand : ICommand
     }
 }
 
-/// <summary>SACEDEEPENGRAVING: Repeats the trajectories of objects deeper and deeper: at 0, one step, two steps ... and at the final depth below the machining plane.</summary>
+/// <summary>SACEDEEPENGRAVING: Repeats the trajectories of objects deeper and deeper: at 0, one step, two steps ... and at the final depth below the
+/// machining plane.</summary>
 /// <remarks>The plug-in's of 2022 left the final depth out when it was no multiple of the step (sace-xps-agie.md 1.1); here it is always the last.</remarks>
 internal sealed class SaceDeepEngravingCommand : ICommand
 {

@@ -4,7 +4,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACESETMAXERROR, SACESETSTATICSEGMENTLENGTH, SACESETZPLANE: ask for a length in millimetres that the next trajectories are made with. Enter keeps the present one.</summary>
+/// <summary>SACESETMAXERROR, SACESETSTATICSEGMENTLENGTH, SACESETZPLANE: ask for a length in millimetres that the next trajectories are made with. Enter
+/// keeps the present one.</summary>
 internal sealed class SaceLengthCommand : ICommand
 {
     private readonly Func<TrajectorySettings, double> _read;

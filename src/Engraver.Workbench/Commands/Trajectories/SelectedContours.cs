@@ -39,7 +39,8 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
         return (new SelectedContours([.. contours], entities), chained.Diagnostics);
     }
 
-    /// <summary>The side of a place: in or out of the closed contours together (islands are holes), and for each open contour whether the place lies to its left.</summary>
+    /// <summary>The side of a place: in or out of the closed contours together (islands are holes), and for each open contour whether the place lies to its
+    /// left.</summary>
     public OffsetSide SideOf(SelectedContour contour, Point2D place)
     {
         if (!contour.Contour.Closed) return IsLeftOf(contour.Contour.Segments, place) ? OffsetSide.Left : OffsetSide.Right;

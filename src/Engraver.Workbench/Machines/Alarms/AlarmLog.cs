@@ -1,6 +1,7 @@
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>The alarms since the program began, oldest first. A cause that comes again counts its alarm up instead of adding one; the first of a series is marked (first-out).</summary>
+/// <summary>The alarms since the program began, oldest first. A cause that comes again counts its alarm up instead of adding one; the first of a series is
+/// marked (first-out).</summary>
 /// <remarks>Any thread. Nothing here touches the machine: acknowledging never resets it.</remarks>
 public sealed class AlarmLog(TimeProvider time)
 {
@@ -28,7 +29,8 @@ public sealed class AlarmLog(TimeProvider time)
     /// <summary>Of those open, the one that came first.</summary>
     public Alarm? FirstOut => Open.LastOrDefault(alarm => alarm.IsFirstOut) ?? (Open.Count > 0 ? Open[0] : null);
 
-    /// <summary>Raises an alarm, or counts it up when the same cause at the same place is open already. A cause that comes back after it was acknowledged must be acknowledged again.</summary>
+    /// <summary>Raises an alarm, or counts it up when the same cause at the same place is open already. A cause that comes back after it was acknowledged
+    /// must be acknowledged again.</summary>
     public Alarm Raise(AlarmCause cause, string what, string where, string toDo)
     {
         Alarm raised;

@@ -14,7 +14,8 @@ internal static class MachineAlarms
 
     /// <summary>Raises and clears alarms by a reading of the controller.</summary>
     /// <param name="axes">What the axes are called.</param>
-    /// <param name="ended">A job that has ended since the last reading: a cause that is new in this reading has ended it, and both are one alarm. Null for none.</param>
+    /// <param name="ended">A job that has ended since the last reading: a cause that is new in this reading has ended it, and both are one alarm. Null for
+    /// none.</param>
     public static void Seen(AlarmLog log, MachineReading poll, MachineAxes axes, string link, JobResult? ended = null)
     {
         log.Clear(AlarmCause.LinkLost);

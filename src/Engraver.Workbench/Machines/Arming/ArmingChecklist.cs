@@ -10,7 +10,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Arming;
 
-/// <summary>What was checked before START works, in the order in which an operator would look: the one list of ARM, CNCARM, CNCSTATUS and the desktop.</summary>
+/// <summary>What was checked before START works, in the order in which an operator would look: the one list of ARM, CNCARM, CNCSTATUS and the
+/// desktop.</summary>
 public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 {
     /// <summary>What the controller said longer ago is not told as if it were so now.</summary>
@@ -24,7 +25,8 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <param name="certificate">How the job stands to its certificate, with commands as their keys; null where nobody has looked.</param>
     public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, ArmingCheck? certificate = null) => Create(job, status, errorsAccepted, placement, now, CheckSpeech.Desktop, certificate);
 
-    /// <summary>The same in the words of the console, of a machine that was asked just now. No ARM comes before the start there: the drawing's errors were accepted, and a job switches the motors on that it finds off.</summary>
+    /// <summary>The same in the words of the console, of a machine that was asked just now. No ARM comes before the start there: the drawing's errors were
+    /// accepted, and a job switches the motors on that it finds off.</summary>
     /// <param name="profile">Of the machine on which the job was placed.</param>
     /// <param name="certificate">As for <see cref="Create(PreparedJob, MachineStatus, bool, PlacementResult, DateTimeOffset, ArmingCheck)"/>.</param>
     public static ArmingChecklist OnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement, ArmingCheck? certificate = null) =>

@@ -20,7 +20,8 @@ public sealed class JobPlacement
     /// <summary>Whether the travel of the profile is in force, so that the controller watches it too.</summary>
     public bool KnowsTravel { get; private init; }
 
-    /// <summary>X, Y and Z as far as steppers move them, by the controller or by the profile: their positions are those that were commanded, and nobody knows whether the motors followed.</summary>
+    /// <summary>X, Y and Z as far as steppers move them, by the controller or by the profile: their positions are those that were commanded, and nobody
+    /// knows whether the motors followed.</summary>
     public IReadOnlyList<char> OpenLoop { get; private init; } = [];
 
     /// <summary>X, Y and Z as far as their motors are taken for steppers because nobody tells their type.</summary>
@@ -73,7 +74,8 @@ public sealed class JobPlacement
         return null;
     }
 
-    /// <summary>Keeps an origin that is true by the controller's present zero, and leaves a number in a controller that has none yet, by which the next session knows that it was not switched off.</summary>
+    /// <summary>Keeps an origin that is true by the controller's present zero, and leaves a number in a controller that has none yet, by which the next
+    /// session knows that it was not switched off.</summary>
     /// <exception cref="MachineMemoryException">The controller does not take the number, or it cannot be written down; then nothing has changed.</exception>
     private static async Task VouchAsync(IMachineConnection machine, MachineHold hold, ControllerPlace place, Func<MachineMemory, MachineMemory> change, TimeProvider time, CancellationToken cancellation)
     {

@@ -93,7 +93,8 @@ public sealed class MachineHold : IDisposable
         }
     }
 
-    /// <summary>The controller counts from the zero that is kept. Otherwise what the machine does now says nothing of that zero, and is not kept with it.</summary>
+    /// <summary>The controller counts from the zero that is kept. Otherwise what the machine does now says nothing of that zero, and is not kept with
+    /// it.</summary>
     public bool KnowsZero
     {
         get
@@ -109,7 +110,8 @@ public sealed class MachineHold : IDisposable
         lock (_guard) return _knowsZero && _memory.Lost.Length == 0 && _memory.WasHomedBy(profile);
     }
 
-    /// <summary>The machine is simulated and nothing of it is kept: it counts as homed, with its zero where it began (<see cref="MachineMemory.AssumeHomed"/>).</summary>
+    /// <summary>The machine is simulated and nothing of it is kept: it counts as homed, with its zero where it began
+    /// (<see cref="MachineMemory.AssumeHomed"/>).</summary>
     /// <exception cref="InvalidOperationException">It is a machine of which something is kept.</exception>
     public void AssumeHomed(MachineProfile profile)
     {
@@ -134,7 +136,8 @@ public sealed class MachineHold : IDisposable
         if (KnowsZero && Memory.WhyStepsMayBeLost(place, stoppedHard) is { Length: > 0 } why) KeepLost(why);
     }
 
-    /// <summary>The machine has origins or was homed, and its position is not known any more: it is not until an origin is set again, or the machine is homed.</summary>
+    /// <summary>The machine has origins or was homed, and its position is not known any more: it is not until an origin is set again, or the machine is
+    /// homed.</summary>
     /// <param name="why">For example "the stepper motor of axis A is off".</param>
     public void KeepLost(string why)
     {
@@ -154,7 +157,8 @@ public sealed class MachineHold : IDisposable
         Keep(before => before with { IsMoving = moves, Rest = moves ? before.Rest : at });
     }
 
-    /// <summary>Notes the end of a motion of this program. Where its end is not known, the controller must be asked again before anything is kept with its zero; where it ended before anything was sent, nothing has changed.</summary>
+    /// <summary>Notes the end of a motion of this program. Where its end is not known, the controller must be asked again before anything is kept with its
+    /// zero; where it ended before anything was sent, nothing has changed.</summary>
     /// <returns>Why it could not be written; null when it was.</returns>
     public string? KeepEnd(JobResult result)
     {

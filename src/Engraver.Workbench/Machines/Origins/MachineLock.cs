@@ -2,7 +2,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
 
-/// <summary>Lets one host at a time use a machine: a file that is opened without sharing, and a second one that names its holder. The system closes the first when the process dies.</summary>
+/// <summary>Lets one host at a time use a machine: a file that is opened without sharing, and a second one that names its holder. The system closes the
+/// first when the process dies.</summary>
 internal sealed class MachineLock : IDisposable
 {
     private const string LockSuffix = ".lock";

@@ -7,7 +7,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>The settings and the machine profile of a job as words. Its journal keeps them, and a run that resumes it must have the same ones: otherwise one part of the work would be cut otherwise than the rest.</summary>
+/// <summary>The settings and the machine profile of a job as words. Its journal keeps them, and a run that resumes it must have the same ones: otherwise
+/// one part of the work would be cut otherwise than the rest.</summary>
 internal static class JobWords
 {
     /// <summary>Fields of the profile by which nothing is cut otherwise.</summary>
@@ -28,7 +29,8 @@ internal static class JobWords
         return words;
     }
 
-    /// <summary>Why an interrupted job cannot be resumed by this one. Where their settings differ they are named, rather than that the path is another one.</summary>
+    /// <summary>Why an interrupted job cannot be resumed by this one. Where their settings differ they are named, rather than that the path is another
+    /// one.</summary>
     /// <returns>Null when it can.</returns>
     public static string? WhyNotResumed(ResumePlace found, PreparedJob job) =>
         (found.Refusal is null || found.IsOtherPath) && found.Settings is { } then && Difference(then, Of(job)) is { } other ? other : found.Refusal;

@@ -178,13 +178,16 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
     /// <summary>Where the drawing's zero lay; null while that is not known.</summary>
     public PlacementResult? Placement { get; init; }
 
-    /// <summary>X, Y and Z as far as steppers move them: a judgement by polled positions knows of them what was commanded, and nothing of what the motors did.</summary>
+    /// <summary>X, Y and Z as far as steppers move them: a judgement by polled positions knows of them what was commanded, and nothing of what the motors
+    /// did.</summary>
     public IReadOnlyList<char> OpenLoop { get; init; } = [];
 
-    /// <summary>Those of <see cref="OpenLoop"/> whose deviation is that of what was commanded: the record of a simulated controller knows where its motors were.</summary>
+    /// <summary>Those of <see cref="OpenLoop"/> whose deviation is that of what was commanded: the record of a simulated controller knows where its motors
+    /// were.</summary>
     public IReadOnlyList<char> Unseen => Judgement.Source == "record" ? [] : OpenLoop;
 
-    /// <summary>The distance from the drawing up to which this run counts as right, mm: max error, counts and, of servos, the lag that the profile allows.</summary>
+    /// <summary>The distance from the drawing up to which this run counts as right, mm: max error, counts and, of servos, the lag that the profile
+    /// allows.</summary>
     public double? ToleranceMm { get; init; }
 
     /// <summary>The tool stayed off.</summary>

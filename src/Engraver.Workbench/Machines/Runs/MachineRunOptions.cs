@@ -41,7 +41,8 @@ public sealed record MachineRunOptions(ControllerAddress Address, JobMode Mode)
     /// <summary>Told where the drawing's zero lies, counts of the controller, before anything moves; null for nobody.</summary>
     public Action<CountsPoint>? Placed { get; init; }
 
-    /// <summary>Asked before the start with what the machine says just then and where the job would go: why it must not start, or null. Null where a list was gone through before (ARM).</summary>
+    /// <summary>Asked before the start with what the machine says just then and where the job would go: why it must not start, or null. Null where a list
+    /// was gone through before (ARM).</summary>
     public Func<MachineStatus, JobPlacement, string?>? MayStart { get; init; }
 
     /// <summary>Told what is found out before the first motion; on the thread of the job.</summary>

@@ -6,7 +6,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Judges a run on a real link by the positions that are polled while it goes on, one after the other: memory does not grow with the time of the run.</summary>
+/// <summary>Judges a run on a real link by the positions that are polled while it goes on, one after the other: memory does not grow with the time of the
+/// run.</summary>
 /// <remarks>Everything is built before the job begins, because building a judge of a large drawing would delay the heartbeat. Not thread safe.</remarks>
 internal sealed class PolledJudge
 {
@@ -39,7 +40,8 @@ internal sealed class PolledJudge
     /// <summary>Where the machine was.</summary>
     public RunTrace Trace() => _places.ToTrace("polled");
 
-    /// <summary>By the positions, and by the segments that the controller counted as executed; the one under way counts up to the last position known on it. Call once, at the end of the job.</summary>
+    /// <summary>By the positions, and by the segments that the controller counted as executed; the one under way counts up to the last position known on
+    /// it. Call once, at the end of the job.</summary>
     public RunJudgement Judge(MotionProgram program, JobResult result)
     {
         TellLast(isCutOn: true);
@@ -53,7 +55,8 @@ internal sealed class PolledJudge
         return RunJudge.WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, _motors);
     }
 
-    /// <summary>The last poll before the tool is out of the work may be the only one of its way up; the judge of heights knows a way up or down by what is no cut before it.</summary>
+    /// <summary>The last poll before the tool is out of the work may be the only one of its way up; the judge of heights knows a way up or down by what is
+    /// no cut before it.</summary>
     private void TellLast(bool isCutOn)
     {
         if (_last is not { } last) return;

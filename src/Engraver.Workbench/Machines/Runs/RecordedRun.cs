@@ -11,7 +11,8 @@ public sealed record RecordedRun(PreparedJob Job, RunTrace Trace)
     /// <summary>The distance from the drawing that a faithful run may have, mm.</summary>
     public double ToleranceMm => RunJudge.Tolerances(Job).Deviation;
 
-    /// <summary>What is coloured, for each place: the deviation as a part of what is tolerated, the others as a part of the run's own largest; 0 where it is not known.</summary>
+    /// <summary>What is coloured, for each place: the deviation as a part of what is tolerated, the others as a part of the run's own largest; 0 where it
+    /// is not known.</summary>
     public double[] Colours(RunMeasure measure)
     {
         var values = RunPlot.Values(Trace, measure);

@@ -11,7 +11,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>A job that does not begin at its beginning: it goes on where an earlier one ended, by that one's journal, or from a place that was chosen.</summary>
+/// <summary>A job that does not begin at its beginning: it goes on where an earlier one ended, by that one's journal, or from a place that was
+/// chosen.</summary>
 public sealed record ResumeRequest
 {
     /// <summary>The default of <see cref="LeadInMm"/>.</summary>
@@ -29,11 +30,13 @@ public sealed record ResumeRequest
     /// <summary>Length of the path already cut that is cut again before the place, millimetres.</summary>
     public double LeadInMm { get; init; } = UsualLeadInMm;
 
-    /// <summary>The job goes on at the active work origin though it was begun elsewhere: the operator has set that origin anew at the same place of the work.</summary>
+    /// <summary>The job goes on at the active work origin though it was begun elsewhere: the operator has set that origin anew at the same place of the
+    /// work.</summary>
     public bool AtOrigin { get; init; }
 }
 
-/// <summary>What START would cut where it is not the whole drawing: what an interrupted job has left, or the contours from one on. It lasts until it is cut, or drawing, settings or work origin change.</summary>
+/// <summary>What START would cut where it is not the whole drawing: what an interrupted job has left, or the contours from one on. It lasts until it is
+/// cut, or drawing, settings or work origin change.</summary>
 /// <param name="Shown">What lies before it is shown as done.</param>
 /// <param name="Mode">The mode in which it must be run; null for any.</param>
 /// <param name="Drawing">The drawing for which it was chosen.</param>
@@ -52,8 +55,10 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
     /// <summary>Why the job cannot be resumed; null when it can, or begins at its beginning.</summary>
     public Diagnostic? Refusal { get; private init; }
 
-    /// <summary>Asks the machine what it has kept of an interrupted job, and finds where it is to go on: at the active work origin where the operator has set one, which must be where the job was
-    /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another place is refused, also where nothing tells whether the counts of then are those of now, unless the operator
+    /// <summary>Asks the machine what it has kept of an interrupted job, and finds where it is to go on: at the active work origin where the operator has
+    /// set one, which must be where the job was
+    /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another place is refused, also where nothing tells
+    /// whether the counts of then are those of now, unless the operator
     /// asks for the work origin by name; then, or where the origin was set anew, the height is the operator's too.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public static async Task<JobBeginning> FindAsync(IMachineConnection machine, PreparedJob job, MotionProgram program, MachineRunOptions options, MachineMemory memory, CancellationToken cancellation)

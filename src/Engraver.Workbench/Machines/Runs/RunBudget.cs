@@ -5,7 +5,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>How much room on the disk the runs may take whose journals nobody named: when a run begins, the oldest ones are deleted beyond that, each with the files beside its journal. One that is under way, that did not end properly or that can be resumed is never deleted.</summary>
+/// <summary>How much room on the disk the runs may take whose journals nobody named: when a run begins, the oldest ones are deleted beyond that, each with
+/// the files beside its journal. One that is under way, that did not end properly or that can be resumed is never deleted.</summary>
 public static class RunBudget
 {
     /// <summary>Where the operator has set nothing.</summary>

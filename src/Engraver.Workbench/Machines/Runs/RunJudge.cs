@@ -29,7 +29,8 @@ public static class RunJudge
         FollowingAt = motors.FollowingAt,
     };
 
-    /// <summary>The following error that the profile allows at the fastest cutting speed of a program, mm: by so much healthy servos may be beside a path that bends.</summary>
+    /// <summary>The following error that the profile allows at the fastest cutting speed of a program, mm: by so much healthy servos may be beside a path
+    /// that bends.</summary>
     internal static double AllowedFollowing(MotionProgram program)
     {
         var fastest = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max();
@@ -79,14 +80,16 @@ public static class RunJudge
 }
 
 /// <summary>What a run is worth, by what the controller or the simulator's record says; null where nothing is known.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing: of the motors, where their position error is known, otherwise of what was commanded.</param>
+/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing: of the motors, where their position error is known, otherwise of
+/// what was commanded.</param>
 /// <param name="MissingLengthMm">Drawn length that was never cut; null too when the link was lost and the controller went on alone.</param>
 /// <param name="Source">"record", "polled" or "none".</param>
 public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthMm, string Source)
 {
     public static RunJudgement Unknown { get; } = new(null, null, "none");
 
-    /// <summary>Largest distance of the commanded path from the drawing, where the motors' own is known; null where only one of the two is, and then it is <see cref="MaxDeviationMm"/>.</summary>
+    /// <summary>Largest distance of the commanded path from the drawing, where the motors' own is known; null where only one of the two is, and then it is
+    /// <see cref="MaxDeviationMm"/>.</summary>
     public double? CommandedDeviationMm { get; init; }
 
     /// <summary>Largest following error of the servo axes while the tool cut, mm; null where nobody asked, or steppers move them.</summary>

@@ -6,10 +6,12 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Turns a run whose measured deviation or missing length is out of tolerance into <see cref="JobOutcome.Deviated"/>, whatever the controller counted.</summary>
+/// <summary>Turns a run whose measured deviation or missing length is out of tolerance into <see cref="JobOutcome.Deviated"/>, whatever the controller
+/// counted.</summary>
 internal static class RunVerdict
 {
-    /// <summary>Nominal sample of the controller's motion, seconds: two axes that are asked one after the other may be so far apart in time (galil-dmc.md C).</summary>
+    /// <summary>Nominal sample of the controller's motion, seconds: two axes that are asked one after the other may be so far apart in time
+    /// (galil-dmc.md C).</summary>
     private const double SampleSeconds = 0.001;
 
     /// <returns>The result as it was, or as <see cref="JobOutcome.Deviated"/> with place and size.</returns>
@@ -29,7 +31,8 @@ internal static class RunVerdict
         return result;
     }
 
-    /// <summary>The distance from the drawing up to which a run counts as right, mm: with the lag that healthy servos may have, where their position errors are known.</summary>
+    /// <summary>The distance from the drawing up to which a run counts as right, mm: with the lag that healthy servos may have, where their position errors
+    /// are known.</summary>
     public static double Tolerance(PreparedJob job, MotionProgram program, RunJudgement judgement) =>
         AllowedDeviation(job, program, judgement, RunJudge.Tolerances(job)) + (judgement.FollowingMm is null ? 0.0 : RunJudge.AllowedFollowing(program));
 
@@ -49,11 +52,13 @@ internal static class RunVerdict
         return judgement.Source == "polled" ? bridged + Skew(program, tolerances) : bridged;
     }
 
-    /// <summary>By how much a polled position may lie beside the path because its two numbers are a sample apart: half of the distance of a sample, in a slanting direction. Nearer than that it is the job that watches (PathWatch).</summary>
+    /// <summary>By how much a polled position may lie beside the path because its two numbers are a sample apart: half of the distance of a sample, in a
+    /// slanting direction. Nearer than that it is the job that watches (PathWatch).</summary>
     private static double Skew(MotionProgram program, TraceTolerances tolerances) =>
         program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * SampleSeconds / 2.0 * tolerances.Count;
 
-    /// <summary>A record is judged place by place; polled, the length is a sum of segments, of which an arc that was aimed anew is a little shorter or longer.</summary>
+    /// <summary>A record is judged place by place; polled, the length is a sum of segments, of which an arc that was aimed anew is a little shorter or
+    /// longer.</summary>
     private static double AllowedMissing(RunJudgement judgement, TraceTolerances tolerances) => judgement.Source == "record" ? tolerances.Deviation : tolerances.LargestStep;
 
     private static string[] At(Point2D? place) => place is { } at ? [Wording.Get("RunVerdict.Position", at.X, at.Y)] : [];

@@ -12,7 +12,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Reports.Pages;
 
-/// <summary>A job as one page of HTML that needs nothing else: pictures of the path, of the speed and of the run, the sheet of times, lengths and costs, the list before the start, the certificate, the findings, the settings.</summary>
+/// <summary>A job as one page of HTML that needs nothing else: pictures of the path, of the speed and of the run, the sheet of times, lengths and costs,
+/// the list before the start, the certificate, the findings, the settings.</summary>
 public static class JobReportPage
 {
     /// <summary>Characters of the lines of one picture; a page has two at most.</summary>

@@ -4,7 +4,8 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Reports.Pages;
 
-/// <summary>Writes a page that is HTML and well-formed XML at once. Every text is escaped; only pictures, which escape theirs, are written as they are.</summary>
+/// <summary>Writes a page that is HTML and well-formed XML at once. Every text is escaped; only pictures, which escape theirs, are written as they
+/// are.</summary>
 internal sealed class PageWriter : IDisposable
 {
     private const string Html = "http://www.w3.org/1999/xhtml";

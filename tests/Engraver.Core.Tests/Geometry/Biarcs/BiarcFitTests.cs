@@ -15,7 +15,8 @@ public class BiarcFitTests
     [Fact]
     public void Ellipses_stay_within_the_error() => Prop.ForAll(FreeCurves.Ellipses, StaysWithin).QuickCheckThrowOnFailure();
 
-    /// <summary>An ellipse of 6 mm at a distance at which neighbouring numbers are kilometres apart: no arc fits what rounding has left of it, and the search must not halve its step for ever.</summary>
+    /// <summary>An ellipse of 6 mm at a distance at which neighbouring numbers are kilometres apart: no arc fits what rounding has left of it, and the
+    /// search must not halve its step for ever.</summary>
     [Theory]
     [InlineData(1e15)]
     [InlineData(1e17)]

@@ -32,7 +32,8 @@ public class WorkPlacementTests
         }
     }
 
-    /// <summary>As it was found: a machine of 800 counts for a millimetre, driven with the default profile of 1000, cut its part a quarter too large, and the run was called perfect.</summary>
+    /// <summary>As it was found: a machine of 800 counts for a millimetre, driven with the default profile of 1000, cut its part a quarter too large, and
+    /// the run was called perfect.</summary>
     [Fact]
     public void A_machine_that_was_homed_is_not_driven_with_a_profile_that_knows_no_homing()
     {

@@ -111,7 +111,8 @@ public class ArcRecoveryTests
         foreach (var points in new[] { straight, zigzag, bent }) Assert.Empty(Recover(Analysed(Polyline(points))).Arcs);
     }
 
-    /// <summary>Random waves: whatever is replaced, lines and result lie within the error of each other, both ways, by sampling that knows nothing of circles' formulas.</summary>
+    /// <summary>Random waves: whatever is replaced, lines and result lie within the error of each other, both ways, by sampling that knows nothing of
+    /// circles' formulas.</summary>
     [Fact]
     public void Nothing_moves_farther_than_the_error() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
     {
@@ -154,7 +155,8 @@ public class ArcRecoveryTests
         Assert.Equal([points[15], points[40]], segments.Where(segment => segment.Kind == SegmentKind.Arc).Select(segment => segment.End));
     }
 
-    /// <summary>What cannot be of an arc is not joined to contours at all; that must change nothing. Boxes and loose lines around the wave, some of them touching it.</summary>
+    /// <summary>What cannot be of an arc is not joined to contours at all; that must change nothing. Boxes and loose lines around the wave, some of them
+    /// touching it.</summary>
     [Fact]
     public void What_lies_around_changes_no_arc() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
     {

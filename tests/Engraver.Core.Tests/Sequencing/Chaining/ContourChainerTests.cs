@@ -170,7 +170,8 @@ public class ContourChainerTests
         Assert.False(contour.Closed);
     }
 
-    /// <summary>Rays whose outer ends lie within the tolerance of each other (0.02), or whose every end lies within it of every other: what each step looks at does not grow with their number.</summary>
+    /// <summary>Rays whose outer ends lie within the tolerance of each other (0.02), or whose every end lies within it of every other: what each step looks
+    /// at does not grow with their number.</summary>
     [Theory]
     [InlineData(100.0)]
     [InlineData(0.03)]

@@ -3,7 +3,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>Programs for a tool that the Z axis holds, written by hand, and what the simulator's record says of a tool that is cutting where it is below the retract height.</summary>
+/// <summary>Programs for a tool that the Z axis holds, written by hand, and what the simulator's record says of a tool that is cutting where it is below
+/// the retract height.</summary>
 internal static class HeightBench
 {
     public const int Clearance = 3200;
@@ -16,7 +17,8 @@ internal static class HeightBench
         Spindle = new Spindle { Output = 3, SpinUpSeconds = 0.5 },
     };
 
-    /// <summary>A level line with an arc behind it; a slope of two lines in three axes, an upright piece, a level one and a slope up again; and a level line: 9 segments in three strokes far from each other.</summary>
+    /// <summary>A level line with an arc behind it; a slope of two lines in three axes, an upright piece, a level one and a slope up again; and a level
+    /// line: 9 segments in three strokes far from each other.</summary>
     public static MotionProgram Part(MachineProfile? profile = null, MotionStyle style = MotionStyle.Continuous) => new(profile ?? Profile, default, Strokes(style)) { Finish = default(CountsPoint), Style = style };
 
     private static IReadOnlyList<MotionStroke> Strokes(MotionStyle style) =>
@@ -49,7 +51,8 @@ internal static class HeightBench
         return new MotionStroke(index, start, sequences);
     }
 
-    /// <summary>Every sample below the retract height lies on the drawing or, where the tool goes straight down or up, straight above a place of it; and every place of the drawing was passed. Both to 2.5 counts in X, Y and Z.</summary>
+    /// <summary>Every sample below the retract height lies on the drawing or, where the tool goes straight down or up, straight above a place of it; and
+    /// every place of the drawing was passed. Both to 2.5 counts in X, Y and Z.</summary>
     /// <param name="most">Counts of it that may have been cut twice.</param>
     public static void AssertCut(SimulatedBench bench, MotionProgram program, double most = 0.0)
     {
@@ -64,7 +67,8 @@ internal static class HeightBench
         Assert.InRange(cut, 0.0, (1.001 * program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length))) + 20.0 + most);
     }
 
-    /// <summary>Above the drawing the tool went down no faster than the plunge feed (3.2 counts a sample); the spindle turned wherever it was in the work.</summary>
+    /// <summary>Above the drawing the tool went down no faster than the plunge feed (3.2 counts a sample); the spindle turned wherever it was in the
+    /// work.</summary>
     public static void AssertGentle(SimulatedBench bench, MotionProgram program)
     {
         var record = bench.Controller.Record.Snapshot();

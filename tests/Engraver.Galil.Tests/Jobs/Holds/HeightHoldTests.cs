@@ -3,7 +3,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>HOLD of a tool that an axis holds: it brakes on the path, the tool goes straight up, and RESUME comes back to the place, plunges and goes on. Every sample of the simulator's record counts.</summary>
+/// <summary>HOLD of a tool that an axis holds: it brakes on the path, the tool goes straight up, and RESUME comes back to the place, plunges and goes on.
+/// Every sample of the simulator's record counts.</summary>
 public class HeightHoldTests
 {
     private const int Network = 0;

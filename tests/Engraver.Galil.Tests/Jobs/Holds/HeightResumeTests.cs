@@ -4,7 +4,8 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>A job with a tool that an axis holds goes on behind a stop, a dead host and a power cycle, in lines, arcs, slopes, upright pieces and plunges: every place is cut in X, Y and Z, and twice only within its bound.</summary>
+/// <summary>A job with a tool that an axis holds goes on behind a stop, a dead host and a power cycle, in lines, arcs, slopes, upright pieces and plunges:
+/// every place is cut in X, Y and Z, and twice only within its bound.</summary>
 public sealed class HeightResumeTests : IDisposable
 {
     private const double LeadIn = 500.0;

@@ -7,7 +7,8 @@ namespace Engraver.Galil.Tests.Jobs.Holds;
 /// <summary>What the simulator's record says about holds and interruptions.</summary>
 internal static class HoldRecord
 {
-    /// <summary>Samples that a tool may be on at a standstill beside its settle times: a few polls, a look at a buffer, the corner between two sequences.</summary>
+    /// <summary>Samples that a tool may be on at a standstill beside its settle times: a few polls, a look at a buffer, the corner between two
+    /// sequences.</summary>
     private const int SamplesAtRest = 250;
 
     /// <summary>From the report that it is held until the resume nothing moves and the tool is off.</summary>

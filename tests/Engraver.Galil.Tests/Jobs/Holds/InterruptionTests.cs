@@ -7,7 +7,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>Holds, stops, cut cables and overrides at random moments, one after the other, until the job is done. By the simulator's record every piece of the drawing is cut, and nothing twice beyond its bound.</summary>
+/// <summary>Holds, stops, cut cables and overrides at random moments, one after the other, until the job is done. By the simulator's record every piece of
+/// the drawing is cut, and nothing twice beyond its bound.</summary>
 public sealed class InterruptionTests : IDisposable
 {
     private const double LeadIn = 300.0;
@@ -94,7 +95,9 @@ public sealed class InterruptionTests : IDisposable
         return await ResumeFinder.FindAsync(session.Commands, program, mode, journal, CancellationToken.None);
     }
 
-    /// <summary>Strokes of lines and arcs far from each other, so that what is cut can be told apart; each goes on as the one before it ended, and sequences end where they like. Behind an arc comes a line, which ends on its own count: the ends of a chain of arcs are aimed by the generator, which has no part in this.</summary>
+    /// <summary>Strokes of lines and arcs far from each other, so that what is cut can be told apart; each goes on as the one before it ended, and
+    /// sequences end where they like. Behind an arc comes a line, which ends on its own count: the ends of a chain of arcs are aimed by the generator,
+    /// which has no part in this.</summary>
     /// <remarks>Where an axis holds the tool lines may rise or fall; such a sequence has no arcs.</remarks>
     private static MotionProgram RandomProgram(Random random, JobMode mode, MachineProfile profile)
     {

@@ -5,7 +5,8 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>A job that was interrupted goes on from its journal and the controller's own counters: nothing is left out, and nothing is cut twice but the lead-in and what nobody had seen cut.</summary>
+/// <summary>A job that was interrupted goes on from its journal and the controller's own counters: nothing is left out, and nothing is cut twice but the
+/// lead-in and what nobody had seen cut.</summary>
 public sealed class ResumeTests : IDisposable
 {
     private const double LeadIn = 500.0;

@@ -62,7 +62,8 @@ public sealed class CrashRecoveryTests : IDisposable
         Assert.Contains("givenBack", await File.ReadAllTextAsync(First.JournalPath!), StringComparison.Ordinal);
     }
 
-    /// <summary>As it was found: a run that was resumed with a new journal elsewhere said that nobody knows what stood in the controller, though the journal that it was given told it.</summary>
+    /// <summary>As it was found: a run that was resumed with a new journal elsewhere said that nobody knows what stood in the controller, though the
+    /// journal that it was given told it.</summary>
     [Fact]
     public async Task A_run_that_goes_on_with_the_dead_one_gives_back_what_its_journal_tells_wherever_its_own_is()
     {

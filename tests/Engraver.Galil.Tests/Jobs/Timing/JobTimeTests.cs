@@ -40,7 +40,8 @@ public class JobTimeTests
         Assert.InRange(planned, 0.98 * took, 1.02 * took);
     }
 
-    /// <summary>All cuts are as long as three glances: whether a heartbeat falls between decides whether there is a fourth, and it may do so in every one of them.</summary>
+    /// <summary>All cuts are as long as three glances: whether a heartbeat falls between decides whether there is a fourth, and it may do so in every one
+    /// of them.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]

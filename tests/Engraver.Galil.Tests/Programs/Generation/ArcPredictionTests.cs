@@ -70,7 +70,8 @@ public class ArcPredictionTests
             return (off.Path <= OneCount && off.End <= OneCount).Label($"{arcs.Count} arcs: path {off.Path}, end {off.End}");
         }).Check(Config.QuickThrowOnFailure.WithMaxTest(60));
 
-    /// <summary>Largest distance of the replayed path from the drawing (what chords are allowed is taken off, and where it stops on the way the rounding to whole counts), and of every stroke's end from where it was drawn to (counts).</summary>
+    /// <summary>Largest distance of the replayed path from the drawing (what chords are allowed is taken off, and where it stops on the way the rounding to
+    /// whole counts), and of every stroke's end from where it was drawn to (counts).</summary>
     private static (double Path, double End) WorstOff(Toolpath toolpath, MachineProfile profile)
     {
         var program = MotionProgramGenerator.Generate(toolpath, profile, ChordError / profile.Scale.Largest, null).Program;

@@ -96,7 +96,8 @@ public class MotionProgramGeneratorTests
         Assert.Single(Only(Program(Toolpaths.OfStroke(bend))).Sequences);
     }
 
-    /// <summary>At full feed a motor sample comes every 20 counts: it would pass the small bend inside, farther away than anything may be from the drawing.</summary>
+    /// <summary>At full feed a motor sample comes every 20 counts: it would pass the small bend inside, farther away than anything may be from the
+    /// drawing.</summary>
     [Theory]
     [InlineData(0.006, 2)]
     [InlineData(0.050, 1)]

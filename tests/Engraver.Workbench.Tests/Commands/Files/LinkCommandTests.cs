@@ -42,7 +42,8 @@ public class LinkCommandTests
         Assert.IsNotType<InputResult.Failed>(await talk.TypeAsync("VERIFY", "c.agie"));
     }
 
-    /// <summary>The form does not say where a program begins: it is kept beside the file, and so known whatever the drawing's entering entity is by then, and in another session.</summary>
+    /// <summary>The form does not say where a program begins: it is kept beside the file, and so known whatever the drawing's entering entity is by then,
+    /// and in another session.</summary>
     [Fact]
     public async Task A_program_that_was_linked_with_an_entering_entity_is_verified_from_where_it_begins()
     {

@@ -80,7 +80,8 @@ public class PolylineFilletTests
         Assert.Equal(["LwPolyline closed: 0,0>10,0 | 10,0>10,10 | 10,10>0,10 | 0,10>0,0", "Line: 5,30>5,12", "Arc: 3,12 r2 270+90"], Shape.All(talk));
     }
 
-    /// <summary>The circle stays; the arc that leads to it becomes part of the polyline. Centre 25,y: 5 above the line y = 0, and 15 from the circle's centre 25,20.</summary>
+    /// <summary>The circle stays; the arc that leads to it becomes part of the polyline. Centre 25,y: 5 above the line y = 0, and 15 from the circle's
+    /// centre 25,20.</summary>
     [Fact]
     public async Task The_arc_to_a_circle_belongs_to_the_polyline()
     {

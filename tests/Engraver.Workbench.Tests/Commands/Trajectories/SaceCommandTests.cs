@@ -8,7 +8,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Tests.Commands.Trajectories;
 
-/// <summary>The commands of paper 004 and of the plug-in (sace-xps-agie.md 1.1). The drawing has a line A1 (0,0 to 10,0), an arc A2, a circle A3 (20,5 radius 3) and a square A4 (30,0 side 8).</summary>
+/// <summary>The commands of paper 004 and of the plug-in (sace-xps-agie.md 1.1). The drawing has a line A1 (0,0 to 10,0), an arc A2, a circle A3 (20,5
+/// radius 3) and a square A4 (30,0 side 8).</summary>
 public class SaceCommandTests
 {
     [Fact]

@@ -7,7 +7,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Tests.Commands.Trajectories;
 
-/// <summary>Trajectories whose objects were edited say so, and are made anew by SACEUPDATETRAJECTORIES. The drawing: a line A1, an arc A2, a circle A3 (20,5 radius 3), a square A4 (30,0 side 8).</summary>
+/// <summary>Trajectories whose objects were edited say so, and are made anew by SACEUPDATETRAJECTORIES. The drawing: a line A1, an arc A2, a circle A3
+/// (20,5 radius 3), a square A4 (30,0 side 8).</summary>
 public class TrajectoryEditTests
 {
     [Fact]

@@ -8,7 +8,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Tests.Commands.Trajectories;
 
-/// <summary>Trajectories run as a job by CNCRUN and CNCARM, and at their heights on a mill. The drawing: a line A1, an arc A2, a circle A3 (20,5 radius 3), a square A4.</summary>
+/// <summary>Trajectories run as a job by CNCRUN and CNCARM, and at their heights on a mill. The drawing: a line A1, an arc A2, a circle A3 (20,5 radius 3),
+/// a square A4.</summary>
 public class TrajectoryRunTests
 {
     private const double Count = 1.0 / 800.0;

@@ -5,7 +5,8 @@ namespace Engraver.Workbench.Tests.Machines.Faults;
 /// <summary>What the record says of the tool.</summary>
 internal static class CutRecord
 {
-    /// <summary>No axis is commanded so many counts in a sample: the controller counts the place where it stands otherwise now. A motor may well go farther, when its shaft is free again.</summary>
+    /// <summary>No axis is commanded so many counts in a sample: the controller counts the place where it stands otherwise now. A motor may well go
+    /// farther, when its shaft is free again.</summary>
     private const int Jump = 60;
 
     /// <summary>The record from a row on, in counts of the machine as it was switched on first.</summary>

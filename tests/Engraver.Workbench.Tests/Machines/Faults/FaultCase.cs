@@ -67,7 +67,9 @@ internal sealed record FaultCase(int Seed, MachineKind Machine, HostActivity Act
     private static readonly MachineKind[] s_machines = Enum.GetValues<MachineKind>();
     private static readonly HostActivity[] s_activities = Enum.GetValues<HostActivity>();
 
-    /// <summary>Thirty seeds in a row hold every pair of kind and machine once, and every activity, the first 24 of them every kind on a pen and on a mill and what is special of steppers; 360 in a row every triple of kind, machine and activity. The moment is anywhere in the activity, by its clock, its bytes or its segments.</summary>
+    /// <summary>Thirty seeds in a row hold every pair of kind and machine once, and every activity, the first 24 of them every kind on a pen and on a mill
+    /// and what is special of steppers; 360 in a row every triple of kind, machine and activity. The moment is anywhere in the activity, by its clock, its
+    /// bytes or its segments.</summary>
     /// <param name="extent">What the activity takes when nothing goes wrong.</param>
     public static FaultCase Create(int seed, Func<HostActivity, JobMode, MachineKind, ActivityExtent> extent)
     {

@@ -8,7 +8,9 @@ using Xunit.Abstractions;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>Every kind of fault at any moment of everything a host does, on a pen, a mill and a machine with steppers: nothing hangs, the tool is off or over the work afterwards, nothing wrong is called right, sentence, state and alarm tell what happened, and the next host cuts the part at its place, or what is left of it, or is told why not and does so with the operator's remedy.</summary>
+/// <summary>Every kind of fault at any moment of everything a host does, on a pen, a mill and a machine with steppers: nothing hangs, the tool is off or
+/// over the work afterwards, nothing wrong is called right, sentence, state and alarm tell what happened, and the next host cuts the part at its place, or
+/// what is left of it, or is told why not and does so with the operator's remedy.</summary>
 /// <remarks>ENGRAVER_FAULT_CASES=N runs as many seeds; ENGRAVER_FAULT_FIRST=N begins at another. The output of the test counts how the cases ended.</remarks>
 public sealed class FaultMatrixTests(ITestOutputHelper output)
 {

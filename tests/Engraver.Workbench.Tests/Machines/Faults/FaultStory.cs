@@ -13,7 +13,8 @@ internal static class FaultStory
             ? ""
             : $"its sentence does not tell of {one.Fault.Kind}";
 
-    /// <summary>The state by the controller's own account and by how the activity ended, with words that its reason holds; in the order in which one hides the next.</summary>
+    /// <summary>The state by the controller's own account and by how the activity ended, with words that its reason holds; in the order in which one hides
+    /// the next.</summary>
     public static (MachineState State, IReadOnlyList<string> Words) StateOf(FaultCase one, FaultyRun run, MachineTruth truth, MachineStatus status) => truth switch
     {
         { Abort: true } => (MachineState.EmergencyStopOpen, ["abort input"]),

@@ -17,7 +17,8 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>Counts from the planned feed to rest, which a tool that an axis holds cuts besides.</summary>
     private const double BrakingCounts = 20.0 * 20.0 * 1_000.0 / 512.0;
 
-    /// <summary>Samples for which a tool may be on while nothing moves: settling, a few polls, and the second until the watchdog trips where a host falls silent, or as long as the late answers of a case keep it waiting.</summary>
+    /// <summary>Samples for which a tool may be on while nothing moves: settling, a few polls, and the second until the watchdog trips where a host falls
+    /// silent, or as long as the late answers of a case keep it waiting.</summary>
     private const long MostBurn = 2_500;
 
     /// <summary>How exactly a switch is found again, counts.</summary>
@@ -38,7 +39,8 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>A switch, an input or a shaft that nobody frees: the next run meets it again.</summary>
     private bool IsStanding => one.Fault is { Kind: FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam, ForSeconds: null };
 
-    /// <summary>Steps that a jammed stepper lost are seen by nobody: whoever commands it goes on beside its place until the machine is homed or the origin is set anew, and what was cut meanwhile is spoiled.</summary>
+    /// <summary>Steps that a jammed stepper lost are seen by nobody: whoever commands it goes on beside its place until the machine is homed or the origin
+    /// is set anew, and what was cut meanwhile is spoiled.</summary>
     private bool MayLoseSteps => one is { Machine: MachineKind.Stepper, Fault.Kind: FaultKind.Jam };
 
     /// <summary>Counts that may be at work in all runs of the case.</summary>
@@ -159,7 +161,8 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         return status.State.ToString();
     }
 
-    /// <summary>A tool that an axis holds is over the work where the machine may move on; where nothing could raise it a sentence says so, or the link that was lost cannot.</summary>
+    /// <summary>A tool that an axis holds is over the work where the machine may move on; where nothing could raise it a sentence says so, or the link that
+    /// was lost cannot.</summary>
     private bool IsToolSafe(FaultyRun run, MachineTruth truth)
     {
         var over = _machine.TopOfWork + (one.IsRun && run.Result?.FrameOrigin is not null ? _machine.Clearance - 2 : -2);
@@ -168,7 +171,8 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     private bool IsAt(CountsPoint goal) => Math.Abs(_machine.Controller.MotorPlace(0) - goal.X) <= MostError && Math.Abs(_machine.Controller.MotorPlace(1) - goal.Y) <= MostError;
 
-    /// <summary>The next host cuts the part at its place or is told why not: anew, behind a homing, or what is left of it. It comes again while the rest of the fault meets it, once what stands was freed, and with the operator's remedy where nobody knows where the machine is.</summary>
+    /// <summary>The next host cuts the part at its place or is told why not: anew, behind a homing, or what is left of it. It comes again while the rest of
+    /// the fault meets it, once what stands was freed, and with the operator's remedy where nobody knows where the machine is.</summary>
     private async Task NextAsync(FaultyRun run)
     {
         var isResumed = one.Activity is not (HostActivity.Run or HostActivity.Stop) && one.IsRun && !run.IsComplete;
@@ -188,7 +192,8 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         Claim((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);
     }
 
-    /// <summary>Nothing stands in the way any more but that nobody knows where the machine is: with the motors on and the origin set anew, or homed, the part is cut, or what is left of it.</summary>
+    /// <summary>Nothing stands in the way any more but that nobody knows where the machine is: with the motors on and the origin set anew, or homed, the
+    /// part is cut, or what is left of it.</summary>
     private async Task RemedyAsync(FaultyRun refused, bool isResumed)
     {
         var unpowered = await _machine.SwitchMotorsOnAsync(limit.Token);

@@ -15,7 +15,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>A simulated controller to which one fault happens, and hosts that come to it one after the other; what is known of the machine is kept between them.</summary>
+/// <summary>A simulated controller to which one fault happens, and hosts that come to it one after the other; what is known of the machine is kept between
+/// them.</summary>
 internal sealed class FaultyMachine : IAsyncDisposable
 {
     /// <summary>Path that is cut again before the place where a run was interrupted, mm.</summary>
@@ -379,7 +380,8 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
 
     public bool IsComplete => Result is { Outcome: JobOutcome.Complete };
 
-    /// <summary>The commanded path is the drawing, and the motors were never farther from it than healthy servos of this machine may be: 0.5 mm and 0.07 s of 20 mm/s.</summary>
+    /// <summary>The commanded path is the drawing, and the motors were never farther from it than healthy servos of this machine may be: 0.5 mm and 0.07 s
+    /// of 20 mm/s.</summary>
     public bool IsCutRight => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && (Record.CommandedDeviationMm ?? deviation) <= Tolerance && missing <= Tolerance && (Record.FollowingMm ?? 0.0) <= 0.5 + (0.07 * 20.0);
 
     public static FaultyRun Unconnected(string sentence) => new(null, null, RunJudgement.Unknown, 0.0) { Sentence = sentence };

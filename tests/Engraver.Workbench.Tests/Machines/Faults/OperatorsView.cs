@@ -6,7 +6,8 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>What the machine's status tells an operator while hosts come and go: told of jobs and moves as a machine session tells it, and of the controller by looks of its own.</summary>
+/// <summary>What the machine's status tells an operator while hosts come and go: told of jobs and moves as a machine session tells it, and of the
+/// controller by looks of its own.</summary>
 internal sealed class OperatorsView(MachineProfile profile) : IDisposable
 {
     private readonly MachineStatusModel _model = new(TimeProvider.System, static () => { }) { Profile = profile };

@@ -5,7 +5,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>Whole runs that are stopped, after which nobody knows where the machine is: its steppers were without current and were moved by hand, or the power failed. With the origin set anew, or homed, what is left is cut where the work lies, and until then nothing is.</summary>
+/// <summary>Whole runs that are stopped, after which nobody knows where the machine is: its steppers were without current and were moved by hand, or the
+/// power failed. With the origin set anew, or homed, what is left is cut where the work lies, and until then nothing is.</summary>
 public sealed class ResumeAfterLossTests : IDisposable
 {
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
@@ -22,7 +23,8 @@ public sealed class ResumeAfterLossTests : IDisposable
 
     public static TheoryData<JobMode> Modes => [JobMode.Stream, JobMode.Calls, JobMode.Program];
 
-    /// <summary>The counts of a motor without current stay while its shaft is turned: as if somebody had told the controller other counts for the place where it stands (DP).</summary>
+    /// <summary>The counts of a motor without current stay while its shaft is turned: as if somebody had told the controller other counts for the place
+    /// where it stands (DP).</summary>
     [Theory]
     [MemberData(nameof(Remedies))]
     public async Task Steppers_that_were_off_and_moved_are_homed_or_their_origin_is_set_anew_and_the_rest_is_cut(JobMode mode, bool isHomed)
@@ -68,7 +70,8 @@ public sealed class ResumeAfterLossTests : IDisposable
         Assert.True(rest.IsComplete && rest.IsCutRight && rest.Zero == default(CountsPoint), rest.ToString());
     }
 
-    /// <summary>The link goes with the power, and the stop reaches the controller again when it counts from where it stood: that this is the place where it had been told to stand before would be believed of an origin that nobody set.</summary>
+    /// <summary>The link goes with the power, and the stop reaches the controller again when it counts from where it stood: that this is the place where it
+    /// had been told to stand before would be believed of an origin that nobody set.</summary>
     [Theory]
     [MemberData(nameof(Modes))]
     public async Task A_power_cycle_in_the_middle_of_a_run_is_told_and_its_new_zero_is_no_origin(JobMode mode)

@@ -51,7 +51,8 @@ public sealed class MachineHoldTests : IDisposable
         Assert.True(free.IsKept);
     }
 
-    /// <summary>A jog that was let go before it began, or a job that was refused, is no reason to doubt where the machine is; one whose link is lost is.</summary>
+    /// <summary>A jog that was let go before it began, or a job that was refused, is no reason to doubt where the machine is; one whose link is lost
+    /// is.</summary>
     [Fact]
     public void A_move_that_ended_before_anything_was_sent_leaves_what_is_known_of_the_machine()
     {

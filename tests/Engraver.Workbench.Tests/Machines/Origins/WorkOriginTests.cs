@@ -11,7 +11,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Origins;
 
-/// <summary>The same job goes to the same place, whatever happened between. The simulated controller is behind a socket and keeps its position from run to run, as a real one does; each run is a host of its own.</summary>
+/// <summary>The same job goes to the same place, whatever happened between. The simulated controller is behind a socket and keeps its position from run to
+/// run, as a real one does; each run is a host of its own.</summary>
 public sealed class WorkOriginTests : IAsyncDisposable
 {
     private const int Number = 4711;
@@ -147,7 +148,8 @@ public sealed class WorkOriginTests : IAsyncDisposable
         Assert.Equal("JOB0009", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
     }
 
-    /// <summary>Nothing counts how a stepper is moved while its motor is off: an origin that is set then is none, and one that was set before is lost also when the motor is on again.</summary>
+    /// <summary>Nothing counts how a stepper is moved while its motor is off: an origin that is set then is none, and one that was set before is lost also
+    /// when the motor is on again.</summary>
     [Fact]
     public async Task A_stepper_whose_motor_is_off_gets_no_origin_and_loses_the_one_it_had()
     {

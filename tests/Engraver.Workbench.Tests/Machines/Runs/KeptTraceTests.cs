@@ -36,7 +36,8 @@ public sealed class KeptTraceTests : IDisposable
         Assert.Same(job, bench.Machine.Recorded!.Job);
     }
 
-    /// <summary>Motors that trail their command by 20 ms are behind it by feed times 20 ms, whether the controller is polled over a network or its record is listened to.</summary>
+    /// <summary>Motors that trail their command by 20 ms are behind it by feed times 20 ms, whether the controller is polled over a network or its record
+    /// is listened to.</summary>
     [Fact]
     public async Task The_following_error_is_what_the_motors_trail_by_and_is_kept()
     {

@@ -6,7 +6,8 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>What a record says of the motors: a run whose motors left the commanded path by more than healthy servos do is not right, whatever was commanded.</summary>
+/// <summary>What a record says of the motors: a run whose motors left the commanded path by more than healthy servos do is not right, whatever was
+/// commanded.</summary>
 public sealed class MotorJudgeTests
 {
     private static readonly MachineProfile s_profile = MachineProfile.Default;

@@ -10,7 +10,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>A run is replayed from its journal and moves as it did, sample for sample: what the operator did to it is part of what was said to the controller. What happened to the machine itself is not, and is where the replay parts.</summary>
+/// <summary>A run is replayed from its journal and moves as it did, sample for sample: what the operator did to it is part of what was said to the
+/// controller. What happened to the machine itself is not, and is where the replay parts.</summary>
 public sealed class ReplayTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-replay-");
@@ -64,7 +65,8 @@ public sealed class ReplayTests : IDisposable
         Assert.Equal((report.Result.FinalPosition!.Value.X, report.Result.FinalPosition.Value.Y, true), (replay.FinalPosition!.Value.X, replay.FinalPosition.Value.Y, replay.Agrees));
     }
 
-    /// <summary>As it was found: stopped from another thread in real time, the replay ended a millimetre and more elsewhere. Commands take no time there, and the stop has the time at which the controller took it.</summary>
+    /// <summary>As it was found: stopped from another thread in real time, the replay ended a millimetre and more elsewhere. Commands take no time there,
+    /// and the stop has the time at which the controller took it.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Program)]

@@ -47,7 +47,8 @@ public class RunJudgeTests
         Assert.InRange(RecordJudgement.Of(job, spoiled, 0, 0).MissingLengthMm!.Value, 0.95 * stroke.Length, 1.05 * stroke.Length);
     }
 
-    /// <summary>The controller goes on with what it has until its watchdog trips: what it cuts then is not missing, and nobody knows how much that is.</summary>
+    /// <summary>The controller goes on with what it has until its watchdog trips: what it cuts then is not missing, and nobody knows how much that
+    /// is.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
