@@ -22,6 +22,15 @@ public partial class LinkTests
     }
 
     [Fact]
+    public void Every_picture_is_shown_on_a_page()
+    {
+        var pictures = Directory.GetFiles(Path.Combine(RepositoryFolder.Root, "docs", "images")).Where(file => Path.GetExtension(file) is ".png" or ".gif").Select(file => Path.GetFileName(file)).ToList();
+        var pages = string.Join('\n', SourceFile.Under("docs", ".md").Append(SourceFile.Read(Path.Combine(RepositoryFolder.Root, "README.md"))).Select(page => page.Text));
+        Assert.NotEmpty(pictures);
+        Assert.DoesNotContain(pictures, picture => !pages.Contains($"images/{picture}", StringComparison.Ordinal));
+    }
+
+    [Fact]
     public void Every_page_that_is_named_exists()
     {
         var pages = SourceFile.Under("", ".md");

@@ -68,9 +68,9 @@ public class PlanVerbTests
 
         Assert.Equal((45.0 * hours) + (12.0 * metres) + 3.5, plan.GetProperty("cost").GetDouble(), precision: 9);
         Assert.Equal(hours, given.GetProperty("cost").GetDouble(), precision: 9);
-        Assert.Contains("Cost of starts   3.50 (3.5 per start)\n", sheet.Out, StringComparison.Ordinal);
-        Assert.Contains($"Cost             {plan.GetProperty("cost").GetDouble().ToString("0.00", System.Globalization.CultureInfo.InvariantCulture)}\n", sheet.Out, StringComparison.Ordinal);
-        Assert.Contains("Cut length       0.457 m\n", sheet.Out, StringComparison.Ordinal);
+        Assert.Contains("Cost of starts  3.50 (3.5 per start)\n", sheet.Out, StringComparison.Ordinal);
+        Assert.Contains($"Cost            {plan.GetProperty("cost").GetDouble().ToString("0.00", System.Globalization.CultureInfo.InvariantCulture)}\n", sheet.Out, StringComparison.Ordinal);
+        Assert.Contains("Cut length      0.457 m\n", sheet.Out, StringComparison.Ordinal);
     }
 
     [Theory]
