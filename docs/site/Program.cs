@@ -8,7 +8,17 @@ if (FindRoot() is not { } root)
 }
 
 var output = Path.GetFullPath(args.Length > 0 ? args[0] : Path.Combine(root, "artifacts", "site"));
-var site = SiteBuilder.Build(root, output);
+BuiltSite site;
+try
+{
+    site = SiteBuilder.Build(root, output);
+}
+catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+{
+    Console.Error.WriteLine($"site: {failure.Message}");
+    return 1;
+}
+
 foreach (var error in site.Errors) Console.Error.WriteLine(error);
 if (site.Errors.Count > 0)
 {

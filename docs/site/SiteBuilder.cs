@@ -10,12 +10,15 @@ public static class SiteBuilder
 {
     private static readonly string[] s_assets = ["site.css", "site.js", "icon.png"];
 
+    private const string SearchScript = "assets/search.js";
+
     /// <summary>Reads the pages, checks every link and writes the site. Nothing is written when a link is dead.</summary>
     /// <param name="root">The repository.</param>
-    /// <param name="output">Emptied first.</param>
+    /// <param name="output">An earlier site there is replaced. A folder with other files is an error, and nothing in it is changed.</param>
     /// <exception cref="IOException">A page cannot be read, or the folder cannot be written.</exception>
     public static BuiltSite Build(string root, string output)
     {
+        if (!MayReplace(output)) return new BuiltSite([], [$"{output} contains files that are not a site of this program. Choose an empty folder."]);
         var source = new SiteSource(root);
         source.AddFolder("docs");
         source.Add("README.md");
@@ -29,10 +32,13 @@ public static class SiteBuilder
         foreach (var page in source.Pages) Write(output, page.Address, PageTemplate.Render(page, navigation));
         foreach (var (folder, pages) in source.Listings) Write(output, SiteSource.ListingOf(folder), PageTemplate.RenderListing(folder, pages, navigation));
         foreach (var file in source.Files) Copy(Path.Combine(root, file), Path.Combine(output, file));
-        Write(output, "assets/search.js", SearchIndex.Render(source.Pages));
+        Write(output, SearchScript, SearchIndex.Render(source.Pages));
         foreach (var asset in s_assets) Unpack(asset, Path.Combine(output, "assets", asset));
         return new BuiltSite(source.Pages, errors);
     }
+
+    private static bool MayReplace(string output) =>
+        File.Exists(Path.Combine(output, SearchScript)) || !Directory.Exists(output) || !Directory.EnumerateFileSystemEntries(output).Any();
 
     private static void Write(string output, string address, string text)
     {

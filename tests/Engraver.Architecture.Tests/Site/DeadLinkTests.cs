@@ -65,6 +65,21 @@ public sealed class DeadLinkTests : IDisposable
     }
 
     [Fact]
+    public void A_folder_with_other_files_is_refused_and_an_earlier_site_is_replaced()
+    {
+        Write("site/thesis.txt", "three years");
+
+        Assert.Equal([PathOf("site") + " contains files that are not a site of this program. Choose an empty folder."], Build().Errors);
+        Assert.Equal("three years", Read("thesis.txt"));
+
+        File.Delete(PathOf("site/thesis.txt"));
+        Assert.Empty(Build().Errors);
+        Write("site/old.html", "");
+        Assert.Empty(Build().Errors);
+        Assert.False(File.Exists(PathOf("site/old.html")));
+    }
+
+    [Fact]
     public void A_missing_index_page_is_an_error()
     {
         Write("README.md", "# Product\n");
