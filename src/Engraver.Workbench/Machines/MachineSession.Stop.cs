@@ -22,12 +22,14 @@ public sealed partial class MachineSession
     /// <summary>Halts every motion at once, without braking, and switches the motors off; a job ends as stopped. Never waits, from any thread.</summary>
     /// <remarks>On a serial line, whose one wire the job uses, a job is stopped as by <see cref="Stop"/>: its axes brake, and the motors stay as they
     /// are.</remarks>
-    public void Abort()
+    /// <returns>False when nothing could be sent beside a job, so that the motors stay as they are.</returns>
+    public bool Abort()
     {
         var (job, watch) = AtWork();
         if (watch is not null) _watched.ActUrgently(watch, one => one.AbortAsync(Profile.OffAtAbort));
         if (job is not null) UrgentThread.Run(job.Cancel);
         _status.StopSent();
+        return watch is not null;
     }
 
     /// <summary>Holds the job under way: it brakes on its path, and the tool goes off once it stands. Never waits, from any thread.</summary>

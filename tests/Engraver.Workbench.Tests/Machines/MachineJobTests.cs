@@ -97,11 +97,30 @@ public sealed class MachineJobTests : IDisposable
         await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
-        machine.Abort();
+        Assert.True(machine.Abort());
 
         Assert.NotEqual(JobOutcome.Complete, (await running.WaitAsync(_limit.Token)).Result.Outcome);
         await SeenAsync(machine, status => status.State == MachineState.MotorsOff);
         Assert.False(machine.Status.ToolCommanded);
+    }
+
+    [Fact]
+    public async Task Abort_in_a_job_over_a_serial_line_stops_it_and_leaves_the_motors_on()
+    {
+        var folder = Directory.CreateTempSubdirectory("engraver-test-");
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        var line = Path.Combine(folder.FullName, "tty");
+        await controller.ServeSerialAsync(line, 115200, _limit.Token);
+        await using var machine = new MachineSession(TimeProvider.System);
+        await machine.ConnectAsync(ControllerAddress.Parse($"serial://{line}?baud=115200"), _limit.Token);
+        var running = RunAsync(machine, MachineBench.Job());
+        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+
+        Assert.False(machine.Abort());
+
+        Assert.Equal(JobOutcome.Stopped, (await running.WaitAsync(_limit.Token)).Result.Outcome);
+        await SeenAsync(machine, status => status is { State: MachineState.Stopped, MotorsOn: true, ToolCommanded: false });
+        folder.Delete(recursive: true);
     }
 
     [Fact]

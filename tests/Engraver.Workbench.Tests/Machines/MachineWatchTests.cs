@@ -83,7 +83,7 @@ public class MachineWatchTests
         await using var bench = await MachineBench.ConnectedAsync();
         await bench.Machine.Terminal.TypeAsync("SPA=1000;PRA=2000000000;BGA", bench.Limit);
 
-        bench.Machine.Abort();
+        Assert.True(bench.Machine.Abort());
         var status = await bench.UntilAsync(status => status.State == MachineState.MotorsOff);
 
         Assert.False(bench.Controller.Status.IsMoving);

@@ -23,9 +23,7 @@ internal sealed class CncAbortCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         if (context.Machine.Description is null && !context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
-        var brakesOnly = context.Machine is { Line: not null } machine && (machine.IsRunning || machine.IsKeptReady); // a job uses the only connection there
-        context.Machine.Abort();
-        context.Say(Wording.Get(brakesOnly ? "CncStop.StoppingOverSerialLine" : "CncStop.Aborting"));
+        context.Say(Wording.Get(context.Machine.Abort() ? "CncStop.Aborting" : "CncStop.StoppingOverSerialLine"));
         return Task.CompletedTask;
     }
 }
