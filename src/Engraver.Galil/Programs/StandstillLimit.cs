@@ -10,7 +10,9 @@ internal static class StandstillLimit
 {
     private const double JobSeconds = 3.0;
     private const double WatchdogSeconds = 6.0;
-    private const double TickSeconds = 0.05;
+
+    /// <summary>One tick of the watchdog in the controller (WT 50).</summary>
+    internal const double TickSeconds = 0.05;
 
     /// <summary>More than an hour; so that the line that assigns it stays one line.</summary>
     private const double MostTicks = 99_999.0;

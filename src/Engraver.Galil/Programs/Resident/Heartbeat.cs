@@ -4,19 +4,16 @@ namespace Engraver.Galil.Programs.Resident;
 /// <param name="time">The job's clock.</param>
 internal sealed class Heartbeat(TimeProvider time)
 {
-    /// <summary>One tick of the watchdog in the controller (WT 50).</summary>
-    private const double TickSeconds = 0.05;
-
     private static readonly TimeSpan s_between = TimeSpan.FromMilliseconds(200);
     private static readonly TimeSpan s_latest = TimeSpan.FromMilliseconds(500);
 
     private long _last = time.GetTimestamp();
 
     /// <summary>For a watchdog that trips 0.25 s after the last one (<see cref="ResidentProgram.CloseHeartbeatTicks"/>).</summary>
-    public static Heartbeat Close(TimeProvider time) => new(time) { Between = TimeSpan.FromMilliseconds(50), Latest = TimeSpan.FromMilliseconds(100), WatchdogSeconds = ResidentProgram.CloseHeartbeatTicks * TickSeconds };
+    public static Heartbeat Close(TimeProvider time) => new(time) { Between = TimeSpan.FromMilliseconds(50), Latest = TimeSpan.FromMilliseconds(100), WatchdogSeconds = ResidentProgram.CloseHeartbeatTicks * StandstillLimit.TickSeconds };
 
     /// <summary>Time without a heartbeat after which the watchdog trips.</summary>
-    public double WatchdogSeconds { get; private init; } = ResidentProgram.HeartbeatTicks * TickSeconds;
+    public double WatchdogSeconds { get; private init; } = ResidentProgram.HeartbeatTicks * StandstillLimit.TickSeconds;
 
     private TimeSpan Between { get; init; } = s_between;
 
