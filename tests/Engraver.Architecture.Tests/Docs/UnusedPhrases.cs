@@ -21,7 +21,7 @@ public sealed partial class UnusedPhrases
     public static UnusedPhrases Parse(string page)
     {
         var rows = SectionOf(page).Split('\n').Where(line => line.StartsWith('|')).Skip(2).Select(line => line.Trim('|', ' ').Split('|'));
-        return new UnusedPhrases([.. rows.Select(cells => new Rule(Expression(cells[0]), cells[0].Trim(), cells[1].Trim(), cells.Length > 2 && cells[2].Trim().Length > 0 ? Expression(cells[2]) : null))]);
+        return new UnusedPhrases([.. rows.Select(cells => new Rule(Expression(cells[0]), cells[1].Trim(), cells.Length > 2 && cells[2].Trim().Length > 0 ? Expression(cells[2]) : null))]);
     }
 
     /// <summary>The page without the table, which has to name the phrases.</summary>
@@ -48,5 +48,5 @@ public sealed partial class UnusedPhrases
     [GeneratedRegex(@"[^\n]")]
     private static partial Regex NotLineEnd();
 
-    private sealed record Rule(Regex Phrases, string Words, string Instead, Regex? Allowed);
+    private sealed record Rule(Regex Phrases, string Instead, Regex? Allowed);
 }

@@ -14,8 +14,7 @@ public class CommandPageTests
     private static string Page()
     {
         var catalog = CommandCatalog.Built();
-        var aliases = File.ReadLines(Path.Combine(RepositoryFolder.Root, "src", "Engraver.Workbench", "CommandLanguage", "engraver.pgp"))
-            .Select(line => line.Split(';')[0].Split(',')).Where(parts => parts.Length == 2).ToLookup(parts => parts[1].Trim(' ', '*'), parts => parts[0].Trim());
+        var aliases = AliasFiles.Read(userFile: null, catalog).Commands.ToLookup(alias => alias.Value, alias => alias.Key);
         var page = new StringBuilder();
         page.Append(CultureInfo.InvariantCulture, $"""
             # Commands
@@ -31,7 +30,7 @@ public class CommandPageTests
         foreach (var group in catalog.All.GroupBy(info => info.Group))
         {
             page.Append(CultureInfo.InvariantCulture, $"\n## {Title(group.Key)}\n\n| Command | Alias | | What it does |\n|---|---|---|---|\n");
-            foreach (var info in group) page.Append(CultureInfo.InvariantCulture, $"| `{info.Name}` | {string.Join(", ", aliases[info.Name].Select(alias => $"`{alias}`"))} | {(info.Transparent ? "'" : "")}{(info.StartsMotion ? "!" : "")} | {info.Summary.Replace("|", "\\|", StringComparison.Ordinal)} |\n");
+            foreach (var info in group) page.Append(CultureInfo.InvariantCulture, $"| `{info.Name}` | {string.Join(", ", aliases[info.Name].Order(StringComparer.Ordinal).Select(alias => $"`{alias}`"))} | {(info.Transparent ? "'" : "")}{(info.StartsMotion ? "!" : "")} | {info.Summary.Replace("|", "\\|", StringComparison.Ordinal)} |\n");
         }
 
         return page.ToString();
