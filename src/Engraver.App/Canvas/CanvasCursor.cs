@@ -8,7 +8,7 @@ using Engraver.App.Canvas.Picking;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The highest visual: crosshair with pickbox, selection box, snap marker. It alone is drawn again when the mouse moves.</summary>
+/// <summary>The topmost visual: crosshair with pickbox, selection box, snap marker. Only this visual is redrawn when the mouse moves.</summary>
 internal sealed class CanvasCursor : Control
 {
     private const double MarkerSize = 6.0;
@@ -21,10 +21,10 @@ internal sealed class CanvasCursor : Control
 
     public CanvasTheme Colours { get; set; } = CanvasTheme.Dark;
 
-    /// <summary>Where the cursor stands; null outside.</summary>
+    /// <summary>Position of the cursor; null outside the canvas.</summary>
     public Point? Place { get; set; }
 
-    /// <summary>Length of the crosshair as percent of the canvas (CURSORSIZE).</summary>
+    /// <summary>Length of the crosshair in percent of the canvas (CURSORSIZE).</summary>
     public double CursorSize { get; set; } = 5.0;
 
     /// <summary>Half the side of the pickbox.</summary>
@@ -35,13 +35,13 @@ internal sealed class CanvasCursor : Control
 
     public SelectionBox? Box { get; set; }
 
-    /// <summary>From the point before to the place that a click gives; null for no line.</summary>
+    /// <summary>From the previous point to the point that a click gives; null for no line.</summary>
     public (Point From, Point To)? Line { get; set; }
 
-    /// <summary>The direction of polar tracking, from the point before to beyond the canvas; null for none.</summary>
+    /// <summary>The direction of polar tracking, from the previous point to beyond the canvas; null for none.</summary>
     public (Point From, Point To)? Track { get; set; }
 
-    /// <summary>What a click would give, as runs of places; empty for nothing.</summary>
+    /// <summary>The result of a click, as polylines; empty for none.</summary>
     public IReadOnlyList<Point[]> Ghost { get; set; } = [];
 
     /// <summary>The text beside the crosshair; empty for none.</summary>
@@ -70,7 +70,7 @@ internal sealed class CanvasCursor : Control
         }
     }
 
-    /// <summary>Right below the cursor, or on its other side where there is no room.</summary>
+    /// <summary>Below and right of the cursor, or on the other side where there is not enough room.</summary>
     private void DrawTip(DrawingContext context, Point place)
     {
         var text = new FormattedText(Tip, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, TipFontSize, CanvasBrushes.Brush(Colours.Crosshair));
@@ -102,7 +102,8 @@ internal sealed class CanvasCursor : Control
         if (!AsksForPoint) context.DrawRectangle(null, pen, new Rect(x - PickBox, y - PickBox, 2.0 * PickBox, 2.0 * PickBox));
     }
 
-    /// <summary>Square, triangle, circle, diamond, right angle, hourglass, circle under a line, circle about a cross, cross: as AutoCAD marks them.</summary>
+    /// <summary>Square, triangle, circle, diamond, right angle, hourglass, circle under a line, circle around a cross, cross: the markers of
+    /// AutoCAD.</summary>
     private static void DrawSnap(DrawingContext context, Point at, SnapKinds kind)
     {
         var pen = CanvasBrushes.Pen(SnapColour, 2.0);
@@ -118,7 +119,7 @@ internal sealed class CanvasCursor : Control
         else Cross(context, pen, at);
     }
 
-    /// <summary>A right angle with its mark.</summary>
+    /// <summary>The marker of a perpendicular: a right angle.</summary>
     private static void RightAngle(DrawingContext context, IPen pen, Point at)
     {
         context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(-MarkerSize, MarkerSize));
@@ -127,14 +128,14 @@ internal sealed class CanvasCursor : Control
         context.DrawLine(pen, at, at + new Point(0.0, MarkerSize));
     }
 
-    /// <summary>A circle under a line.</summary>
+    /// <summary>The marker of a tangent: a circle under a line.</summary>
     private static void Touch(DrawingContext context, IPen pen, Point at)
     {
         context.DrawEllipse(null, pen, at, MarkerSize, MarkerSize);
         context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(MarkerSize, -MarkerSize));
     }
 
-    /// <summary>A circle about a cross.</summary>
+    /// <summary>The marker of a node: a circle around a cross.</summary>
     private static void Node(DrawingContext context, IPen pen, Point at)
     {
         context.DrawEllipse(null, pen, at, MarkerSize, MarkerSize);

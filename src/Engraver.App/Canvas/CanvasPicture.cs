@@ -8,7 +8,7 @@ using Engraver.App.Canvas.Pictures;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The lowest visual of the canvas: the picture itself, pixel for pixel.</summary>
+/// <summary>The lowest visual of the canvas: the picture itself, pixel by pixel.</summary>
 internal sealed class CanvasPicture(PictureKeeper keeper) : Control
 {
     private readonly WriteableBitmap?[] _bitmaps = new WriteableBitmap?[2];
@@ -25,7 +25,7 @@ internal sealed class CanvasPicture(PictureKeeper keeper) : Control
         }
     }
 
-    /// <summary>Writes the picture as it can be shown now into the bitmap that is not on the screen.</summary>
+    /// <summary>Writes the picture that can be shown now into the bitmap that is not on the screen.</summary>
     private WriteableBitmap Written(PixelSize size)
     {
         _next = 1 - _next;

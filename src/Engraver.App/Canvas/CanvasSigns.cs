@@ -11,8 +11,8 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The visual between picture and cursor: hovered entity, the entity under the playback, grips, the places of machine and playback, the marked
-/// place, and the UCS icon.</summary>
+/// <summary>The visual between picture and cursor: hovered entity, the entity at the playback position, grips, positions of machine and playback, the
+/// marked point, and the UCS icon.</summary>
 internal sealed class CanvasSigns : Control
 {
     private const int MostOutlinedParts = 2000;
@@ -40,16 +40,16 @@ internal sealed class CanvasSigns : Control
     /// <summary>The grips that are shown.</summary>
     public IReadOnlyList<Grip> Grips { get; private set; } = [];
 
-    /// <summary>Where the grip under the cursor is, drawing units; null: there is none.</summary>
+    /// <summary>Position of the grip under the cursor, drawing units; null for none.</summary>
     public Point2D? HoveredGrip { get; set; }
 
-    /// <summary>Where the grip that is dragged was, drawing units; null: none is.</summary>
+    /// <summary>Original position of the grip that is being dragged, drawing units; null while no grip is dragged.</summary>
     public Point2D? HotGrip { get; private set; }
 
-    /// <summary>Where the machine is; null: not known, or none is connected.</summary>
+    /// <summary>Position of the machine; null if unknown, or if no machine is connected.</summary>
     public MachineMark? Machine { get; set; }
 
-    /// <summary>Where the playback is, drawing units; null: it is not looked at.</summary>
+    /// <summary>Position of the playback, drawing units; null while the playback is not shown.</summary>
     public Point2D? Playback { get; set; }
 
     public Point2D? PointedAt { get; set; }
@@ -98,7 +98,7 @@ internal sealed class CanvasSigns : Control
         context.DrawGeometry(null, pen, geometry);
     }
 
-    /// <summary>One grip to a cell of the screen, so that a polyline of many short pieces stays visible under its grips.</summary>
+    /// <summary>At most one grip in a cell of the screen, so that a polyline of many short segments stays visible under its grips.</summary>
     private void DrawGrips(DrawingContext context)
     {
         var (window, taken) = (View.Window, new HashSet<(int, int)>());
@@ -111,7 +111,7 @@ internal sealed class CanvasSigns : Control
         }
     }
 
-    /// <summary>At the origin when it can be seen whole, else in the lower left corner. X red, Y green.</summary>
+    /// <summary>At the origin if the icon fits there completely, otherwise in the lower left corner. X red, Y green.</summary>
     private void DrawUcsIcon(DrawingContext context)
     {
         const double Arm = 40.0;
@@ -138,7 +138,7 @@ internal sealed class CanvasSigns : Control
         context.DrawEllipse(null, pen, at, 22.0, 22.0);
     }
 
-    /// <summary>Chords as figures of a geometry, in units of the control.</summary>
+    /// <summary>Collects chords as figures of a geometry, in units of the control.</summary>
     private struct OutlineSink(StreamGeometryContext context, double scaling) : IChordSink
     {
         private Point _end;

@@ -3,17 +3,17 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The text beside the crosshair while a command asks for a place: the instruction, and figures of where the cursor is.</summary>
+/// <summary>The text beside the crosshair while a command requests a point: the instruction, and the coordinates of the cursor.</summary>
 internal static class CursorTip
 {
     /// <param name="asked">The instruction of the command; empty for none.</param>
-    /// <param name="place">Where a click would be, drawing units.</param>
-    /// <param name="figures">How many decimals there are.</param>
-    /// <param name="before">Stands before the figures.</param>
+    /// <param name="place">The point that a click would give, drawing units.</param>
+    /// <param name="figures">The number of decimals.</param>
+    /// <param name="before">Text before the figures.</param>
     public static string Format(string asked, PointAim aim, Point2D place, Figures figures, string before = "") => aim.Use == PointUse.Object ? asked : $"{asked}\n{before}{Measured(aim, place, figures)}".TrimStart('\n');
 
-    /// <summary>Coordinates of a place that stands alone, sides of a box, else distance and angle (degrees, counter-clockwise from +X) from the point
-    /// before.</summary>
+    /// <summary>The coordinates if there is no previous point, the sides of a box, otherwise distance and angle (degrees, counter-clockwise from +X) from
+    /// the previous point.</summary>
     private static string Measured(PointAim aim, Point2D place, Figures figures)
     {
         if (aim.From is not { } from) return $"{figures.MovingLength(place.X)}, {figures.MovingLength(place.Y)}";

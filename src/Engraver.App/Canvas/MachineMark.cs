@@ -5,24 +5,24 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>Where the machine is and where it came from. Equal while it stands.</summary>
-/// <param name="At">The machine's present place by its own zero, millimetres.</param>
-/// <param name="Trail">Its last places, the latest one last; likewise.</param>
-/// <param name="Zero">From the machine's own zero to the drawing's, millimetres.</param>
-/// <param name="Unit">Millimetres of one drawing unit.</param>
-/// <param name="Note">Why the place is not certain in the drawing, and what to do; empty where it is.</param>
+/// <summary>Current and recent positions of the machine. Equal while the machine is at rest.</summary>
+/// <param name="At">Current machine position in machine coordinates, millimetres.</param>
+/// <param name="Trail">Recent machine positions in machine coordinates, millimetres; the newest is the last.</param>
+/// <param name="Zero">From the machine zero to the zero of the drawing, millimetres.</param>
+/// <param name="Unit">Millimetres per drawing unit.</param>
+/// <param name="Note">Why the position in the drawing is uncertain, and what to do; empty if it is certain.</param>
 public sealed record MachineMark(Point2D At, IReadOnlyList<Point2D> Trail, Vector2D Zero, double Unit, string Note)
 {
-    /// <summary>The machine's present place, drawing units.</summary>
+    /// <summary>Current machine position, drawing units.</summary>
     public Point2D Place => InDrawing(At);
 
     public bool IsCertain => Note.Length == 0;
 
-    /// <summary>A place of the machine in drawing units.</summary>
+    /// <summary>Converts a machine position to drawing units.</summary>
     public Point2D InDrawing(Point2D place) => new((place.X - Zero.X) / Unit, (place.Y - Zero.Y) / Unit);
 }
 
-/// <summary>The note of an uncertain place, in the corner of the canvas.</summary>
+/// <summary>The note about an uncertain position, in the corner of the canvas.</summary>
 internal sealed class MachineNote : Border
 {
     private readonly TextBlock _text = new() { Name = "MachineNoteText", TextWrapping = TextWrapping.Wrap, FontSize = 12.0 };

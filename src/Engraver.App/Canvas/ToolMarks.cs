@@ -5,18 +5,18 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The two places of the tool: where the machine is, solid with a trail, and where the playback is, hollow. At the same place the second one lies
-/// round the first.</summary>
+/// <summary>The two positions of the tool: the machine, solid with a trail, and the playback, hollow. At the same position the second encloses the
+/// first.</summary>
 internal static class ToolMarks
 {
     private const double Core = 5.5;
     private const double Ring = 10.0;
     private const double Reach = 16.0;
 
-    /// <summary>The trail is drawn in so many parts, each fainter than the next one.</summary>
+    /// <summary>The number of parts in which the trail is drawn, each fainter than the next.</summary>
     private const int TrailParts = 8;
 
-    /// <summary>Outside the canvas an arrow at its edge points to the machine.</summary>
+    /// <summary>Outside the canvas, an arrow at its edge points to the machine.</summary>
     public static void DrawMachine(DrawingContext context, MachineMark mark, Func<Point2D, Point> toControl, Size canvas, CanvasTheme colours)
     {
         var colour = mark.IsCertain ? colours.Tool : colours.Rapid;
@@ -43,7 +43,7 @@ internal static class ToolMarks
         }
     }
 
-    /// <summary>Four lines that leave the middle free.</summary>
+    /// <summary>Four lines with a free middle.</summary>
     private static void DrawCross(DrawingContext context, IPen pen, Point at, double from, double to)
     {
         foreach (var way in new[] { new Point(1.0, 0.0), new Point(-1.0, 0.0), new Point(0.0, 1.0), new Point(0.0, -1.0) }) context.DrawLine(pen, at + (way * from), at + (way * to));

@@ -9,7 +9,7 @@ public static class AciPalette
 {
     public const int Count = 256;
 
-    /// <summary>The index that is white on dark and black on light.</summary>
+    /// <summary>The index that is white on a dark and black on a light background.</summary>
     public const int Foreground = 7;
 
     private const int FirstHue = 10;
@@ -30,7 +30,7 @@ public static class AciPalette
         return 0xFF000000 | rgb;
     }
 
-    /// <summary>A colour that is resolved: an index or a true colour.</summary>
+    /// <summary>The colour of a resolved index or true colour.</summary>
     /// <param name="foreground">As above.</param>
     public static uint ColourOf(DrawingColour colour, uint foreground) => colour.Rgb is { } rgb ? 0xFF000000 | rgb : ColourOf(colour.Index ?? Foreground, foreground);
 
@@ -48,6 +48,6 @@ public static class AciPalette
         }
     }
 
-    /// <summary>The part of red (0 to 1) at a place on the colour hexagon, in sixths of the circle: 1 around red, 0 around cyan.</summary>
+    /// <summary>The fraction of red (0 to 1) at a position on the colour hexagon, in sixths of the circle: 1 around red, 0 around cyan.</summary>
     private static double Part(double sixths) => Math.Clamp(Math.Abs(sixths - 3.0) - 1.0, 0.0, 1.0);
 }

@@ -22,7 +22,7 @@ public sealed record CanvasTheme
         SlowCut = 0xFF2148C8, FastCut = 0xFFD1261A,
     };
 
-    /// <summary>Black, and every mark at least 7 to 1 upon it but the grid, which only helps.</summary>
+    /// <summary>Black background; the contrast of every mark is at least 7 to 1, except that of the grid, which is only an aid.</summary>
     public static CanvasTheme HighContrast { get; } = new()
     {
         Background = 0xFF000000, Foreground = 0xFFFFFFFF, MinorGrid = 0xFF1C1C1C, MajorGrid = 0xFF3A3A3A, AxisX = 0xFFB05050, AxisY = 0xFF4FA05F,
@@ -52,15 +52,15 @@ public sealed record CanvasTheme
 
     public required uint Hover { get; init; }
 
-    /// <summary>The machine's place and its trail.</summary>
+    /// <summary>The position of the machine and its trail.</summary>
     public required uint Tool { get; init; }
 
-    /// <summary>The place of the playback and the entity there.</summary>
+    /// <summary>The position of the playback and the entity there.</summary>
     public required uint Playback { get; init; }
 
     public required uint ClosedContour { get; init; }
 
-    /// <summary>A closed contour inside another one.</summary>
+    /// <summary>A closed contour inside another contour.</summary>
     public required uint InsideContour { get; init; }
 
     public required uint OpenContour { get; init; }
@@ -83,10 +83,10 @@ public sealed record CanvasTheme
 
     public required uint Remaining { get; init; }
 
-    /// <summary>The cut path where it is planned slowest.</summary>
+    /// <summary>The cut path where the planned speed is lowest.</summary>
     public required uint SlowCut { get; init; }
 
-    /// <summary>The cut path where it is planned fastest.</summary>
+    /// <summary>The cut path where the planned speed is highest.</summary>
     public required uint FastCut { get; init; }
 
     public static CanvasTheme Of(DesktopTheme theme) => theme switch

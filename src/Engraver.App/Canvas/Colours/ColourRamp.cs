@@ -1,6 +1,6 @@
 namespace Engraver.App.Canvas.Colours;
 
-/// <summary>Mixes the colours from one to another in equal steps.</summary>
+/// <summary>Interpolates between two colours in equal steps.</summary>
 internal static class ColourRamp
 {
     public static uint[] Between(uint from, uint to, int steps)

@@ -2,8 +2,8 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.App.Canvas.Colours;
 
-/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are the AutoCAD colour index, higher ones the other colours of this
-/// drawing, which are true or faded. What lies on a locked layer is faded half into the background, as in AutoCAD (LAYLOCKFADECTL 50).</summary>
+/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are the AutoCAD colour index, higher values the other colours of this
+/// drawing (true colours and faded ones). Entities on a locked layer are blended half with the background, as in AutoCAD (LAYLOCKFADECTL 50).</summary>
 public sealed class EntityColours
 {
     private const int MostColours = ushort.MaxValue;
@@ -20,7 +20,7 @@ public sealed class EntityColours
     /// <summary>Palette index of an entity; an entity beyond the last known one has the foreground colour.</summary>
     public ushort this[int entity] => entity < _indices.Length ? _indices[entity] : (ushort)AciPalette.Foreground;
 
-    /// <summary>The colours that the drawing states.</summary>
+    /// <summary>The colours that the drawing defines.</summary>
     public static EntityColours From(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -39,8 +39,8 @@ public sealed class EntityColours
         return new EntityColours(indices, [.. others.OrderBy(pair => pair.Value).Select(pair => pair.Key)]);
     }
 
-    /// <summary>A colour on a background, 0xAARRGGBB.</summary>
-    /// <param name="isFaded">Whether it is on a locked layer.</param>
+    /// <summary>The colour of an entity on a background, 0xAARRGGBB.</summary>
+    /// <param name="isFaded">Whether the entity is on a locked layer.</param>
     public static uint On(CanvasTheme theme, DrawingColour colour, bool isFaded)
     {
         ArgumentNullException.ThrowIfNull(theme);

@@ -3,19 +3,19 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Flattening;
 
-/// <summary>An arc as chords that leave it by less than <see cref="FlatnessPixels"/> at the scale of the view, whatever the scale is.</summary>
-/// <remarks>The arc is halved until its pieces are flat; halves that cannot be seen are left out. Where it is divided depends on the view only, never on
-/// the clip: tiles meet exactly.</remarks>
+/// <summary>An arc as chords that deviate from it by less than <see cref="FlatnessPixels"/> at any scale of the view.</summary>
+/// <remarks>The arc is halved until its pieces are flat; pieces outside the view are omitted. The division depends only on the view, not on the clip, so
+/// that tiles meet exactly.</remarks>
 internal static class ArcFlattener
 {
-    /// <summary>Largest distance of a chord from its arc, pixels; half of what an eye could see.</summary>
+    /// <summary>Largest distance of a chord from its arc, pixels; half of what is visible.</summary>
     public const double FlatnessPixels = 0.12;
 
     /// <param name="centreX">Pixels.</param>
     /// <param name="centreY">Pixels, y down.</param>
     /// <param name="radius">Pixels.</param>
     /// <param name="span">Angles as in the drawing (y up).</param>
-    /// <param name="clip">Pixels; pieces wholly outside may be left out.</param>
+    /// <param name="clip">Pixels; pieces completely outside may be omitted.</param>
     public static void Flatten<TSink>(double centreX, double centreY, double radius, ArcSpan span, in Bounds2D clip, ref TSink sink)
         where TSink : struct, IChordSink
     {
@@ -25,7 +25,7 @@ internal static class ArcFlattener
         Divide(arc, 0L, 1L << halvings, start, arc.PointAt(1L << halvings), ref sink);
     }
 
-    /// <summary>How often the sweep must be halved for the sagitta r (1 - cos(sweep / 2)) of a piece to be flat enough.</summary>
+    /// <summary>The number of halvings of the sweep until the sagitta r (1 - cos(sweep / 2)) of a piece is small enough.</summary>
     private static int HalvingsFor(double radius, double sweep)
     {
         var flat = radius <= FlatnessPixels ? Math.PI / 2.0 : Math.Min(Math.PI / 2.0, 4.0 * Math.Asin(Math.Sqrt(FlatnessPixels / (2.0 * radius))));
@@ -56,7 +56,8 @@ internal static class ArcFlattener
             return new Point2D(CentreX + (Radius * cosine), CentreY - (Radius * sine));
         }
 
-        /// <summary>The box of the ends grown by the sagitta holds the piece; beyond half a turn only the whole circle's box does.</summary>
+        /// <summary>The piece is inside the box of its ends grown by the sagitta; for more than half a turn only the box of the whole circle is
+        /// used.</summary>
         public bool IsHidden(long from, long to, Point2D start, Point2D end)
         {
             var sweep = Math.Abs(Span.Sweep) * ((to - from) * Step);

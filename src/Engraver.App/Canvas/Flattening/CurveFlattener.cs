@@ -3,9 +3,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Flattening;
 
-/// <summary>An ellipse or spline as chords that leave it by less than <see cref="ArcFlattener.FlatnessPixels"/>: rational Bezier spans in pixels, halved
-/// until their control points lie that close to the chord.</summary>
-/// <remarks>All weights are positive, so a span lies in the hull of its control points: a hull outside the clip is left out, a flat hull is a chord.</remarks>
+/// <summary>An ellipse or spline as chords that deviate from it by less than <see cref="ArcFlattener.FlatnessPixels"/>: rational Bezier spans in pixels,
+/// halved until their control points are that close to the chord.</summary>
+/// <remarks>All weights are positive, so that a span is inside the convex hull of its control points: a hull outside the clip is skipped, a flat hull is a
+/// chord.</remarks>
 internal static class CurveFlattener
 {
     private const int Stride = 3;
@@ -25,7 +26,7 @@ internal static class CurveFlattener
         Divide(points, clip, MostHalvings, ref sink);
     }
 
-    /// <summary>Homogeneous pixels; the view's centre is taken off before the scale makes it large.</summary>
+    /// <summary>Homogeneous coordinates in pixels; the centre of the view is subtracted before scaling, to keep precision.</summary>
     private static void ToPixels(BezierSpan span, in PixelFrame frame, Span<double> points)
     {
         var source = span.Homogeneous;
@@ -81,7 +82,7 @@ internal static class CurveFlattener
         return left || right || above || below;
     }
 
-    /// <summary>Are all inner control points within the tolerance of the chord as a piece (not as an endless line)?</summary>
+    /// <summary>Are all inner control points within the tolerance of the chord as a segment (not as an infinite line)?</summary>
     private static bool IsFlat(Span<double> points)
     {
         var start = Control(points, 0);
@@ -97,13 +98,14 @@ internal static class CurveFlattener
     private static Point2D Control(Span<double> points, int at) => new(points[at] / points[at + 2], points[at + 1] / points[at + 2]);
 }
 
-/// <summary>Takes the straight pieces that a curve is drawn with, pixels.</summary>
+/// <summary>Receives the chords with which a curve is drawn, pixels.</summary>
 internal interface IChordSink
 {
     void Chord(double fromX, double fromY, double toX, double toY);
 }
 
-/// <summary>Drawing units to pixels with the view's centre taken off first, in double: at a zoom of a million a pixel still has six decimals.</summary>
+/// <summary>Converts drawing units to pixels. The centre of the view is subtracted first, in double: at a zoom of a million a pixel still has six
+/// decimals.</summary>
 internal readonly record struct PixelFrame(double CentreX, double CentreY, double Scale, double MiddleX, double MiddleY)
 {
     public static PixelFrame From(CanvasView view) => new(view.Centre.X, view.Centre.Y, view.PixelsPerUnit, view.Size.Width / 2.0, view.Size.Height / 2.0);
@@ -112,6 +114,6 @@ internal readonly record struct PixelFrame(double CentreX, double CentreY, doubl
 
     public double Y(double y) => ((CentreY - y) * Scale) + MiddleY;
 
-    /// <summary>A box of the drawing as a box of pixels (y down).</summary>
+    /// <summary>Converts a box of the drawing to a box of pixels (y down).</summary>
     public Bounds2D Box(in Bounds2D box) => new(X(box.MinX), Y(box.MaxY), X(box.MaxX), Y(box.MinY));
 }

@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Flattening;
 
-/// <summary>One segment of the drawing as chords in pixels of a view, cut off well outside the picture.</summary>
+/// <summary>One segment of the drawing as chords in pixels of a view, clipped well outside the picture.</summary>
 internal static class SegmentFlattener
 {
     private const double Margin = 16.0;
@@ -19,7 +19,7 @@ internal static class SegmentFlattener
         else ArcFlattener.Flatten(frame.X(segment.Arc.Centre.X), frame.Y(segment.Arc.Centre.Y), segment.Arc.Radius * frame.Scale, ArcSpan.From(segment.Arc), clip, ref sink);
     }
 
-    /// <summary>A line is cut at the clip: an end a billion pixels away is more than some back ends can draw.</summary>
+    /// <summary>A line is clipped, because some back ends cannot draw to an end a billion pixels away.</summary>
     private static void Line<TSink>(LineSegment line, in PixelFrame frame, in Bounds2D clip, ref TSink sink)
         where TSink : struct, IChordSink
     {
@@ -32,8 +32,8 @@ internal static class SegmentFlattener
         sink.Chord(a.X, a.Y, b.X, b.Y);
     }
 
-    /// <summary>One border of the clipping by Liang and Barsky (1984): narrows the part of a line, first to last as fractions of it, to the inner side.
-    /// False when nothing is left.</summary>
+    /// <summary>One border of the clipping by Liang and Barsky (1984): narrows the visible part of a line, first to last as fractions of the line. False if
+    /// nothing remains.</summary>
     private static bool Cut(double outward, double room, ref double first, ref double last)
     {
         if (outward == 0.0) return room >= 0.0;

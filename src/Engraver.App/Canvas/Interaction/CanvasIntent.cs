@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Interaction;
 
-/// <summary>What a mouse event or a key means on the canvas. Places are pixels of the canvas.</summary>
+/// <summary>What a mouse event or a key means on the canvas. Points are in pixels of the canvas.</summary>
 internal abstract record CanvasIntent
 {
     private CanvasIntent()
@@ -13,38 +13,38 @@ internal abstract record CanvasIntent
 
     public sealed record Nothing : CanvasIntent;
 
-    /// <summary>Moves the drawing by so many pixels.</summary>
+    /// <summary>Moves the drawing by a number of pixels.</summary>
     public sealed record Pan(Vector2D By) : CanvasIntent;
 
-    /// <summary>Enlarges (factor above 1) or shrinks the view about the place under the cursor.</summary>
+    /// <summary>Enlarges (factor above 1) or shrinks the view around the point under the cursor.</summary>
     public sealed record Zoom(Point2D About, double Factor) : CanvasIntent;
 
     public sealed record ZoomExtents : CanvasIntent;
 
-    /// <summary>Selects what is under the pickbox, or takes it out of the selection.</summary>
+    /// <summary>Selects what is under the pickbox, or removes it from the selection.</summary>
     public sealed record Pick(Point2D At, bool Remove) : CanvasIntent;
 
-    /// <summary>Selects what is in the box, or takes it out of the selection.</summary>
+    /// <summary>Selects what is in the box, or removes it from the selection.</summary>
     public sealed record Select(SelectionBox Box, bool Remove) : CanvasIntent;
 
-    /// <summary>The point that a command asked for; with Shift what is there is to be removed.</summary>
+    /// <summary>The point that a command requested; with Shift, what is there is removed.</summary>
     public sealed record GivePoint(Point2D At, bool Remove = false) : CanvasIntent;
 
-    /// <summary>Takes hold of the grip at the place.</summary>
+    /// <summary>Starts dragging the grip at the point.</summary>
     public sealed record HoldGrip(Point2D At) : CanvasIntent;
 
-    /// <summary>Lets the grip go that was dragged here.</summary>
+    /// <summary>Ends dragging a grip at the point.</summary>
     public sealed record DropGrip(Point2D At) : CanvasIntent;
 
-    /// <summary>Double click: centres the finding at the place and zooms in.</summary>
+    /// <summary>Double click: centres the finding at the point and zooms in.</summary>
     public sealed record Open(Point2D At) : CanvasIntent;
 
-    /// <summary>The cursor stands here.</summary>
+    /// <summary>The cursor has moved to a point.</summary>
     public sealed record Hover(Point2D At) : CanvasIntent;
 
-    /// <summary>Click with the right button: Enter for a command that runs, else the menu.</summary>
+    /// <summary>Click with the right button: Enter for a running command, otherwise the menu.</summary>
     public sealed record Menu(Point2D At) : CanvasIntent;
 
-    /// <summary>Esc while no box is drawn: ends the command, else clears the selection.</summary>
+    /// <summary>Esc while no box is drawn: ends the command, or clears the selection.</summary>
     public sealed record Cancel : CanvasIntent;
 }

@@ -4,19 +4,18 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Canvas.Interaction;
 
-/// <summary>Works out what a click would give, beside the hand that moves the cursor: one ghost at a time on another thread, then the one for where the
-/// cursor is by then.</summary>
-/// <param name="changed">Called on the thread of the desktop when another ghost is to be seen.</param>
+/// <summary>Computes previews of a click on another thread while the cursor moves: one at a time, then the one for the current cursor position.</summary>
+/// <param name="changed">Called on the UI thread when the preview to be shown has changed.</param>
 internal sealed class GhostRunner(Action changed)
 {
     private (GhostOf Ghost, Point2D Place)? _wanted;
     private bool _isBusy;
 
-    /// <summary>The ghost in drawing units; empty for none.</summary>
+    /// <summary>The preview in drawing units; empty for none.</summary>
     public IReadOnlyList<Segment> Shown { get; private set; } = [];
 
-    /// <param name="ghost">Of the command that asks; null when it has none.</param>
-    /// <param name="place">The place that a click gives; null when the cursor has left.</param>
+    /// <param name="ghost">The preview function of the prompt; null if it has none.</param>
+    /// <param name="place">The point that a click gives; null if the cursor has left the canvas.</param>
     public void Want(GhostOf? ghost, Point2D? place)
     {
         if (ghost is null || place is not { } at)

@@ -2,9 +2,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Interaction;
 
-/// <summary>Turns presses, movements and the wheel into intents, as AutoCAD does: the wheel zooms about the cursor, pressed it pans, clicked twice it shows
-/// everything;
-/// a click picks what is under it, a click on nothing begins a box that a second click (or letting go after a drag) ends.</summary>
+/// <summary>Converts presses, movements and the wheel to intents, as in AutoCAD: the wheel zooms around the cursor, pressing it pans, double-clicking it
+/// shows the whole drawing; a click picks what is under the cursor; a click on empty space starts a box that a second click (or releasing after a drag)
+/// ends.</summary>
 internal sealed class PointerMachine
 {
     /// <summary>Pixels that the pointer may move before a press becomes a drag.</summary>
@@ -19,7 +19,7 @@ internal sealed class PointerMachine
     private Point2D? _pointFrom;
     private bool _asksForPoint;
 
-    /// <summary>A command asks for a point: clicks are points, not picks, and a box that was begun is given up.</summary>
+    /// <summary>A command requests a point: clicks are points, not picks, and a box that was started is cancelled.</summary>
     public bool AsksForPoint
     {
         get => _asksForPoint;
@@ -30,10 +30,10 @@ internal sealed class PointerMachine
         }
     }
 
-    /// <summary>The point that is asked for is the opposite corner of a box.</summary>
+    /// <summary>The requested point is the opposite corner of a box.</summary>
     public bool AsksForCorner { get; set; }
 
-    /// <summary>Zoom of one notch of the wheel.</summary>
+    /// <summary>Zoom factor of one notch of the wheel.</summary>
     public double NotchFactor { get; set; } = 1.25;
 
     /// <summary>The box while it is drawn.</summary>
@@ -41,9 +41,9 @@ internal sealed class PointerMachine
 
     public bool IsPanning => _panFrom is not null;
 
-    /// <param name="hits">Whether something lies under the pickbox; called only where it matters.</param>
+    /// <param name="hits">Whether something is under the pickbox; called only when needed.</param>
     /// <param name="clicks">2 for the second click of a double click.</param>
-    /// <param name="grips">Whether a grip lies there; null where none are shown.</param>
+    /// <param name="grips">Whether a grip is at the point; null if no grips are shown.</param>
     public CanvasIntent Press(Point2D at, PointerButton button, bool shift, int clicks, Func<bool> hits, Func<bool>? grips = null)
     {
         _cursor = at;
@@ -86,8 +86,8 @@ internal sealed class PointerMachine
         return from.DistanceTo(at) > DragDistance ? FinishBox(at, _boxRemoves) : CanvasIntent.None;
     }
 
-    /// <summary>A grip that was pressed, or the first corner of a box at "Select objects", and then dragged is let go here; after a click a second one
-    /// gives the place.</summary>
+    /// <summary>A grip, or the first corner of a box at "Select objects", that was pressed and dragged is released here; after a simple click, a second
+    /// click gives the point.</summary>
     private CanvasIntent? Dragged(Point2D at)
     {
         var (grip, point) = (_gripFrom, _pointFrom);
@@ -96,14 +96,14 @@ internal sealed class PointerMachine
         return AsksForCorner && point is { } corner && corner.DistanceTo(at) > DragDistance ? new CanvasIntent.GivePoint(at) : null;
     }
 
-    /// <param name="notches">Forward (away from the hand) positive: nearer.</param>
+    /// <param name="notches">Forward (away from the user) is positive and zooms in.</param>
     public CanvasIntent Wheel(Point2D at, double notches)
     {
         _cursor = at;
         return notches == 0.0 ? CanvasIntent.None : new CanvasIntent.Zoom(at, Math.Pow(NotchFactor, notches));
     }
 
-    /// <summary>Ends the box first; with none, it is for the command.</summary>
+    /// <summary>Cancels the box; without one, Esc goes to the command.</summary>
     public CanvasIntent Escape()
     {
         if (_boxFrom is null) return new CanvasIntent.Cancel();
@@ -111,11 +111,11 @@ internal sealed class PointerMachine
         return CanvasIntent.None;
     }
 
-    /// <summary>The view was moved or zoomed: the first corner of a box stays where it is in the drawing.</summary>
-    /// <param name="moved">Where a place of the screen lies now.</param>
+    /// <summary>The view was moved or zoomed: the first corner of a box keeps its position in the drawing.</summary>
+    /// <param name="moved">Maps an old position on the screen to the new one.</param>
     public void ViewMoved(Func<Point2D, Point2D> moved) => _boxFrom = _boxFrom is { } from ? moved(from) : null;
 
-    /// <summary>The canvas lost the mouse (another window, a lost capture): no button counts as pressed.</summary>
+    /// <summary>The canvas lost the mouse capture (to another window, for example): no button counts as pressed.</summary>
     public void Lost()
     {
         (_panFrom, _gripFrom, _pointFrom) = (null, null, null);
@@ -128,7 +128,7 @@ internal sealed class PointerMachine
         return clicks >= 2 ? new CanvasIntent.ZoomExtents() : CanvasIntent.None;
     }
 
-    /// <summary>The first click may have begun a box: a double click never means one.</summary>
+    /// <summary>The first click may have started a box, which a double click never means.</summary>
     private CanvasIntent.Open OpenAt(Point2D at)
     {
         DropBox();
@@ -142,7 +142,7 @@ internal sealed class PointerMachine
         return new CanvasIntent.Select(box, remove);
     }
 
-    /// <summary>Gives up a box that was begun.</summary>
+    /// <summary>Cancels a box that was started.</summary>
     public void DropBox() => (_boxFrom, _boxPressed, _boxRemoves) = (null, false, false);
 }
 
@@ -153,7 +153,7 @@ internal enum PointerButton
     Right,
 }
 
-/// <summary>A box drawn with the mouse, pixels. From left to right it is a window (wholly inside), from right to left a crossing (touching).</summary>
+/// <summary>A box drawn with the mouse, pixels. From left to right it is a window (completely inside), from right to left a crossing (touching).</summary>
 internal readonly record struct SelectionBox(Point2D From, Point2D To)
 {
     public bool IsCrossing => To.X < From.X;

@@ -5,23 +5,23 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Marks;
 
-/// <summary>The marks of one view. Where they would cover each other only the first in their order is drawn; zooming in brings the others. Where there are
-/// very many they are small, so that the drawing is seen between them.</summary>
+/// <summary>The marks of one view. Of marks that would overlap only the first in order is drawn; zooming in shows the others. If there are very many they
+/// are small, so that the drawing stays visible between them.</summary>
 internal sealed class MarkLayer : IPictureLayer
 {
     private const double CellSize = 8.0;
 
-    /// <summary>So many whole marks may be in one picture.</summary>
+    /// <summary>Maximum number of marks of full size in one picture.</summary>
     private const int Crowd = 1000;
 
-    /// <summary>Size of a mark in a crowd, as a part of a whole one.</summary>
+    /// <summary>Size of a mark above that number, as a fraction of full size.</summary>
     private const double SmallSize = 0.15;
     private readonly List<(SceneMark Mark, Point2D Pixel)> _placed = [];
     private readonly uint _colour;
     private readonly double _scale;
 
-    /// <param name="marks">In the order of their importance.</param>
-    /// <param name="scale">Pixels of the screen for a pixel of the design.</param>
+    /// <param name="marks">Ordered by importance.</param>
+    /// <param name="scale">Pixels of the screen per pixel of the design.</param>
     public MarkLayer(IReadOnlyList<SceneMark> marks, CanvasView view, uint colour, double scale)
     {
         (_colour, _scale) = (colour, scale);
@@ -35,7 +35,7 @@ internal sealed class MarkLayer : IPictureLayer
         }
     }
 
-    /// <summary>How many marks are drawn.</summary>
+    /// <summary>The number of marks that are drawn.</summary>
     public int Count => _placed.Count;
 
     public void Paint(CanvasView view, PixelTile tile)
@@ -53,7 +53,7 @@ internal sealed class MarkLayer : IPictureLayer
     private static bool IsSeen(Point2D pixel, double reach, CanvasView view) =>
         pixel.X >= -reach && pixel.Y >= -reach && pixel.X <= view.Size.Width + reach && pixel.Y <= view.Size.Height + reach;
 
-    /// <summary>Takes the cells of the screen that the mark needs, unless one of them is taken.</summary>
+    /// <summary>Reserves the cells of the screen that the mark needs; false if one of them is taken.</summary>
     private bool Take(HashSet<(int, int)> taken, Point2D pixel, in SceneMark mark)
     {
         var cell = CellSize * _scale;
@@ -81,8 +81,8 @@ internal sealed class MarkLayer : IPictureLayer
     }
 }
 
-/// <summary>A mark at a place of the drawing.</summary>
+/// <summary>A mark at a point of the drawing.</summary>
 /// <param name="Place">Drawing units.</param>
-/// <param name="Direction">Of travel, for an arrow; zero for none.</param>
-/// <param name="Number">Written beside it where the kind has a number.</param>
+/// <param name="Direction">Direction of travel, for an arrow; zero for none.</param>
+/// <param name="Number">Drawn beside the mark if its kind has a number.</param>
 internal readonly record struct SceneMark(Point2D Place, MarkKind Kind, Vector2D Direction = default, int Number = 0);

@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Marks;
 
-/// <summary>Draws the shape of each kind of mark, in pixels about its place.</summary>
+/// <summary>Draws the shape of each kind of mark, in pixels around its point.</summary>
 internal static class MarkShape
 {
     private const double ArrowLength = 11.0;
@@ -12,7 +12,7 @@ internal static class MarkShape
     private const double DigitScale = 1.25;
     private const double PointArm = 4.0;
 
-    /// <summary>Room that a mark takes up, pixels from its place in every direction.</summary>
+    /// <summary>Extent of a mark, pixels from its point in every direction.</summary>
     public static double ReachOf(in SceneMark mark, double scale) => scale * mark.Kind switch
     {
         MarkKind.Order => ArrowLength + 8.0 + (StrokeDigits.WidthOf(mark.Number) * DigitScale),
@@ -22,7 +22,7 @@ internal static class MarkShape
     };
 
     /// <param name="place">Pixels.</param>
-    /// <param name="scale">Pixels of the screen for a pixel of the design: 2 on a screen of 200 %.</param>
+    /// <param name="scale">Pixels of the screen per pixel of the design: 2 on a screen of 200 %.</param>
     public static void Draw<TSink>(in SceneMark mark, Point2D place, double scale, ref TSink sink)
         where TSink : struct, IChordSink
     {
@@ -89,8 +89,7 @@ internal static class MarkShape
         where TSink : struct, IChordSink => sink.Chord(from.X, from.Y, to.X, to.Y);
 }
 
-/// <summary>Signs that keep their size on the screen whatever the zoom. Each kind has a shape of its own, so that colour alone never carries the
-/// meaning.</summary>
+/// <summary>Marks that keep their size on the screen at every zoom. Each kind has its own shape, so that colour alone never carries the meaning.</summary>
 internal enum MarkKind : byte
 {
     /// <summary>A number beside an arrow in the direction of travel.</summary>
@@ -99,12 +98,12 @@ internal enum MarkKind : byte
     /// <summary>A small ring.</summary>
     Start,
 
-    /// <summary>A ring with a cross in it.</summary>
+    /// <summary>A ring with a cross inside.</summary>
     Finding,
 
     /// <summary>A ring with a long upright cross: the work origin.</summary>
     Origin,
 
-    /// <summary>A cross on its side: a POINT of the drawing, as AutoCAD shows it with PDMODE 3.</summary>
+    /// <summary>A diagonal cross: a POINT of the drawing, as AutoCAD shows it with PDMODE 3.</summary>
     Point,
 }

@@ -1,6 +1,6 @@
 namespace Engraver.App.Canvas.Marks;
 
-/// <summary>Digits as strokes on a grid of 4 by 6, as a plotter writes them: sharp at every size without a font.</summary>
+/// <summary>Digits as strokes on a grid of 4 by 6, as a plotter draws them: sharp at every size without a font.</summary>
 internal static class StrokeDigits
 {
     /// <summary>Height of a digit, grid units.</summary>
@@ -9,7 +9,7 @@ internal static class StrokeDigits
     /// <summary>From one digit to the next, grid units.</summary>
     public const double Advance = 6.0;
 
-    /// <summary>For each digit its strokes; each place is x (0 to 4) and y (0 to 6, downwards).</summary>
+    /// <summary>The strokes of each digit; each point is x (0 to 4) and y (0 to 6, downwards).</summary>
     private static readonly string[][] s_strokes =
     [
         ["10 30 41 45 36 16 05 01 10"],
@@ -33,7 +33,7 @@ internal static class StrokeDigits
     /// <summary>Width of a number, grid units.</summary>
     public static double WidthOf(int number) => (CountOf(number) * Advance) - (Advance - 4.0);
 
-    /// <summary>How many digits a number has, which must not be negative.</summary>
+    /// <summary>Number of digits of a non-negative number.</summary>
     public static int CountOf(int number)
     {
         var count = 1;

@@ -7,10 +7,10 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.App.Canvas.Overlays;
 
-/// <summary>Turns sequenced strokes and the toolpath (millimetres) into the layers of an overlay (drawing units).</summary>
+/// <summary>Converts sequenced strokes and the toolpath (millimetres) to the layers of an overlay (drawing units).</summary>
 internal static class OverlayBuilder
 {
-    /// <param name="scale">Drawing units for a millimetre.</param>
+    /// <param name="scale">Drawing units per millimetre.</param>
     public static OverlayScene Build(SequencingResult sequence, Toolpath toolpath, double scale, OverlayInputs inputs) => new()
     {
         MoveCount = toolpath.Strokes.Sum(stroke => stroke.Moves.Count),
@@ -28,14 +28,14 @@ internal static class OverlayBuilder
         Finish = WayTo(LastEndOf(toolpath, scale), inputs.Finish),
     };
 
-    /// <summary>A mark takes three times the memory of its place, and there may be millions.</summary>
+    /// <summary>Marks are created on access: a mark takes three times the memory of its point, and there may be millions.</summary>
     private static MadeList<SceneMark> StartMarks(Toolpath toolpath, double scale)
     {
         Point2D[] places = [.. toolpath.Strokes.Select(stroke => Scaled(stroke.Start, scale))];
         return new MadeList<SceneMark>(places.Length, index => new SceneMark(places[index], MarkKind.Start));
     }
 
-    /// <param name="findings">Places of others, drawing units.</param>
+    /// <param name="findings">Points of other findings, drawing units.</param>
     private static MadeList<SceneMark> FindingMarks(OpenEndList ends, double scale, IReadOnlyList<Point2D> findings) =>
         new(ends.Count + findings.Count, index => new SceneMark(index < ends.Count ? Scaled(ends.PlaceOf(index), scale) : findings[index - ends.Count], MarkKind.Finding));
 
@@ -44,7 +44,7 @@ internal static class OverlayBuilder
 
     public static IReadOnlyList<SceneMark> OriginMark(Point2D? origin) => origin is { } place ? [new SceneMark(place, MarkKind.Origin)] : [];
 
-    /// <summary>The way after the last stroke; nothing where either end is not known.</summary>
+    /// <summary>The travel after the last stroke; empty if either end is unknown.</summary>
     public static PrimitiveStore WayTo(Point2D? from, Point2D? to)
     {
         var store = new PrimitiveStoreBuilder();
@@ -54,7 +54,7 @@ internal static class OverlayBuilder
 
     private static Point2D? LastEndOf(Toolpath toolpath, double scale) => toolpath.Strokes is [.., var last] ? Scaled(last.End, scale) : null;
 
-    /// <summary>Lines between the polled places while the tool is on.</summary>
+    /// <summary>Lines between the polled positions while the tool is on.</summary>
     public static PrimitiveStore RecordedPath(IReadOnlyList<RecordedPlace> places)
     {
         var lines = new PrimitiveStoreBuilder();

@@ -6,10 +6,10 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Canvas.Overlays;
 
-/// <summary>The overlays of a drawing, made ready for the canvas. Immutable; drawing units.</summary>
+/// <summary>The overlays of a drawing, prepared for the canvas. Immutable; drawing units.</summary>
 public sealed class OverlayScene
 {
-    /// <summary>Steps of the colours of speed and of a run.</summary>
+    /// <summary>Number of steps of the colours of speed and of a run.</summary>
     internal const int RampSteps = 64;
 
     internal const ushort ClosedOutside = 0;
@@ -23,38 +23,39 @@ public sealed class OverlayScene
     /// <summary>No overlays.</summary>
     public static OverlayScene Empty { get; } = new();
 
-    /// <summary>Cutting moves of the job; the numbers of the engraved layer run from 0 to it.</summary>
+    /// <summary>Number of cutting moves of the job; the engraved layer uses 0 to this number.</summary>
     public int MoveCount { get; internal init; }
 
-    /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds. Made by the first picture that shows
+    /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds. Created when a picture first shows
     /// them.</summary>
     internal PrimitiveStore Contours => Unseen.Contours.Value;
 
     internal PrimitiveStore Rapids { get; init; } = PrimitiveStore.Empty;
 
-    /// <summary>The moves as they are cut; the entity of a primitive is the number of the move in the whole job, the colour its speed. Made by the first
-    /// picture that shows them.</summary>
+    /// <summary>The moves in cutting order; the entity of a primitive is the number of the move in the whole job, the colour its speed. Created when a
+    /// picture first shows them.</summary>
     internal PrimitiveStore CutPath => Unseen.CutPath.Value;
 
-    /// <summary>Colour: what the operator chose (CNCTRACE).</summary>
+    /// <summary>Colour: the value that the operator chose (CNCTRACE).</summary>
     internal PrimitiveStore Recorded { get; init; } = PrimitiveStore.Empty;
 
     /// <summary>The machine envelope.</summary>
     internal PrimitiveStore Machine { get; init; } = PrimitiveStore.Empty;
 
-    /// <summary>The way to where the machine goes after the last stroke.</summary>
+    /// <summary>The travel to the finish position after the last stroke.</summary>
     internal PrimitiveStore Finish { get; init; } = PrimitiveStore.Empty;
 
-    /// <summary>The curves that a controller runs through the points of the trajectories; colour: the deviation as a part of the error asked for.</summary>
+    /// <summary>The curves that a controller runs through the points of the trajectories; colour: the deviation as a fraction of the requested
+    /// error.</summary>
     internal PrimitiveStore Trajectories { get; init; } = PrimitiveStore.Empty;
 
     /// <summary>The corners and points of the trajectories.</summary>
     internal IReadOnlyList<SceneMark> TrajectoryMarks { get; init; } = [];
 
-    /// <summary>Made by the first picture that shows them.</summary>
+    /// <summary>Created when a picture first shows them.</summary>
     internal IReadOnlyList<SceneMark> OrderMarks => Unseen.OrderMarks.Value;
 
-    /// <summary>What most pictures do not show; 42 bytes and more a segment.</summary>
+    /// <summary>Overlays that most pictures do not show; at least 42 bytes per segment.</summary>
     internal UnseenOverlays Unseen { get; init; } = UnseenOverlays.None;
 
     internal IReadOnlyList<SceneMark> StartMarks { get; init; } = [];
@@ -84,8 +85,8 @@ public sealed class OverlayScene
         return nearest;
     }
 
-    /// <summary>The same scene with what else is known of the machine now.</summary>
-    /// <param name="inputs">Of these the envelope, the origin, the finish and the recorded places.</param>
+    /// <summary>The same scene with other machine data.</summary>
+    /// <param name="inputs">The envelope, the origin, the finish and the recorded positions are used.</param>
     public OverlayScene WithMachine(OverlayInputs inputs)
     {
         ArgumentNullException.ThrowIfNull(inputs);
@@ -101,7 +102,7 @@ public sealed class OverlayScene
     }
 
     /// <summary>The same scene with other trajectories.</summary>
-    /// <param name="scale">Drawing units for a millimetre.</param>
+    /// <param name="scale">Drawing units per millimetre.</param>
     public OverlayScene WithTrajectories(IReadOnlyList<DocumentTrajectory> trajectories, double scale)
     {
         ArgumentNullException.ThrowIfNull(trajectories);
@@ -114,21 +115,21 @@ public sealed class OverlayScene
         };
     }
 
-    /// <summary>Where the last stroke ends, drawing units; null when there is none.</summary>
+    /// <summary>End of the last stroke, drawing units; null if there is none.</summary>
     internal Point2D? LastEnd { get; init; }
 }
 
-/// <summary>Overlays that are made when a picture shows them for the first time, on the thread that draws it.</summary>
+/// <summary>Overlays that are created when a picture first shows them, on the thread that draws it.</summary>
 internal sealed record UnseenOverlays(Lazy<PrimitiveStore> Contours, Lazy<PrimitiveStore> CutPath, Lazy<IReadOnlyList<SceneMark>> OrderMarks)
 {
     public static UnseenOverlays None { get; } = new(new(PrimitiveStore.Empty), new(PrimitiveStore.Empty), new(Array.Empty<SceneMark>()));
 
-    /// <summary>One of them has been made.</summary>
+    /// <summary>At least one of them has been created.</summary>
     public bool IsAnyMade => Contours.IsValueCreated || CutPath.IsValueCreated || OrderMarks.IsValueCreated;
 }
 
 /// <summary>A recorded position of the machine.</summary>
 /// <param name="Place">Drawing units.</param>
-/// <param name="ErrorFraction">What is coloured, as a part of what is tolerated or of the largest: 0 none, 1 and above all of it.</param>
-/// <param name="ToolOn">False where the tool was up: the line to it is left out.</param>
+/// <param name="ErrorFraction">The coloured value as a fraction of its tolerance or of the largest value: 0 none, 1 and above all of it.</param>
+/// <param name="ToolOn">False if the tool was off: the line to the position is omitted.</param>
 public readonly record struct RecordedPlace(Point2D Place, double ErrorFraction, bool ToolOn);

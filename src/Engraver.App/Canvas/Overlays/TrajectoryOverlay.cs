@@ -6,16 +6,16 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Canvas.Overlays;
 
-/// <summary>Trajectories (millimetres) as the curve that is really run, coloured by its deviation, with points and corners (drawing units).</summary>
+/// <summary>Trajectories (millimetres) as the curve that the controller runs, coloured by its deviation, with points and corners (drawing units).</summary>
 internal static class TrajectoryOverlay
 {
-    /// <summary>Parts of each step with a colour of their own.</summary>
+    /// <summary>Parts of each step that have their own colour.</summary>
     private const int Parts = 8;
 
-    /// <summary>Points shown in all; the curve alone is shown of more.</summary>
+    /// <summary>Maximum number of points shown; above it only the curve is shown.</summary>
     private const int MostMarks = 50_000;
 
-    /// <param name="scale">Drawing units for a millimetre.</param>
+    /// <param name="scale">Drawing units per millimetre.</param>
     public static PrimitiveStore Curves(IReadOnlyList<DocumentTrajectory> trajectories, double scale)
     {
         var store = new PrimitiveStoreBuilder();
@@ -31,7 +31,7 @@ internal static class TrajectoryOverlay
         return store.Build();
     }
 
-    /// <summary>Corners first, for marks that would cover each other are left out.</summary>
+    /// <summary>Corners first, because marks that would overlap are omitted.</summary>
     public static IReadOnlyList<SceneMark> Marks(IReadOnlyList<DocumentTrajectory> trajectories, double scale)
     {
         SceneMark At(Point2D place, MarkKind kind) => new(new Point2D(place.X * scale, place.Y * scale), kind);

@@ -5,18 +5,18 @@ using Engraver.Core.Reshaping;
 
 namespace Engraver.App.Canvas.Picking;
 
-/// <summary>Finds the end, middle, centre, point, quadrant or intersection near the cursor, and of what lies under it the foot, the tangent and the nearest
-/// place. Drawing units.</summary>
+/// <summary>Finds the end, middle, centre, point, quadrant or intersection near the cursor, and the perpendicular, tangent and nearest point of what is
+/// under it. Drawing units.</summary>
 public static class ObjectSnap
 {
-    /// <summary>In a crowd only so many curves are crossed with each other.</summary>
+    /// <summary>Maximum number of curves that are intersected with each other.</summary>
     private const int MostCrossed = 48;
 
-    /// <summary>The nearest snap place within the aperture. What lies under the cursor offers its centre, its foot and its tangent however far they are,
-    /// when nothing else is nearer, and at last its nearest place; null when there is nothing.</summary>
-    /// <param name="kinds">Which snaps are on.</param>
+    /// <summary>The nearest snap point within the aperture. If nothing is nearer, what is under the cursor offers its centre, perpendicular and tangent at
+    /// any distance, and finally its nearest point; null if there is none.</summary>
+    /// <param name="kinds">The snaps that are on.</param>
     /// <param name="aperture">Half the side of the snap box.</param>
-    /// <param name="from">The point before, of which feet and tangents are; null: there are none.</param>
+    /// <param name="from">The previous point, for perpendiculars and tangents; null: none are offered.</param>
     public static SnapPoint? Find(CanvasScene scene, Point2D place, double aperture, SnapKinds kinds, Point2D? from = null)
     {
         ArgumentNullException.ThrowIfNull(scene);
@@ -62,7 +62,7 @@ public static class ObjectSnap
         }
     }
 
-    /// <summary>What the curves under the cursor offer however far it is.</summary>
+    /// <summary>The snap points of the curves under the cursor at any distance.</summary>
     private static IEnumerable<SnapPoint> SnapsUnder(List<Segment> under, SnapKinds kinds, Point2D? from)
     {
         foreach (var segment in under)
@@ -88,7 +88,7 @@ public static class ObjectSnap
 
         public SnapPoint? Best { get; private set; }
 
-        /// <summary>The nearest counts; of two in one place that with the lower number (an end before an intersection).</summary>
+        /// <summary>The nearest wins; of two at the same point, the one with the lower number (an end before an intersection).</summary>
         public void Offer(SnapPoint point)
         {
             var offset = point.Place - place;

@@ -3,10 +3,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Picking;
 
-/// <summary>What lies under the pickbox. Drawing units.</summary>
+/// <summary>Finds what is under the pickbox. Drawing units.</summary>
 public static class ScenePick
 {
-    /// <summary>The entity nearest to a place, no farther away than <paramref name="within"/>; ties to the one drawn last; null when there is none.</summary>
+    /// <summary>The entity nearest to a point within <paramref name="within"/>; of equal distances the one drawn last; null if there is none.</summary>
     public static int? Nearest(CanvasScene scene, Point2D place, double within)
     {
         ArgumentNullException.ThrowIfNull(scene);
@@ -20,7 +20,7 @@ public static class ScenePick
         return search.Entity < 0 ? null : search.Entity;
     }
 
-    /// <summary>Every entity no farther away, in the order of the drawing: what selection cycling goes through.</summary>
+    /// <summary>Every entity within the distance, in drawing order, for selection cycling.</summary>
     public static IReadOnlyList<int> All(CanvasScene scene, Point2D place, double within)
     {
         ArgumentNullException.ThrowIfNull(scene);
@@ -62,10 +62,10 @@ public static class ScenePick
     }
 }
 
-/// <summary>Distance from a place to a primitive, drawing units.</summary>
+/// <summary>Distance from a point to a primitive, drawing units.</summary>
 internal static class PrimitiveDistance
 {
-    /// <summary>Exact up to <paramref name="within"/>; beyond it any larger number may be answered.</summary>
+    /// <summary>Exact up to <paramref name="within"/>; beyond it the result may be any larger number.</summary>
     public static double Measure(PrimitiveStore store, in ScenePrimitive primitive, Point2D place, double within)
     {
         if (primitive.Kind == SegmentKind.Line) return new LineSegment(new Point2D(primitive.A, primitive.B), new Point2D(primitive.C, primitive.D)).DistanceTo(place);

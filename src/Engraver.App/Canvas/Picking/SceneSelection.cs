@@ -3,10 +3,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Picking;
 
-/// <summary>Window and crossing: what a box selects. Drawing units; entities in the order of the drawing.</summary>
+/// <summary>What a box selects as a window or a crossing. Drawing units; entities in drawing order.</summary>
 public static class SceneSelection
 {
-    /// <summary>Entities that lie wholly in the box, its border included (a window).</summary>
+    /// <summary>Entities completely in the box, its border included (a window).</summary>
     public static IReadOnlyList<int> Inside(CanvasScene scene, Bounds2D box)
     {
         ArgumentNullException.ThrowIfNull(scene);
@@ -30,7 +30,7 @@ public static class SceneSelection
         return found;
     }
 
-    /// <summary>Entities of which any point lies in the box, its border included (a crossing).</summary>
+    /// <summary>Entities with any point in the box, its border included (a crossing).</summary>
     public static IReadOnlyList<int> Touching(CanvasScene scene, Bounds2D box)
     {
         ArgumentNullException.ThrowIfNull(scene);

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Picking;
 
-/// <summary>The places of one segment that the cursor may snap to.</summary>
+/// <summary>The snap points of one segment.</summary>
 internal static class SnapPlaces
 {
     private const int SpansOfWholeEllipse = 4;
@@ -29,7 +29,7 @@ internal static class SnapPlaces
         return new Point2D((a.X + b.X) / 2.0, (a.Y + b.Y) / 2.0);
     }
 
-    /// <summary>Half way along a line or arc; of a spline half way through its parameter.</summary>
+    /// <summary>Midpoint of a line or arc; for a spline, the middle of its parameter range.</summary>
     private static Point2D MiddleOf(Segment segment) => segment.PointAt(0.5);
 
     private static IEnumerable<Point2D> QuadrantsOf(Segment segment)
@@ -62,17 +62,17 @@ public enum SnapKinds
     Quadrant = 16,
     Intersection = 32,
 
-    /// <summary>The foot of the line from the point before.</summary>
+    /// <summary>The foot of the perpendicular from the previous point.</summary>
     Perpendicular = 128,
 
-    /// <summary>Where a line from the point before touches.</summary>
+    /// <summary>The tangent point of a line from the previous point.</summary>
     Tangent = 256,
 
-    /// <summary>Any place of an object.</summary>
+    /// <summary>Any point of an object.</summary>
     Nearest = 512,
     All = End | Middle | Centre | Quadrant | Intersection,
 }
 
-/// <summary>A place that the cursor snaps to, and why (one kind).</summary>
+/// <summary>A snap point and its (single) kind.</summary>
 /// <param name="Place">Drawing units.</param>
 public readonly record struct SnapPoint(Point2D Place, SnapKinds Kind);

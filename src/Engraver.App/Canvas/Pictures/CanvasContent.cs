@@ -21,9 +21,9 @@ internal sealed record CanvasContent
     /// <summary>Selected entities of the drawing, by index; null: none.</summary>
     public bool[]? Selected { get; init; }
 
-    /// <summary>How many moves of the job are engraved, from the first on.</summary>
+    /// <summary>Number of moves of the job that are engraved, from the first on.</summary>
     public int EngravedMoves { get; init; }
 
-    /// <summary>Pixels of the screen for a pixel of the design.</summary>
+    /// <summary>Pixels of the screen per pixel of the design.</summary>
     public double Scaling { get; init; } = 1.0;
 }

@@ -7,7 +7,8 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>The layers of a picture from the lowest up: drawing, its points, selection, machine, contours, path, engraved, recorded, rapids, signs.</summary>
+/// <summary>The layers of a picture from the lowest up: drawing, its points, selection, machine, contours, path, engraved, recorded, rapids,
+/// marks.</summary>
 internal static class LayerStack
 {
     public static IReadOnlyList<IPictureLayer> Create(CanvasContent content, CanvasView view)

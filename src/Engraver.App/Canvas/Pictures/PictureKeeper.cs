@@ -3,7 +3,7 @@ using Engraver.App.Canvas.Views;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>Keeps the last finished picture and draws the wanted one. Until that is ready, the finished one is shown, moved and scaled to the wanted
+/// <summary>Keeps the last finished picture and draws the requested one. Until that is ready, the finished one is shown, moved and scaled to the requested
 /// view.</summary>
 /// <remarks>Called from one thread (that of the window); only the drawing itself runs on others.</remarks>
 internal sealed class PictureKeeper
@@ -12,14 +12,14 @@ internal sealed class PictureKeeper
     private Picture? _picture;
     private Action? _stopDrawing;
 
-    /// <summary>Raised on the thread that awaits <see cref="RefineAsync"/> after a new picture is there.</summary>
+    /// <summary>Raised on the thread that awaits <see cref="RefineAsync"/> after a new picture has been stored.</summary>
     public event EventHandler? Refined;
 
     public CanvasContent Content { get; set; } = new();
 
     public CanvasView View { get; set; }
 
-    /// <summary>The finished picture shows exactly what is wanted.</summary>
+    /// <summary>The finished picture shows exactly the requested content and view.</summary>
     public bool IsFresh => _picture is not null && _picture.View == View && ReferenceEquals(_drawnContent, Content);
 
     /// <summary>A picture is being drawn on other threads.</summary>
@@ -31,7 +31,7 @@ internal sealed class PictureKeeper
     /// <summary>There is a finished picture of this scene.</summary>
     public bool HasPictureOf(Scenes.CanvasScene? scene) => _picture is not null && ReferenceEquals(_drawnContent.Scene, scene);
 
-    /// <summary>Writes what can be shown at once. The time does not depend on the size of the drawing.</summary>
+    /// <summary>Writes what can be shown immediately. The time does not depend on the size of the drawing.</summary>
     /// <param name="target">Pixels 0xAARRGGBB.</param>
     /// <param name="stride">Pixels to a row of the target.</param>
     public void Show(Span<uint> target, int stride)
@@ -41,11 +41,11 @@ internal sealed class PictureKeeper
         else PictureMover.Move(_picture, View, Content.Theme.Background, target, stride);
     }
 
-    /// <summary>Draws the wanted picture on this thread (and the other cores).</summary>
+    /// <summary>Draws the requested picture on this thread (and the other cores).</summary>
     public void Refine(CancellationToken stop) => Take(Draw(Content, View, stop), Content);
 
-    /// <summary>Draws the wanted picture on other threads and takes it, unless something else is wanted before it is done.</summary>
-    /// <returns>False when another picture was wanted in the meantime.</returns>
+    /// <summary>Draws the requested picture on other threads and stores it, unless another one is requested before it is done.</summary>
+    /// <returns>False if another picture was requested in the meantime.</returns>
     public async Task<bool> RefineAsync()
     {
         Abandon();
@@ -55,7 +55,7 @@ internal sealed class PictureKeeper
         var (content, view) = (Content, View);
         try
         {
-            // Also a picture that is done at once is taken later: who has asked for it may still abandon it.
+            // Also a picture that is done immediately is stored asynchronously, because the caller may still cancel it.
             var picture = await Task.Run(() => Draw(content, view, drawing.Token), drawing.Token).ConfigureAwait(ConfigureAwaitOptions.ContinueOnCapturedContext | ConfigureAwaitOptions.ForceYielding);
             if (_stopDrawing != stop) return false;
             _stopDrawing = null;
@@ -64,7 +64,7 @@ internal sealed class PictureKeeper
         }
         catch (OperationCanceledException)
         {
-            return false; // another picture is wanted
+            return false; // another picture was requested
         }
     }
 

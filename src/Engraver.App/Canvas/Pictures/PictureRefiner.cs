@@ -2,8 +2,8 @@ using Avalonia.Threading;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>Decides when a picture is drawn anew: while the view moves the last picture is shown moved, and the wanted one is drawn once the view
-/// rests.</summary>
+/// <summary>Decides when a picture is redrawn: while the view moves, the last picture is shown moved, and the requested one is drawn when the view is at
+/// rest.</summary>
 internal sealed class PictureRefiner
 {
     private readonly PictureKeeper _keeper;
@@ -15,7 +15,7 @@ internal sealed class PictureRefiner
         _still.Tick += (_, _) => StandStill();
     }
 
-    /// <summary>How long the view must not move until it counts as resting.</summary>
+    /// <summary>Time without movement after which the view counts as being at rest.</summary>
     public TimeSpan Stillness
     {
         get => _still.Interval;
@@ -29,8 +29,8 @@ internal sealed class PictureRefiner
         DrawSoon();
     }
 
-    /// <summary>Draws the wanted picture once the view rests, the first one of all at once. A picture that is being drawn is finished first, so that steady
-    /// changes (a running machine) cannot starve it.</summary>
+    /// <summary>Draws the requested picture when the view is at rest; the first one of all immediately. A picture that is being drawn is finished first, so
+    /// that steady changes (a running machine) cannot starve it.</summary>
     public void DrawSoon()
     {
         if (_keeper.IsDrawing) return;
@@ -38,14 +38,14 @@ internal sealed class PictureRefiner
         else StandStill();
     }
 
-    /// <summary>Draws the wanted picture now.</summary>
+    /// <summary>Draws the requested picture immediately.</summary>
     public void RefineNow()
     {
         Rest();
         if (_keeper.View.Size.Width > 0) _keeper.Refine(CancellationToken.None);
     }
 
-    /// <summary>Stops drawing until another picture is wanted.</summary>
+    /// <summary>Stops drawing until another picture is requested.</summary>
     public void Rest()
     {
         _still.Stop();

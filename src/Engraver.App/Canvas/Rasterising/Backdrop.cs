@@ -3,8 +3,8 @@ using Engraver.App.Canvas.Views;
 
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>What lies under everything: the background, the grid and the two axes. Grid lines are whole pixels, so a picture needs only a level for each
-/// column and row.</summary>
+/// <summary>The lowest layer: the background, the grid and the two axes. Grid lines are whole pixels, so that a picture needs only a level for each column
+/// and row.</summary>
 internal sealed class Backdrop
 {
     private const byte Minor = 1;
@@ -12,7 +12,7 @@ internal sealed class Backdrop
     private const byte Axis = 3;
     private const byte AxisY = 4;
 
-    /// <summary>2^53: beyond it a double that is counted up by one stays as it is.</summary>
+    /// <summary>2^53: adding one to a larger double does not change it.</summary>
     private const double LargestLine = 9_007_199_254_740_992.0;
 
     private readonly uint[] _colours;
@@ -21,7 +21,7 @@ internal sealed class Backdrop
 
     private Backdrop(uint[] colours, byte[] columns, byte[] rows) => (_colours, _columns, _rows) = (colours, columns, rows);
 
-    /// <param name="grid">Whether the grid is on; axes belong to it.</param>
+    /// <param name="grid">Whether the grid is on; the axes belong to it.</param>
     public static Backdrop For(CanvasView view, CanvasTheme theme, bool grid)
     {
         var (columns, rows) = (new byte[view.Size.Width], new byte[view.Size.Height]);
@@ -46,8 +46,7 @@ internal sealed class Backdrop
         }
     }
 
-    /// <summary>Marks the lines between two places. Where lines lie closer than numbers of that size can tell apart (zoomed in far from zero), there are
-    /// none.</summary>
+    /// <summary>Marks the lines between two positions. None are marked if numbers of that size cannot distinguish them (zoomed in far from zero).</summary>
     private static void Mark(byte[] levels, double from, double to, GridStep step, Func<double, double> toPixel)
     {
         var (first, last) = (Math.Ceiling(from / step.Minor), Math.Floor(to / step.Minor));

@@ -3,10 +3,10 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>Draws lines into a tile: the coverage of a pixel is how far its centre lies inside a bar with round ends, from 0 half a pixel outside the edge
-/// to 1 half a pixel inside.</summary>
-/// <remarks>A pixel's coverage depends on the line alone, not on where the tile begins, so tiles meet without a seam. Works in double: ends may lie a
-/// billion pixels away.</remarks>
+/// <summary>Draws lines into a tile. The coverage of a pixel depends on how far its centre is inside a bar with round ends: from 0 half a pixel outside the
+/// edge to 1 half a pixel inside.</summary>
+/// <remarks>The coverage of a pixel depends only on the line, not on the tile, so that tiles meet without a seam. Computed in double: ends may be a billion
+/// pixels away.</remarks>
 internal static class LineRasteriser
 {
     /// <summary>Lines no longer than this in x and y are drawn by <see cref="DrawShort"/>, pixels.</summary>
@@ -35,7 +35,7 @@ internal static class LineRasteriser
         tile.Touch(top - tile.Top, bottom - tile.Top);
     }
 
-    /// <summary>The few pixels around a line of at most <see cref="ShortLine"/>: a large drawing seen whole consists of nothing else.</summary>
+    /// <summary>The few pixels around a line of at most <see cref="ShortLine"/>: a large drawing shown as a whole consists only of such lines.</summary>
     private static void DrawShort(PixelTile tile, double fromX, double fromY, double toX, double toY, uint colour, double reach)
     {
         var left = Math.Max(tile.Left, (int)Math.Ceiling(Math.Max(Math.Min(fromX, toX), tile.Left - 100.0) - reach - 0.5));
@@ -89,7 +89,7 @@ internal static class LineRasteriser
         if (level != 0 && level >= pixel >> 24) pixel = (level << 24) | colour;
     }
 
-    /// <summary>The tile seen along a line's longer direction u; v is the other one.</summary>
+    /// <summary>The tile in coordinates of a line: u is the longer direction of the line, v the other.</summary>
     private readonly struct Area(int minU, int countU, int minV, int countV, int stepU, int stepV)
     {
         public int MinU { get; } = minU;
@@ -105,7 +105,7 @@ internal static class LineRasteriser
         public int StepV { get; } = stepV;
     }
 
-    /// <summary>A line with its width, u growing from the first end to the second.</summary>
+    /// <summary>A line with its width; u increases from the first end to the second.</summary>
     private readonly struct Bar
     {
         private readonly double _u0;
@@ -132,16 +132,16 @@ internal static class LineRasteriser
             _slope = du > 0.0 ? dv / du : 0.0;
             _reach = pen.Reach;
             Span = _reach / _alongU;
-            var ends = Span + _reach; // the foot of a pixel lies at most this far from its column
+            var ends = Span + _reach; // maximum distance of the foot of a pixel from its column
             (_innerFrom, _innerTo) = (u0 + ends, u1 - ends);
         }
 
-        /// <summary>How far above and below the middle of the line pixels are touched.</summary>
+        /// <summary>Distance above and below the middle of the line within which pixels are touched.</summary>
         public double Span { get; }
 
         public double MiddleAt(double u) => _v0 + ((Math.Clamp(u, _u0, _u1) - _u0) * _slope);
 
-        /// <summary>Both ends are so far that only the distance from the line counts.</summary>
+        /// <summary>Both ends are so far away that only the distance from the line counts.</summary>
         public bool IsInner(double u) => u > _innerFrom && u < _innerTo && !_pen.IsDashed;
 
         public double InnerCoverage(double offset) => _reach - (Math.Abs(offset) * _alongU);
@@ -177,7 +177,7 @@ internal static class LineRasteriser
             return first <= last ? ((int)first, (int)last) : (0, -1);
         }
 
-        /// <summary>Rows of the area between the line's places in two columns, with its width.</summary>
+        /// <summary>Rows of the area between the line's positions in two columns, including its width.</summary>
         public (int First, int Last) Rows(in Area area, int first, int last)
         {
             var (a, b) = (MiddleAt(first + 0.5), MiddleAt(last + 0.5));
@@ -198,7 +198,7 @@ internal readonly record struct LinePen(double Width, double Dash = 0.0, double 
 
     public bool IsDashed => Dash > 0.0;
 
-    /// <summary>How far from its middle a line touches pixels (their centres): half the width and half a pixel.</summary>
+    /// <summary>Maximum distance from the middle of a line at which (the centres of) pixels are touched: half the width and half a pixel.</summary>
     public double Reach => (Width / 2.0) + 0.5;
 
     /// <summary>Is the line drawn at this distance from its start?</summary>

@@ -6,7 +6,7 @@ namespace Engraver.App.Canvas.Rasterising;
 /// <summary>Moves and scales the last picture to another view; the result is shown while a new one is drawn.</summary>
 internal static class PictureMover
 {
-    /// <summary>Every pixel takes the one that lies under its centre in the old picture; where there was none, the background.</summary>
+    /// <summary>Every pixel takes the value of the old picture under its centre, or the background where the old picture has none.</summary>
     public static void Move(Picture from, CanvasView to, uint background, Span<uint> target, int stride)
     {
         var columns = Sources(to.Size.Width, from.Width, x => from.View.ToPixels(to.ToDrawing(new Point2D(x + 0.5, 0.0))).X);
@@ -28,7 +28,7 @@ internal static class PictureMover
         }
     }
 
-    /// <summary>For each pixel of the new picture the column or row of the old one; -1 for none.</summary>
+    /// <summary>The column or row of the old picture for each pixel of the new one; -1 for none.</summary>
     private static int[] Sources(int count, int available, Func<int, double> placeOf)
     {
         var sources = new int[count];

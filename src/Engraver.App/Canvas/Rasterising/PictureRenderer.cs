@@ -6,7 +6,7 @@ namespace Engraver.App.Canvas.Rasterising;
 internal static class PictureRenderer
 {
     /// <summary>The picture of some layers, the first one lowest.</summary>
-    /// <exception cref="OperationCanceledException">Stopped; asked before each tile.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled; checked before each tile.</exception>
     public static Picture Render(IReadOnlyList<IPictureLayer> layers, CanvasView view, Backdrop backdrop, CancellationToken stop)
     {
         var picture = new Picture(view);
@@ -41,11 +41,11 @@ internal static class PictureRenderer
 /// <summary>One layer of a picture. Painted tile by tile from several threads at once.</summary>
 internal interface IPictureLayer
 {
-    /// <summary>Draws what the tile shows of the layer.</summary>
+    /// <summary>Draws the part of the layer that the tile shows.</summary>
     void Paint(CanvasView view, PixelTile tile);
 }
 
-/// <summary>An opaque picture, rows from the top, each pixel 0xAARRGGBB (in memory blue, green, red, alpha), and the view it shows.</summary>
+/// <summary>An opaque picture, rows from the top, each pixel 0xAARRGGBB (in memory blue, green, red, alpha), and its view.</summary>
 internal sealed class Picture(CanvasView view)
 {
     public CanvasView View { get; } = view;

@@ -1,8 +1,8 @@
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>A rectangle of the picture while it is drawn: one layer at a time as colour and coverage, then laid over the layers before.</summary>
-/// <remarks>Within a layer a pixel keeps its largest coverage (0xAARRGGBB, A = coverage 0 to 255): pieces that meet end to end look like one line, however
-/// short they are.</remarks>
+/// <summary>A rectangle of the picture while it is drawn: one layer at a time as colour and coverage, then blended over the previous layers.</summary>
+/// <remarks>Within a layer a pixel keeps its largest coverage (0xAARRGGBB, A = coverage 0 to 255), so that segments that meet end to end look like one
+/// line, however short they are.</remarks>
 internal sealed class PixelTile
 {
     public const int Side = 256;
@@ -30,14 +30,14 @@ internal sealed class PixelTile
         (_firstDirty, _lastDirty) = (Side, -1);
     }
 
-    /// <summary>Rows of the tile that were drawn on.</summary>
+    /// <summary>Marks rows of the tile as drawn.</summary>
     public void Touch(int firstRow, int lastRow)
     {
         if (firstRow < _firstDirty) _firstDirty = firstRow;
         if (lastRow > _lastDirty) _lastDirty = lastRow;
     }
 
-    /// <summary>Lays the layer over the picture and begins the next one.</summary>
+    /// <summary>Blends the layer over the picture and starts the next one.</summary>
     /// <param name="pixels">The whole picture.</param>
     /// <param name="stride">Pixels to a row of the picture.</param>
     public void Compose(uint[] pixels, int stride)
@@ -62,7 +62,7 @@ internal sealed class PixelTile
         }
     }
 
-    /// <summary>Part of the way from one opaque colour to another, in 255ths.</summary>
+    /// <summary>Interpolates between two opaque colours in 255ths.</summary>
     private static uint Mixed(uint under, uint over, uint coverage)
     {
         var (keep, take) = (255 - coverage, coverage);

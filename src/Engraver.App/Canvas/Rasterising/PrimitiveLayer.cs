@@ -5,20 +5,20 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>Primitives with the colours and the pen they are drawn with: blocks outside the tile are skipped unread, blocks smaller than a pixel become a
+/// <summary>Primitives with their colours and pen: blocks outside the tile are skipped without being read, blocks smaller than a pixel become a
 /// dot.</summary>
-/// <param name="palette">0xAARRGGBB for each palette index; an index beyond it takes the last.</param>
+/// <param name="palette">0xAARRGGBB for each palette index; a larger index takes the last.</param>
 /// <param name="pen">Pixels of the screen.</param>
 internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LinePen pen) : IPictureLayer
 {
-    /// <summary>A block no larger than this is drawn as one short line, pixels.</summary>
+    /// <summary>A block of at most this size is drawn as one short line, pixels.</summary>
     private const double DotSize = 0.75;
 
-    /// <summary>Only entities for which this is true (by entity index; what lies beyond is left out); null: all.</summary>
+    /// <summary>Only entities with the value true are drawn (by entity index; entities beyond the array are not drawn); null: all.</summary>
     public bool[]? Only { get; init; }
 
-    /// <summary>Entities from this one on take the last colour of the palette (still to do), those before it the first (engraved). Null: every primitive
-    /// has its own colour.</summary>
+    /// <summary>Entities from this one on take the last colour of the palette (remaining), those before it the first (engraved). Null: every primitive has
+    /// its own colour.</summary>
     public int? Done { get; init; }
 
     private LinePen Pen => pen;
@@ -39,7 +39,7 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
         }
     }
 
-    /// <summary>Curves are cut off outside the whole picture, not outside the tile: their chords are then the same in every tile.</summary>
+    /// <summary>Curves are clipped outside the whole picture, not outside the tile, so that their chords are the same in every tile.</summary>
     private Bounds2D Clip(CanvasView view) => new Bounds2D(0.0, 0.0, view.Size.Width, view.Size.Height).Grown(pen.Reach + 2.0);
 
     private void PaintBlock(int block, in Bounds2D seen, ref Brush brush)
@@ -100,7 +100,7 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
             (line.A < seen.MinX && line.C < seen.MinX) || (line.A > seen.MaxX && line.C > seen.MaxX)
             || (line.B < seen.MinY && line.D < seen.MinY) || (line.B > seen.MaxY && line.D > seen.MaxY);
 
-        /// <summary>Level and upright lines stand on whole pixels: one sharp row instead of two grey ones.</summary>
+        /// <summary>Horizontal and vertical lines are moved to whole pixels: one sharp row instead of two grey ones.</summary>
         private readonly double Snapped(double pixel) => (int)Math.Round(_pen.Width) % 2 == 0 ? Math.Round(pixel) : Math.Floor(pixel) + 0.5;
     }
 }

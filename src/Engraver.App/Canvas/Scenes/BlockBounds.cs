@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>Finds the box of every block, on all cores.</summary>
+/// <summary>Computes the box of every block, on all cores.</summary>
 internal static class BlockBounds
 {
     private const int FewestForTwoCores = 1024;

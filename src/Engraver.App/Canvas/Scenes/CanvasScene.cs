@@ -4,9 +4,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>A drawing made ready for the canvas, once for each state of the document. It may be drawn and searched from all threads. Entities that are
-/// hidden or on layers that are off or frozen are not in it.</summary>
-/// <remarks>Where entities cross, the one that is drawn on top follows from where they are, not from the order of the drawing.</remarks>
+/// <summary>A drawing prepared for the canvas, once for each state of the document. It may be drawn and searched from all threads. Hidden entities and
+/// entities on layers that are off or frozen are excluded.</summary>
+/// <remarks>Where entities cross, the order of drawing depends on their positions, not on their order in the drawing.</remarks>
 public sealed class CanvasScene
 {
     private CanvasScene(Drawing drawing, EntityColours colours, PrimitiveStore store)
@@ -22,21 +22,21 @@ public sealed class CanvasScene
 
     public EntityColours Colours { get; }
 
-    /// <summary>Tight box of what is visible; empty when nothing is.</summary>
+    /// <summary>Tight box of the visible entities; empty if there are none.</summary>
     public Bounds2D Extents => Store.Bounds;
 
-    /// <summary>Lines, arcs, circles and curves in it.</summary>
+    /// <summary>Number of lines, arcs, circles and curves.</summary>
     public int PrimitiveCount => Store.Count;
 
     internal PrimitiveStore Store { get; }
 
-    /// <summary>The points that can be seen.</summary>
+    /// <summary>The visible points.</summary>
     internal IReadOnlyList<PlacedPoint> Points { get; }
 
-    /// <summary>Their places by their colours, an index or a true colour, faded on locked layers.</summary>
+    /// <summary>Positions of the points by colour (an index or a true colour), faded on locked layers.</summary>
     internal ILookup<(DrawingColour Colour, bool IsFaded), Point2D> PointColours { get; }
 
-    /// <param name="colours">Colours of the entities; null: those that the drawing states.</param>
+    /// <param name="colours">Colours of the entities; null: those that the drawing defines.</param>
     public static CanvasScene From(Drawing drawing, EntityColours? colours = null)
     {
         ArgumentNullException.ThrowIfNull(drawing);

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>Sorts primitives so that neighbours in the drawing are neighbours in memory: by size class, then along Morton's curve. Equal keys keep the
+/// <summary>Sorts primitives so that neighbours in the drawing are neighbours in memory: by size class, then along the Morton curve. Equal keys keep the
 /// order of the drawing.</summary>
 internal static class NeighbourOrder
 {
@@ -11,11 +11,11 @@ internal static class NeighbourOrder
     private const int Digits = 3;
     private const double LastCell = 32767.0;
 
-    /// <summary>Borders between the size classes, as parts of the frame: what is longer than a quarter, a sixteenth, a 64th of it does not share a block
-    /// with smaller things.</summary>
+    /// <summary>Borders between the size classes, as fractions of the frame: primitives longer than a quarter, a sixteenth or a 64th of it do not share a
+    /// block with smaller ones.</summary>
     private static readonly double[] s_classes = [1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0];
 
-    /// <summary>The order in memory: for each place the index of its primitive.</summary>
+    /// <summary>The order in memory: the index of the primitive for each position.</summary>
     public static int[] Sort(ReadOnlyMemory<Bounds2D> boxes)
     {
         var frame = FrameOf(boxes.Span);
@@ -29,7 +29,7 @@ internal static class NeighbourOrder
         return Sorted(keys);
     }
 
-    /// <summary>Where most of the drawing is: a stray point far away must not press everything else into one cell.</summary>
+    /// <summary>The box of most of the drawing: a stray point far away must not put all other primitives into one cell.</summary>
     private static Bounds2D FrameOf(ReadOnlySpan<Bounds2D> boxes)
     {
         if (boxes.IsEmpty) return new Bounds2D(0.0, 0.0, 1.0, 1.0);
@@ -62,7 +62,7 @@ internal static class NeighbourOrder
         return size > whole * s_classes[0] ? 0u : size > whole * s_classes[1] ? 1u : size > whole * s_classes[2] ? 2u : 3u;
     }
 
-    /// <summary>Puts a zero between the bits.</summary>
+    /// <summary>Inserts a zero between the bits.</summary>
     private static uint Spread(uint value)
     {
         value = (value | (value << 8)) & 0x00FF00FF;

@@ -2,9 +2,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>Primitives in blocks of neighbours, each block with its box: the whole spatial index. Immutable, safe for all threads.</summary>
-/// <remarks>A scan over the boxes of a million primitives reads 16 thousand of them, about as long as a tree would take to descend, and costs half a byte
-/// for each primitive.</remarks>
+/// <summary>Primitives in blocks of neighbours, each block with its box, which is the complete spatial index. Immutable, safe for all threads.</summary>
+/// <remarks>A scan of a million primitives reads the boxes of 16 thousand blocks, which takes about as long as descending a tree, and costs half a byte per
+/// primitive.</remarks>
 internal sealed class PrimitiveStore
 {
     public const int BlockSize = 64;
@@ -32,12 +32,12 @@ internal sealed class PrimitiveStore
     /// <summary>Tight box of each block.</summary>
     public Bounds2D[] Blocks { get; }
 
-    /// <summary>Tight box of everything.</summary>
+    /// <summary>Tight box of all primitives.</summary>
     public Bounds2D Bounds { get; }
 
     public int Count => Primitives.Length;
 
-    /// <summary>Rough size in memory, curves of the drawing itself not counted.</summary>
+    /// <summary>Approximate size in memory, without the curves of the drawing itself.</summary>
     public long Bytes => (Primitives.LongLength * 40) + (Arcs.LongLength * 16) + (Blocks.LongLength * 32) + (Curves.LongLength * 8);
 
     /// <summary>The primitives of a block.</summary>

@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>Collects primitives in the order of the drawing and makes the store of them. For small scenes and overlays; the parts of a drawing are
-/// collected faster by <see cref="DrawingPrimitives"/>.</summary>
+/// <summary>Collects primitives in drawing order and creates their store. For small scenes and overlays; <see cref="DrawingPrimitives"/> collects the parts
+/// of a drawing faster.</summary>
 internal sealed class PrimitiveStoreBuilder
 {
     private readonly List<ScenePrimitive> _primitives = [];
@@ -53,7 +53,7 @@ internal sealed class PrimitiveStoreBuilder
     }
 }
 
-/// <summary>A row of numbers cut into as many equal ranges as there are cores.</summary>
+/// <summary>Divides a range of numbers into as many equal ranges as there are cores.</summary>
 internal static class CoreRanges
 {
     public static (int From, int To)[] Split(int count)

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>One line, arc, circle or free curve ready to be drawn, drawing units. 40 bytes, so that a million of them pass through both cores in a few
+/// <summary>One line, arc, circle or free curve prepared for drawing, drawing units. 40 bytes, so that two cores process a million of them in a few
 /// milliseconds.</summary>
 /// <remarks>Line: A,B start, C,D end. Arc and circle: A,B centre, C radius, D index into the store's arcs. Ellipse and spline: A index into the store's
 /// curves.</remarks>
@@ -15,10 +15,10 @@ internal struct ScenePrimitive
     public double C;
     public double D;
 
-    /// <summary>What it belongs to: for a drawing the index into its entities.</summary>
+    /// <summary>The owner: for a drawing, the index of the entity.</summary>
     public int Entity;
 
-    /// <summary>Index into the palette that it is drawn with.</summary>
+    /// <summary>Index into the palette.</summary>
     public ushort Colour;
 
     public SegmentKind Kind;

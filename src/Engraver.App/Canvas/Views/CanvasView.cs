@@ -3,19 +3,19 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Views;
 
-/// <summary>Which part of the drawing the canvas shows. Drawing units; pixels are those of the screen, x to the right, y down, from the upper left
+/// <summary>The part of the drawing that the canvas shows. Drawing units; pixels are those of the screen, x to the right, y down, from the upper left
 /// corner.</summary>
-/// <param name="Centre">The place in the middle of the picture.</param>
-/// <param name="UnitsPerPixel">Drawing units that one pixel covers, above 0.</param>
+/// <param name="Centre">The point in the middle of the picture.</param>
+/// <param name="UnitsPerPixel">Drawing units per pixel, above 0.</param>
 public readonly record struct CanvasView(Point2D Centre, double UnitsPerPixel, PixelSize Size)
 {
     public double PixelsPerUnit => 1.0 / UnitsPerPixel;
 
-    /// <summary>The part of the drawing that is seen, drawing units.</summary>
+    /// <summary>The visible part of the drawing, drawing units.</summary>
     public Bounds2D Window => WindowOf(0.0, 0.0, Size.Width, Size.Height);
 
-    /// <summary>The view in which a box fills the picture but for a margin. An empty or point-like box is shown as if it were one unit wide.</summary>
-    /// <param name="margin">Part of the picture that stays free on each side, below 0.5.</param>
+    /// <summary>The view in which a box fills the picture except for a margin. An empty or point-like box is shown as if it were one unit wide.</summary>
+    /// <param name="margin">Fraction of the picture that stays free on each side, below 0.5.</param>
     public static CanvasView Fitting(Bounds2D box, PixelSize size, double margin = 0.03)
     {
         if (box.IsEmpty) box = new Bounds2D(-0.5, -0.5, 0.5, 0.5);
@@ -37,13 +37,13 @@ public readonly record struct CanvasView(Point2D Centre, double UnitsPerPixel, P
     public Bounds2D WindowOf(double left, double top, double width, double height) =>
         Bounds2D.FromCorners(ToDrawing(new Point2D(left, top)), ToDrawing(new Point2D(left + width, top + height)));
 
-    /// <summary>The view enlarged (factor above 1) or shrunk about the place under a pixel.</summary>
+    /// <summary>The view enlarged (factor above 1) or shrunk around the point under a pixel.</summary>
     public CanvasView ZoomedAbout(Point2D pixel, double factor)
     {
         var place = ToDrawing(pixel);
         return new CanvasView(place + ((Centre - place) * (1.0 / factor)), UnitsPerPixel / factor, Size);
     }
 
-    /// <summary>The view after the drawing was moved by so many pixels.</summary>
+    /// <summary>The view after moving the drawing by a number of pixels.</summary>
     public CanvasView PannedBy(Vector2D pixels) => this with { Centre = Centre + new Vector2D(-pixels.X * UnitsPerPixel, pixels.Y * UnitsPerPixel) };
 }
