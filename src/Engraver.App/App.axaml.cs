@@ -16,8 +16,8 @@ public partial class App : Application
 {
     public override void Initialize() => AvaloniaXamlLoader.Load(this);
 
-    /// <summary>Opens the window of a session; its theme follows the view. While it is open every window of the program hears the stop keys, and failures
-    /// of the program are reported.</summary>
+    /// <summary>Opens the window of a session; its theme follows the view. While it is open, the stop keys work in every window of the program, and
+    /// failures of the program are reported.</summary>
     public ShellWindow OpenShell(DesktopSession session)
     {
         ArgumentNullException.ThrowIfNull(session);
@@ -48,7 +48,7 @@ public partial class App : Application
         }
     }
 
-    /// <summary>Esc leaves a dialog (a file dialog too), unless it stopped the machine or closed something in the dialog.</summary>
+    /// <summary>Esc closes a dialog (a file dialog too), unless it stopped the machine or closed something inside the dialog.</summary>
     private static void LeaveDialog(Window window, KeyEventArgs e)
     {
         if (e.Key != Key.Escape || window is ShellWindow || window.Owner is null) return;
@@ -56,6 +56,6 @@ public partial class App : Application
         window.Close();
     }
 
-    /// <summary>Hands a key to the stop keys, unless it was pressed in the shell, which asks them itself.</summary>
+    /// <summary>Passes a key to the stop keys, unless it was pressed in the shell, which handles the stop keys itself.</summary>
     private static bool PressOnce(StopKeys stopKeys, KeyEventArgs e) => TopLevel.GetTopLevel(e.Source as Visual) is not ShellWindow && stopKeys.Press(e.Key, e.KeyModifiers);
 }

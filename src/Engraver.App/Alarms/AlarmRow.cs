@@ -5,7 +5,7 @@ using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.App.Alarms;
 
-/// <summary>An alarm: when, what, where, what to do.</summary>
+/// <summary>An alarm: time, sentence, place, and what to do.</summary>
 public sealed class AlarmRow(Alarm alarm, Act acknowledge)
 {
     public int Number => alarm.Number;
@@ -20,7 +20,7 @@ public sealed class AlarmRow(Alarm alarm, Act acknowledge)
 
     public string ToDo => alarm.ToDo;
 
-    /// <summary>Priority by shape as well as colour: the first-out has a mark of its own.</summary>
+    /// <summary>Shows the priority by shape as well as by colour: the first-out alarm has its own mark.</summary>
     public string Mark => alarm.IsFirstOut ? "▲ 1" : "▲";
 
     public bool IsActive => alarm.IsActive;

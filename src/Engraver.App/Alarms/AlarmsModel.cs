@@ -4,7 +4,7 @@ using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.App.Alarms;
 
-/// <summary>The alarms, newest first. Acknowledging says "seen" and resets nothing.</summary>
+/// <summary>The alarms, newest first. Acknowledging marks an alarm as seen and resets nothing.</summary>
 public sealed class AlarmsModel : Observable
 {
     private readonly DesktopModel _desk;

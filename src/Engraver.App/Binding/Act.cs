@@ -16,6 +16,6 @@ public sealed class Act(Action<object?> what, Func<bool>? possible = null) : ICo
 
     public void Execute(object? parameter) => what(parameter);
 
-    /// <summary>Lets buttons and menu items look again whether it is possible.</summary>
+    /// <summary>Makes buttons and menu items query <see cref="CanExecute"/> again.</summary>
     public void Reconsider() => CanExecuteChanged?.Invoke(this, EventArgs.Empty);
 }

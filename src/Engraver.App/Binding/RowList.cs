@@ -2,9 +2,9 @@ using System.Collections;
 
 namespace Engraver.App.Binding;
 
-/// <summary>Rows that are made when they are looked at: a list of a million costs nothing until it is scrolled. Read-only, as a list control wants
-/// it.</summary>
-/// <typeparam name="T">A row; two of the same place must be equal.</typeparam>
+/// <summary>A list whose rows are created on access, so that a list of a million rows costs nothing until it is scrolled. Read-only; implements
+/// <see cref="IList"/> because list controls require it.</summary>
+/// <typeparam name="T">A row; two rows of the same index must be equal.</typeparam>
 public sealed class RowList<T>(int count, Func<int, T> make, Func<T, int> placeOf) : IReadOnlyList<T>, IList
     where T : class
 {

@@ -6,17 +6,17 @@ using Avalonia.Media;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>A line of the history. Two or more spaces between words are a tabulator: commands pad their columns for a terminal, and here the parts stand
-/// under each other too, whatever the font. The last part wraps.</summary>
+/// <summary>A line of the history. Two or more spaces between words are a tabulator: commands pad their columns for a terminal, and here the columns are
+/// aligned in any font. The last column wraps.</summary>
 public sealed partial class ColumnText : Panel
 {
     public static readonly StyledProperty<HistoryLine?> LineProperty = AvaloniaProperty.Register<ColumnText, HistoryLine?>(nameof(Line));
 
-    /// <summary>The room of one character of a terminal, units of 1/96 inch: a capital of the history's font, so that a name in capitals ends before the
+    /// <summary>The width of one character of a terminal, units of 1/96 inch: a capital of the history's font, so that a name in capitals ends before the
     /// next column.</summary>
     private const double Pitch = 7.6;
 
-    /// <summary>Least room between two parts.</summary>
+    /// <summary>Minimum space between two columns.</summary>
     private const double Gap = 10;
 
     private IReadOnlyList<int> _columns = [];
@@ -29,7 +29,7 @@ public sealed partial class ColumnText : Panel
         set => SetValue(LineProperty, value);
     }
 
-    /// <summary>The parts of a line with the character at which each begins; a line without columns is one part, indented as it is.</summary>
+    /// <summary>The parts of a line with the character at which each starts; a line without columns is one part with its indentation.</summary>
     public static IReadOnlyList<(int Column, string Text)> PartsOf(string line)
     {
         ArgumentNullException.ThrowIfNull(line);
@@ -67,7 +67,7 @@ public sealed partial class ColumnText : Panel
     [GeneratedRegex(@"\S+(?: \S+)*")]
     private static partial Regex Part();
 
-    /// <summary>A part stands at its column, or behind a longer one before it.</summary>
+    /// <summary>A part is at its column, or after a longer part before it.</summary>
     private double LeftOf(int part, double right) => part == 0 ? _columns[0] * Pitch / 2 : Math.Max(_columns[part] * Pitch, right + Gap);
 
     private void Fill()

@@ -6,10 +6,10 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>The command line, in sight whatever page is in front. Typing anywhere in the shell arrives at <see cref="Type"/>.</summary>
+/// <summary>The command line, visible whatever page is in front. Text typed anywhere in the shell arrives at <see cref="Type"/>.</summary>
 public partial class CommandLineView : UserControl
 {
-    /// <summary>How many of the suggestions are seen at once; the rest is scrolled to.</summary>
+    /// <summary>Maximum number of visible suggestions; the rest are scrolled.</summary>
     private const int SuggestionsSeen = 12;
 
     public CommandLineView()
@@ -27,7 +27,7 @@ public partial class CommandLineView : UserControl
 
     private CommandWindowModel Model => (CommandWindowModel)DataContext!;
 
-    /// <summary>Text that was typed somewhere else goes into the line; Space may end it.</summary>
+    /// <summary>Text typed elsewhere is inserted into the line; Space may end it.</summary>
     public void Type(string text)
     {
         if (text == " " && Model.SpaceSubmits)
@@ -41,12 +41,12 @@ public partial class CommandLineView : UserControl
         LineBox.CaretIndex = Model.Line.Length;
     }
 
-    /// <summary>Ctrl+V: text goes into the line as it would be typed, several lines go to the commands.</summary>
+    /// <summary>Ctrl+V: a single line is inserted as if typed, several lines are passed to the commands.</summary>
     public async Task PasteAsync()
     {
         var clipboard = TopLevel.GetTopLevel(this)?.Clipboard;
         if (clipboard is null || await clipboard.TryGetTextAsync() is not { Length: > 0 } text) return;
-        var line = text.TrimEnd('\r', '\n'); // a single line, with its line end or without, is typed and not run: a file name may hold spaces
+        var line = text.TrimEnd('\r', '\n'); // a single line, with or without its line end, is inserted and not run, because a file name may contain spaces
         if (line.AsSpan().ContainsAny('\r', '\n'))
         {
             Model.Paste(text);
@@ -58,8 +58,8 @@ public partial class CommandLineView : UserControl
         LineBox.SelectedText = line;
     }
 
-    /// <summary>A key that was pressed somewhere else.</summary>
-    /// <returns>True when it was one for the command line.</returns>
+    /// <summary>A key that was pressed elsewhere.</summary>
+    /// <returns>True if the command line handled it.</returns>
     public bool Press(Key key)
     {
         switch (key)
@@ -93,7 +93,7 @@ public partial class CommandLineView : UserControl
         e.Handled = true;
     }
 
-    /// <summary>Takes over pasting from the text box, which would take the first line and drop the others.</summary>
+    /// <summary>Replaces the pasting of the text box, which would take the first line and drop the others.</summary>
     private void OnPasting(object? sender, RoutedEventArgs e)
     {
         e.Handled = true;

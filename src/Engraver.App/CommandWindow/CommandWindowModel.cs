@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>The command window and its line: history, prompt with its options, the line being typed, suggestions.</summary>
+/// <summary>The command window and its line: history, prompt with its options, the typed line, suggestions.</summary>
 public sealed class CommandWindowModel : Observable, ISeen
 {
     private const int MostLines = 5000;
@@ -29,27 +29,27 @@ public sealed class CommandWindowModel : Observable, ISeen
 
     public ObservableCollection<HistoryLine> History { get; } = [];
 
-    /// <summary>The history is in sight. While it is not, the line that was said last stands at the command line.</summary>
+    /// <summary>The history is visible. While it is not, the command line shows the last message.</summary>
     public bool IsSeen
     {
         get => _isSeen;
         set => Set(ref _isSeen, value);
     }
 
-    /// <summary>The line that was said last; null at the start.</summary>
+    /// <summary>The last message; null at the start.</summary>
     public HistoryLine? Last => History.LastOrDefault(line => line.Text.Trim().Length > 0);
 
     /// <summary>A click on an option of the prompt.</summary>
     public Act Choose { get; }
 
-    /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
+    /// <summary>Instruction and default without the options, which are shown beside it as buttons.</summary>
     public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command." + Work(_desk.Session.Machine.Status.State)) : PromptLine.WithoutOptions(_desk.Prompt.Text);
 
     public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
 
     public bool HasOptions => Options.Count > 0;
 
-    /// <summary>What is being typed.</summary>
+    /// <summary>The typed text.</summary>
     public string Line
     {
         get => _line;
@@ -60,7 +60,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         }
     }
 
-    /// <summary>Completions of a command name; empty while a prompt waits for something else.</summary>
+    /// <summary>Completions of a command name; empty while a prompt requests something else.</summary>
     public IReadOnlyList<CommandSuggestion> Suggestions
     {
         get => _suggestions;
@@ -73,18 +73,18 @@ public sealed class CommandWindowModel : Observable, ISeen
 
     public bool HasSuggestions => _suggestions.Count > 0;
 
-    /// <summary>Index of the suggestion that Tab would take; -1 for none.</summary>
+    /// <summary>Index of the suggestion that Tab takes; -1 for none.</summary>
     public int Suggested
     {
         get => _suggested;
         set => Set(ref _suggested, value);
     }
 
-    /// <summary>True when Space ends the input, as Enter does: everywhere but in an answer that may hold spaces, and in a path, which may be typed before
-    /// the command has asked for it.</summary>
+    /// <summary>True if Space ends the input, as Enter does: except in an answer that may contain spaces, and in a path, which may be typed before the
+    /// command has requested it.</summary>
     public bool SpaceSubmits => !_desk.Prompt.TakesSpaces && !TypedFileName.IsPath(_line);
 
-    /// <summary>Enter (or Space): the line goes to the command session.</summary>
+    /// <summary>Enter (or Space): passes the line to the command session.</summary>
     public void Submit()
     {
         var input = Line;
@@ -93,8 +93,8 @@ public sealed class CommandWindowModel : Observable, ISeen
         _ = _desk.TypeAsync(DirectDistance.Read(input, _desk.Session.DistanceFrom, _desk.Cursor));
     }
 
-    /// <summary>Pasted text of several lines: the whole ones go to the command session behind what was typed, what follows the last line's end stays to be
-    /// typed on.</summary>
+    /// <summary>Pasted text of several lines: complete lines are passed to the command session after the typed text; an incomplete last line stays in the
+    /// command line.</summary>
     public void Paste(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
@@ -104,7 +104,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         _ = _desk.EnterLinesAsync(all[..(end + 1)]);
     }
 
-    /// <summary>What is being typed, which goes on elsewhere.</summary>
+    /// <summary>Takes the typed text from the line, for use elsewhere.</summary>
     public string TakeLine()
     {
         var line = Line;
@@ -129,10 +129,10 @@ public sealed class CommandWindowModel : Observable, ISeen
         (Suggestions, Suggested) = (suggestions, next);
     }
 
-    /// <summary>What was entered last, newest first, without commands that start motion: for a menu.</summary>
+    /// <summary>The last inputs, newest first, without commands that start motion: for a menu.</summary>
     public IReadOnlyList<string> Recent => [.. _inputs.Recent.Where(input => _desk.Session.Catalog.Find(_desk.Session.Aliases.Commands.GetValueOrDefault(input.ToUpperInvariant(), input)) is not { Info.StartsMotion: true })];
 
-    /// <summary>Enters a recent input once more.</summary>
+    /// <summary>Repeats a recent input.</summary>
     public void Again(string input)
     {
         Line = "";
@@ -144,14 +144,15 @@ public sealed class CommandWindowModel : Observable, ISeen
 
     public void Forward() => Recall(_inputs.Forward(Line));
 
-    /// <summary>Esc: first what is typed, then what asks.</summary>
+    /// <summary>Esc: first clears the typed text, then cancels the prompt.</summary>
     public void Cancel()
     {
         Line = "";
         _ = _desk.CancelAsync();
     }
 
-    /// <summary>What is at work while nothing is asked, and what ends it: Esc holds a job that runs, and does nothing to one that brakes or is held.</summary>
+    /// <summary>The running operation while there is no prompt, and how it is ended: Esc holds a running job, and does nothing to one that is braking or
+    /// held.</summary>
     private static string Work(MachineState state) => state switch
     {
         MachineState.Running or MachineState.DryRun => "JobRunning",
@@ -160,7 +161,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         _ => "Working",
     };
 
-    /// <summary>The name of a suggested command, with the apostrophe before it where one was typed.</summary>
+    /// <summary>The name of a suggested command, with the typed apostrophe before it, if any.</summary>
     private string Named(CommandSuggestion suggestion) => (Line.StartsWith('\'') ? "'" : "") + suggestion.Command.Name;
 
     private void Recall(string line)

@@ -3,7 +3,7 @@ using Avalonia.Threading;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>The page of the command window: everything that was typed and said.</summary>
+/// <summary>The page of the command window: all inputs and messages.</summary>
 public partial class CommandWindowView : UserControl
 {
     private bool _scrolling;
@@ -15,7 +15,7 @@ public partial class CommandWindowView : UserControl
         HistoryList.SizeChanged += OnHistory;
     }
 
-    /// <summary>Scrolls to the last line, also when the room for the lines changes, once for any number of new lines.</summary>
+    /// <summary>Scrolls to the last line, also when the available height changes; once for any number of new lines.</summary>
     private void OnHistory(object? sender, EventArgs e)
     {
         if (_scrolling) return;

@@ -2,10 +2,10 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>A line of the history as it is shown; a message of several lines becomes several.</summary>
+/// <summary>A displayed line of the history; a message of several lines becomes several lines.</summary>
 public sealed record HistoryLine(MessageKind Kind, string Text)
 {
-    /// <summary>Most lines of one message that are shown; nobody reads a million lines in a window.</summary>
+    /// <summary>Maximum number of displayed lines of one message, which may have a million.</summary>
     private const int MostLinesOfOneMessage = 2000;
 
     public bool IsError => Kind == MessageKind.Error;

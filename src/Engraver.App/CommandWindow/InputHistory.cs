@@ -1,6 +1,6 @@
 namespace Engraver.App.CommandWindow;
 
-/// <summary>What was typed before, for the Up and Down keys. The text in the line before the first Up is kept and comes back after the last entry.</summary>
+/// <summary>Earlier inputs for the Up and Down keys. The text in the line before the first Up is kept and comes back after the last entry.</summary>
 public sealed class InputHistory
 {
     private const int MostRecent = 10;
@@ -8,7 +8,7 @@ public sealed class InputHistory
     private int _at;
     private string _unfinished = "";
 
-    /// <summary>The newest first, each once, ten at most: the recent input of a menu.</summary>
+    /// <summary>The ten most recent distinct inputs, newest first, for a menu.</summary>
     public IReadOnlyList<string> Recent => [.. _inputs.AsEnumerable().Reverse().Distinct(StringComparer.OrdinalIgnoreCase).Take(MostRecent)];
 
     public void Add(string input)

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 
 namespace Engraver.App.CommandWindow;
 
-/// <summary>Gives its child a height of whole rows, at the bottom, so that the first row in sight is not cut through.</summary>
+/// <summary>Gives its child a height of whole rows, aligned to the bottom, so that the first visible row is not cut off.</summary>
 public sealed class WholeRows : Decorator
 {
     /// <summary>Of one row, units of 1/96 inch.</summary>

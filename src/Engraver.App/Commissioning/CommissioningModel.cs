@@ -6,7 +6,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Commissioning;
 
-/// <summary>The page of commissioning: its steps, where it stands, and the answers to its questions as buttons, which type them into the conversation of
+/// <summary>The commissioning page: its steps, their state, and buttons for the answers, which are entered into the conversation of
 /// CNCCOMMISSION.</summary>
 public sealed class CommissioningModel : Observable
 {
@@ -33,7 +33,7 @@ public sealed class CommissioningModel : Observable
     /// <summary>A click on one of the answers.</summary>
     public Act Answer { get; }
 
-    /// <summary>Enter alone: what is there stays.</summary>
+    /// <summary>Enter alone: keeps the present value.</summary>
     public Act Keep { get; }
 
     public IReadOnlyList<CommissioningRow> Steps
@@ -44,7 +44,7 @@ public sealed class CommissioningModel : Observable
 
     public bool IsUnderWay => _desk.Session.Commissioning.IsUnderWay;
 
-    /// <summary>The question without its options; empty while none is asked.</summary>
+    /// <summary>The question without its options; empty while there is none.</summary>
     public string Question => IsAsked ? PromptLine.WithoutOptions(_desk.Prompt.Text) : IsUnderWay ? Text.Get("Command.Working") : "";
 
     public IReadOnlyList<Keyword> Answers
@@ -53,12 +53,12 @@ public sealed class CommissioningModel : Observable
         private set => Set(ref _answers, value);
     }
 
-    /// <summary>Enter stands for a value that is no option.</summary>
+    /// <summary>Enter accepts a value that is not an option.</summary>
     public bool CanKeep => IsAsked && _desk.Prompt.Default is { Length: > 0 } standard && _desk.Prompt.Options.All(option => option.Name != standard);
 
     public string KeepText => Text.Get("Commissioning.Keep", _desk.Prompt.Default ?? "");
 
-    /// <summary>The question can be answered with a value, which is typed.</summary>
+    /// <summary>The answer is a value, which is typed.</summary>
     public bool IsTyped => IsAsked && (CanKeep || _desk.Prompt.Options.Count == 0);
 
     private bool IsAsked => IsUnderWay && _desk.Prompt.Command == Command;
@@ -74,7 +74,7 @@ public sealed class CommissioningModel : Observable
     }
 }
 
-/// <summary>A step and where it stands, in words.</summary>
+/// <summary>A step and its state, in words.</summary>
 public sealed record CommissioningRow(string Title, string State, bool IsNow)
 {
     public static CommissioningRow Of(CommissioningStepView step)

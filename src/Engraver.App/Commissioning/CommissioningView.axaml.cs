@@ -2,7 +2,7 @@ using Avalonia.Controls;
 
 namespace Engraver.App.Commissioning;
 
-/// <summary>The page of commissioning.</summary>
+/// <summary>The commissioning page.</summary>
 public partial class CommissioningView : UserControl
 {
     public CommissioningView() => InitializeComponent();

@@ -6,7 +6,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.App.Connections;
 
-/// <summary>The sheet that asks where the controller is. Its only result is the address with which CNCCONNECT is run.</summary>
+/// <summary>The sheet that asks for the controller's address. Its only result is the address with which CNCCONNECT is run.</summary>
 public sealed class ConnectModel : Observable
 {
     private const double PlainSpeed = 1.0;
@@ -61,7 +61,7 @@ public sealed class ConnectModel : Observable
         set => Choose(value, LinkKind.Serial);
     }
 
-    /// <summary>True: the simulated controller computes its motion as fast as it can (speed max).</summary>
+    /// <summary>True: the simulated controller computes its motion as fast as possible (speed max).</summary>
     public bool AtOnce
     {
         get => _atOnce;
@@ -99,7 +99,7 @@ public sealed class ConnectModel : Observable
         set => Change(ref _flow, value ?? Flows[0]);
     }
 
-    /// <summary>The address that CNCCONNECT is given.</summary>
+    /// <summary>The address that is passed to CNCCONNECT.</summary>
     public string Address => _kind switch
     {
         LinkKind.Network => $"tcp://{Host.Trim()}:{Port.Trim()}",
@@ -107,12 +107,12 @@ public sealed class ConnectModel : Observable
         _ => AtOnce ? "sim:?speed=max" : "sim:?speed=1",
     };
 
-    /// <summary>The line that would be typed at the command line, or what is missing.</summary>
+    /// <summary>The line as it would be typed at the command line, or the name of the missing value.</summary>
     public string Typed => IsAddress ? Text.Get("Connect.CommandLine", Address) : Text.Get("Connect.AddressInvalid");
 
     private bool IsAddress => ControllerAddress.TryParse(Address, out _);
 
-    /// <summary>Shows the sheet as it was used last.</summary>
+    /// <summary>Shows the sheet as last used.</summary>
     public void Open()
     {
         if (_desk.Session.Settings.Current.LastAddress is { } last && ControllerAddress.TryParse(last, out var address)) Take(address);
@@ -156,8 +156,8 @@ public sealed class ConnectModel : Observable
     }
 }
 
-/// <summary>A kind of flow control to choose.</summary>
-/// <param name="Word">As it is written in an address.</param>
+/// <summary>A kind of flow control.</summary>
+/// <param name="Word">As written in an address.</param>
 public sealed record FlowChoice(SerialFlow Flow, string Word)
 {
     public string Name => Text.Get("Flow." + Flow);
@@ -168,7 +168,7 @@ public sealed record FlowChoice(SerialFlow Flow, string Word)
 /// <summary>The kinds of links that the sheet offers.</summary>
 public enum LinkKind
 {
-    /// <summary>The controller that lives in this program.</summary>
+    /// <summary>The simulated controller inside this program.</summary>
     Simulated,
 
     /// <summary>TCP.</summary>

@@ -6,15 +6,15 @@ using Avalonia.Threading;
 
 namespace Engraver.App.Connections;
 
-/// <summary>A sheet over the canvas and not a window: the machine strip with its STOP stays beside it.</summary>
+/// <summary>A sheet over the canvas instead of a window, so that the machine strip with STOP stays visible.</summary>
 public partial class ConnectView : UserControl
 {
     public ConnectView() => InitializeComponent();
 
     private ConnectModel Model => (ConnectModel)DataContext!;
 
-    /// <summary>Enter connects and Esc leaves; everything else belongs to what has the keyboard.</summary>
-    /// <returns>True when it was one of them.</returns>
+    /// <summary>Enter connects and Esc closes; all other keys go to the focused control.</summary>
+    /// <returns>True if the sheet handled the key.</returns>
     public bool Press(KeyEventArgs e)
     {
         if (e.Key == Key.Escape) Model.Cancel.Execute(null);

@@ -4,7 +4,7 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.App.Contours;
 
-/// <summary>A contour in its place in the order of cutting.</summary>
+/// <summary>A contour in cutting order.</summary>
 public sealed class ContourRow(SequencedStroke stroke) : IEquatable<ContourRow>
 {
     public int Index => stroke.Index;
@@ -19,7 +19,7 @@ public sealed class ContourRow(SequencedStroke stroke) : IEquatable<ContourRow>
 
     public string Length => stroke.Length.ToString("0.###", CultureInfo.InvariantCulture);
 
-    /// <summary>Number of the contour around it; empty for none.</summary>
+    /// <summary>Number of the enclosing contour; empty for none.</summary>
     public string Inside => stroke.Inside < 0 ? "" : (stroke.Inside + 1).ToString(CultureInfo.InvariantCulture);
 
     /// <summary>An arrow: the sense of a closed contour (counter-clockwise or clockwise), the direction of an open one.</summary>
@@ -31,7 +31,7 @@ public sealed class ContourRow(SequencedStroke stroke) : IEquatable<ContourRow>
 
     public override int GetHashCode() => Index;
 
-    /// <summary>Twice the area by the chords of quarter moves: a circle is one move and must not vanish.</summary>
+    /// <summary>Twice the area, by chords of quarter moves, because a circle is one move and would otherwise have no area.</summary>
     private double SignedArea()
     {
         const int Parts = 4;

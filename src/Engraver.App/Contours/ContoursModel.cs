@@ -4,7 +4,7 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.App.Contours;
 
-/// <summary>The contours in the order of cutting.</summary>
+/// <summary>The contours in cutting order.</summary>
 public sealed class ContoursModel : FollowedRows<ContourRow>
 {
     private SequencingResult? _shown;

@@ -6,16 +6,17 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Desk;
 
-/// <summary>What the operator does on the canvas, as inputs of the command session.</summary>
-/// <param name="cancel">Esc, once no box is being drawn.</param>
-/// <param name="pointed">The cursor stands at a place of the drawing.</param>
-/// <param name="menu">The right button, but where it is Enter: a command that asks for objects, or has no options (as AutoCAD's SHORTCUTMENU 11).</param>
+/// <summary>Converts what the operator does on the canvas to inputs of the command session.</summary>
+/// <param name="cancel">Esc, while no box is being drawn.</param>
+/// <param name="pointed">The cursor has moved to a point of the drawing.</param>
+/// <param name="menu">The right button, except where it means Enter: a command that requests objects, or has no options (as AutoCAD's SHORTCUTMENU
+/// 11).</param>
 public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Point2D> pointed, Action menu) : ICanvasCommands
 {
     /// <summary>The command that drags a grip.</summary>
     internal const string GripEdit = "GRIPEDIT";
 
-    /// <summary>Once what Shift points at is removed, objects are added again.</summary>
+    /// <summary>After the objects at a Shift click are removed, objects are added again.</summary>
     private bool _returns;
 
     public PointAim? Aim => desk.Prompt.Aim;
@@ -24,8 +25,9 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
 
     public string Asked => PromptLine.WithoutOptions(desk.Prompt.Text);
 
-    /// <summary>Selects, and moves the tool of the playback to where the entity is cut.</summary>
-    /// <remarks>An entity is its index in one drawing: after an edit that the canvas or the plan does not show yet it would be another one.</remarks>
+    /// <summary>Selects, and moves the playback to where the entity is cut.</summary>
+    /// <remarks>An entity is an index into one drawing: after an edit that the canvas or the plan does not show yet, the index would refer to another
+    /// entity.</remarks>
     public void PickAt(Point2D place, int entity, Drawing shown, bool remove)
     {
         _ = desk.SelectAsync(drawing => ReferenceEquals(drawing, shown) ? [entity] : [], remove);
@@ -60,7 +62,7 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
         else menu();
     }
 
-    /// <summary>Shift at "Select objects": what is there, or the box that begins there, is removed, and then objects are added again.</summary>
+    /// <summary>Shift at "Select objects": removes what is at the point, or starts a box for removing, and then adds objects again.</summary>
     private async Task RemoveAsync(Point2D place)
     {
         if (desk.Prompt.Options.All(option => option.Name != "Remove")) return;
@@ -84,10 +86,10 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     }
 }
 
-/// <summary>The line of a prompt as the desktop shows it.</summary>
+/// <summary>The text of a prompt as the desktop shows it.</summary>
 internal static class PromptLine
 {
-    /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
+    /// <summary>Instruction and default without the options, which are shown beside it as buttons.</summary>
     public static string WithoutOptions(string prompt)
     {
         var open = prompt.IndexOf(" [", StringComparison.Ordinal);

@@ -7,13 +7,13 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Computes what the overlays show besides the job: planned speeds, places of findings. For a thread of the pool.</summary>
+/// <summary>Computes what the overlays show besides the job: planned speeds, points of findings. For a thread of the pool.</summary>
 internal static class CanvasInputs
 {
-    /// <summary>Most moves for which speeds are computed; in a picture of more of them the colours cannot be told apart.</summary>
+    /// <summary>Maximum number of moves for which speeds are computed; with more of them the colours cannot be distinguished.</summary>
     private const int MostSpeeds = 200_000;
 
-    /// <summary>Handles are searched for one by one; more marks than this cover each other anyway.</summary>
+    /// <summary>Maximum number of findings: handles are searched one by one, and more marks would overlap anyway.</summary>
     private const int MostFindings = 300;
 
     public static OverlayInputs From(DerivedDocument derived) => new()
@@ -22,7 +22,7 @@ internal static class CanvasInputs
         Findings = derived.State.Drawing is { } drawing ? PlacesOf(derived, drawing) : [],
     };
 
-    /// <summary>Speed in the middle of each move, as a part of the fastest.</summary>
+    /// <summary>Speed in the middle of each move, as a fraction of the fastest.</summary>
     private static double[] SpeedsOf(PlannedMotion motion, int moves)
     {
         var speeds = new double[moves];
@@ -46,7 +46,7 @@ internal static class CanvasInputs
         {
             if (finding.Place is { } place)
             {
-                if (finding.Id != SequencingRules.SmallGap.Id) places.Add(new Point2D(place.X / unit, place.Y / unit)); // the gaps of the job come by themselves
+                if (finding.Id != SequencingRules.SmallGap.Id) places.Add(new Point2D(place.X / unit, place.Y / unit)); // the gaps of the job are added separately
             }
             else if (finding.Source.Handle is { } handle && drawing.IndexOfHandle(handle) is { } entity && drawing.Entities[entity].PartCount > 0) places.Add(drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]).Start);
         }

@@ -11,8 +11,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Gives the canvas what it shows: the drawing and the job made ready in the background, selection, playback, machine and progress as they change.
-/// UI thread only.</summary>
+/// <summary>Supplies the canvas with its content: drawing and job prepared in the background; selection, playback, machine and progress as they change. UI
+/// thread only.</summary>
 public sealed class CanvasSource
 {
     private readonly DesktopModel _desk;
@@ -35,10 +35,10 @@ public sealed class CanvasSource
         Look();
     }
 
-    /// <summary>Completes when the present drawing and job are shown.</summary>
+    /// <summary>Completes when the current drawing and job are shown.</summary>
     public Task Shown { get; private set; } = Task.CompletedTask;
 
-    /// <summary>What is shown is what the document and its derivation hold now; false while word of a change is still on its way to the window.</summary>
+    /// <summary>The canvas shows the current document and its derivation; false while a change has not yet reached the window.</summary>
     public bool IsCurrent => Shown.IsCompleted && ReferenceEquals(_desk.Session.Document.Current.Drawing, _drawing) && ReferenceEquals(_desk.Derived.Job, _job);
 
     private void Look()
@@ -95,7 +95,7 @@ public sealed class CanvasSource
         return (overlay ?? OverlayScene.Empty).WithTrajectories(_trajectories.All, 1.0 / _drawing.Unit.ToMillimetres);
     }
 
-    /// <summary>The machine has another origin, another run is recorded or grows, or its colour tells something else.</summary>
+    /// <summary>Updates the machine overlay after a change of the origin, the recorded run or its colour.</summary>
     private void ShowMachine()
     {
         var now = MachineOverlay.Of(_job, _desk.Session.Machine, _desk.Session.Settings.Current.TraceColour());
@@ -104,22 +104,22 @@ public sealed class CanvasSource
         _canvas.Overlay = overlay.WithMachine(now.Over(OverlayInputs.None));
     }
 
-    /// <summary>Where the machine is, always; where the playback is, while somebody looks at it.</summary>
+    /// <summary>Shows the position of the machine, always, and of the playback, while it is in use.</summary>
     private void ShowTool()
     {
         var (status, state) = (_desk.Session.Machine.Status, _desk.Session.Document.Current);
         _canvas.Machine = MachineMarks.Of(_desk.Session.Machine, state);
-        var isOfScene = ReferenceEquals(_desk.Derived.Current.State.Drawing, _canvas.Scene?.Drawing); // the plan of an earlier drawing names other entities and places
+        var isOfScene = ReferenceEquals(_desk.Derived.Current.State.Drawing, _canvas.Scene?.Drawing); // the plan of an earlier drawing refers to other entities and points
         var moment = _desk.Session.Playback.IsShown && isOfScene ? _desk.Derived.Moment : null;
         _canvas.PlaybackPosition = moment?.Position is { } at && MachineMarks.UnitOf(state) is var unit ? new Point2D(at.X / unit, at.Y / unit) : null;
         _canvas.Highlight = moment?.Entity is >= 0 and var entity ? entity : null;
         _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
     }
 
-    /// <summary>How many moves of the job's toolpath are cut; a segment of the controller is a move or a part of one.</summary>
+    /// <summary>Number of moves of the job's toolpath that are cut; a segment of the controller is a move or a part of one.</summary>
     private int MovesDone(int segmentsDone)
     {
-        if (segmentsDone == 0 || _desk.Session.Machine.ShownJob?.Followed is not null) return 0; // trajectories are no moves of the toolpath
+        if (segmentsDone == 0 || _desk.Session.Machine.ShownJob?.Followed is not null) return 0; // trajectories are not moves of the toolpath
         if (_desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
         return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Move;
     }

@@ -7,23 +7,23 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Desk;
 
-/// <summary>What follows from the document, and where the tool of the playback stands in it, as the palettes want it. UI thread only.</summary>
+/// <summary>The results derived from the document and the position of the playback in them, as the palettes show them. UI thread only.</summary>
 public sealed class DerivedModel(CommandSession session)
 {
-    /// <summary>Seconds of the plan; a smaller step does not move the playback, which an operator may look through while the job is held.</summary>
+    /// <summary>Seconds of the plan; a smaller step does not move the playback, so that an operator can browse it while the job is held.</summary>
     private const double LeastStep = 0.001;
 
     private PostedLines _lines = PostedLines.None;
     private bool _follows;
 
-    /// <summary>What the machine told last of the job that is planned here, and to which moment of the plan it had come then.</summary>
+    /// <summary>Last reported progress of the job that is planned here, and the time of the plan that it had reached then.</summary>
     private EngravedProgress? _told;
     private double _reached;
 
     /// <summary>Raised after the tool of the playback has moved.</summary>
     public event Action? Moved;
 
-    /// <summary>Raised when a program begins to be written in the background; the task ends when it is there.</summary>
+    /// <summary>Raised when a program starts to be written in the background; the task ends when it is complete.</summary>
     public event Action<Task>? Posting;
 
     /// <summary>The playback follows a job that runs on the machine.</summary>
@@ -39,13 +39,12 @@ public sealed class DerivedModel(CommandSession session)
 
     public double TotalSeconds => Current.Motion?.DurationSeconds ?? 0.0;
 
-    /// <summary>How long the job takes over the link that the machine is connected by, seconds; 0 without a plan. The playback shows it as over a
-    /// network.</summary>
+    /// <summary>Duration of the job over the connected link, seconds; 0 without a plan. The playback shows the duration over a network.</summary>
     public double PlannedSeconds => Current.Plan?.Total ?? 0.0;
 
     public double AtSeconds => Moment?.Seconds ?? 0.0;
 
-    /// <summary>What the tool of the playback does at its place; null without a plan.</summary>
+    /// <summary>The state of the playback at its position; null without a plan.</summary>
     public PlaybackMoment? Moment { get; private set; }
 
     /// <summary>Row of the sequenced table; -1 for none.</summary>
@@ -53,17 +52,17 @@ public sealed class DerivedModel(CommandSession session)
 
     public int StrokeUnderTool => Moment?.Stroke ?? -1;
 
-    /// <summary>Index into <see cref="ProgramLines"/>; -1 for none, and while they are not there.</summary>
+    /// <summary>Index into <see cref="ProgramLines"/>; -1 for none, and while the lines do not exist yet.</summary>
     public int LineUnderTool => HasLines && Moment is { } at ? _lines.Motion!.LineOf(at.Segment) - 1 : -1;
 
-    /// <summary>The lines of the present program are there.</summary>
+    /// <summary>The lines of the current program exist.</summary>
     internal bool HasLines => _lines.Lines.Count > 0 && ReferenceEquals(_lines.Motion, Current.Motion);
 
-    /// <summary>Completes when the program that was asked for is written.</summary>
+    /// <summary>Completes when the requested program is written.</summary>
     internal Task Written => _lines.Written;
 
-    /// <summary>The posted program in lines; the same list as long as it is the same program. Only a page that is seen asks: the first question has the
-    /// program written, a long one in the background.</summary>
+    /// <summary>The lines of the posted program; the same list as long as the program is the same. Only visible pages call this: the first call starts
+    /// writing the program, a long one in the background.</summary>
     public IReadOnlyList<string> ProgramLines()
     {
         if (ReferenceEquals(_lines.Motion, Current.Motion)) return _lines.Lines;
@@ -72,7 +71,7 @@ public sealed class DerivedModel(CommandSession session)
         return _lines.Lines;
     }
 
-    /// <summary>Forgets the lines of a program that is no longer the present one.</summary>
+    /// <summary>Discards the lines of a program that is no longer current.</summary>
     private void ForgetOldLines()
     {
         if (!ReferenceEquals(_lines.Motion, Current.Motion)) _lines = PostedLines.None;
@@ -100,16 +99,16 @@ public sealed class DerivedModel(CommandSession session)
         if (seconds != AtSeconds) session.Playback.Scrub(seconds);
     }
 
-    /// <summary>What the plan says is left of a job, seconds; dwells at their true length, the exchange over a serial line spread evenly.</summary>
+    /// <summary>Planned remaining time of a job, seconds; dwells at their true length, the exchange over a serial line spread evenly.</summary>
     public double SecondsLeft(EngravedProgress told) => (1.0 - FractionDone(told)) * PlannedSeconds;
 
-    /// <summary>How much of the planned time of a job is over, 0 to 1. Of a job that is not the one that is planned here: of its segments.</summary>
+    /// <summary>Elapsed fraction of the planned time of a job, 0 to 1. For a job other than the planned one: fraction of its segments.</summary>
     public double FractionDone(EngravedProgress told) => IsPlannedHere(told) && Current.Motion is { DurationSeconds: > 0.0 } motion ? SecondsDone(motion, told) / motion.DurationSeconds : told.Fraction;
 
-    /// <summary>How much longer the plan takes under overrides; less than 1 for shorter.</summary>
+    /// <summary>Factor by which the planned time grows under overrides; less than 1 if it shrinks.</summary>
     public double TimeUnder(double feed, double rapid) => Current.Plan is { Total: > 0.0 } plan ? plan.Under(feed, rapid) / plan.Total : 1.0;
 
-    /// <summary>Takes the present state of derivation and playback.</summary>
+    /// <summary>Takes the current state of derivation and playback.</summary>
     internal void Look()
     {
         Current = session.Derivation.Current;
@@ -120,7 +119,7 @@ public sealed class DerivedModel(CommandSession session)
         if (!runs) _follows = false;
     }
 
-    /// <summary>Asks the playback where the tool is.</summary>
+    /// <summary>Queries the position of the playback.</summary>
     internal void LookWhereToolIs()
     {
         var moment = session.Playback.Moment;
@@ -129,7 +128,7 @@ public sealed class DerivedModel(CommandSession session)
         Moved?.Invoke();
     }
 
-    /// <summary>While the job that is planned here runs, and once more at its end, the playback is put where the machine has come to.</summary>
+    /// <summary>While the planned job runs, and once at its end, moves the playback to the position of the machine.</summary>
     /// <returns>True while a job runs.</returns>
     private bool FollowMachine()
     {
@@ -149,11 +148,11 @@ public sealed class DerivedModel(CommandSession session)
         return runs;
     }
 
-    /// <summary>The job that runs is the one that is planned here, not one of trajectories or one fitted to a slow line.</summary>
+    /// <summary>The running job is the planned one, not one of trajectories or one fitted to a slow line.</summary>
     private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.ShownJob?.Followed is null;
 
-    /// <summary>To which moment of the plan the machine has come: in a segment as far as it has come along it, between strokes to the next segment. In a
-    /// segment that is begun it is not farther back than it was (held and moved away, or stopped).</summary>
+    /// <summary>The time of the plan that the machine has reached: inside a segment by the distance along it, between strokes at the next segment. Within
+    /// one segment it does not go back (after a hold with moves away, or a stop).</summary>
     private double SecondsDone(PlannedMotion motion, EngravedProgress told)
     {
         if (told.SegmentsDone >= motion.SegmentCount) return motion.DurationSeconds;

@@ -4,14 +4,14 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Direct distance entry (hmi-conventions.md section 4): a number alone, where a place is asked for, goes that far from the place before towards
-/// the cursor.</summary>
+/// <summary>Direct distance entry (hmi-conventions.md section 4): a number alone at a prompt for a point is a distance from the previous point towards the
+/// cursor.</summary>
 internal static class DirectDistance
 {
-    /// <param name="typed">What was typed.</param>
-    /// <param name="from">Where distances are measured from, drawing units; null when no place is asked for that has one before it.</param>
-    /// <param name="cursor">The place that a click would give, with object snaps and ORTHO; null when there is none.</param>
-    /// <returns>The place as coordinates, or what was typed where it is no distance. A session's journal then leads to the same place again.</returns>
+    /// <param name="typed">The typed text.</param>
+    /// <param name="from">The point from which distances are measured, drawing units; null if the prompt has no previous point.</param>
+    /// <param name="cursor">The point that a click would give, with object snaps and ORTHO; null if there is none.</param>
+    /// <returns>The coordinates of the point, or the typed text if it is not a distance. Replaying the journal of a session gives the same point.</returns>
     public static string Read(string typed, Point2D? from, Point2D? cursor)
     {
         if (from is not { } start || cursor is not { } aimed || aimed == start || !NumberPrompt.TryNumber(typed.Trim(), out var distance)) return typed;

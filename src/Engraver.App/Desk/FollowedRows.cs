@@ -2,11 +2,11 @@ using Engraver.App.Binding;
 
 namespace Engraver.App.Desk;
 
-/// <summary>A list that follows the playback: the row under the tool is chosen, and choosing another row moves the tool there.</summary>
-/// <typeparam name="T">A row; two of the same place must be equal.</typeparam>
-/// <param name="underTool">Place of the row under the tool; -1 for none.</param>
-/// <param name="moveTo">Moves the tool to a row.</param>
-/// <param name="placeOf">Place of a row.</param>
+/// <summary>A list that follows the playback: the row at the playback position is selected, and selecting another row moves the playback there.</summary>
+/// <typeparam name="T">A row; two rows of the same index must be equal.</typeparam>
+/// <param name="underTool">Index of the row at the playback position; -1 for none.</param>
+/// <param name="moveTo">Moves the playback to a row.</param>
+/// <param name="placeOf">Index of a row.</param>
 public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Action<int> moveTo, Func<T, int> placeOf) : Observable
     where T : class
 {
@@ -16,7 +16,7 @@ public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Ac
 
     public bool IsEmpty => Rows.Count == 0;
 
-    /// <summary>The row under the tool; -1 for none.</summary>
+    /// <summary>The row at the playback position; -1 for none.</summary>
     public int Current
     {
         get => _current;
@@ -28,7 +28,7 @@ public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Ac
 
     protected DesktopModel Desk => desk;
 
-    /// <summary>Begins to follow the desktop model; called last in a constructor.</summary>
+    /// <summary>Subscribes to the desktop model; called last in a constructor.</summary>
     protected void Follow()
     {
         desk.Changed += Look;
@@ -36,10 +36,10 @@ public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Ac
         Look();
     }
 
-    /// <summary>Replaces the rows when they have changed.</summary>
+    /// <summary>Replaces the rows if they have changed.</summary>
     protected abstract void Look();
 
-    /// <summary>Shows rows, however many.</summary>
+    /// <summary>Shows any number of rows.</summary>
     protected void Show(int count, Func<int, T> make)
     {
         Rows = new RowList<T>(count, make, placeOf);

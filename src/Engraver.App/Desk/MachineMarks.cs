@@ -5,11 +5,11 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Makes the mark of the machine's place: in the drawing, as the work origin says, or by the machine's own zero with a note where nobody knows
-/// where the drawing lies.</summary>
+/// <summary>Creates the mark of the machine position: in drawing coordinates by the work origin, or in machine coordinates with a note if the origin is
+/// unknown.</summary>
 internal static class MachineMarks
 {
-    /// <returns>Null while no controller is connected or it has not told its place.</returns>
+    /// <returns>Null while no controller is connected or no position has been reported.</returns>
     public static MachineMark? Of(MachineSession machine, DocumentState state)
     {
         var status = machine.Status;
@@ -18,7 +18,7 @@ internal static class MachineMarks
         return new MachineMark(at, machine.Trail.Places, at - (inDrawing ?? at), UnitOf(state), NoteOf(status, inDrawing is not null));
     }
 
-    /// <summary>Millimetres of one drawing unit.</summary>
+    /// <summary>Millimetres per drawing unit.</summary>
     public static double UnitOf(DocumentState state) => (state.Settings.Unit ?? state.Drawing?.Unit)?.ToMillimetres ?? 1.0;
 
     private static string NoteOf(MachineStatus status, bool isKnown)

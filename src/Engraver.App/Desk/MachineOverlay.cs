@@ -10,22 +10,22 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.App.Desk;
 
-/// <summary>What the machine adds to the picture of a job: how far it reaches, where the drawing's zero lies on it, where it parks, and where it really
-/// was. Equal while nothing of it has changed.</summary>
-/// <param name="Zero">Machine millimetres at the drawing's zero; null while nobody knows.</param>
-/// <param name="Run">The last run of this drawing, or the one under way, or one that was opened; null for none.</param>
-/// <param name="Colour">What the colour of the run tells.</param>
+/// <summary>What the machine adds to the picture of a job: its travel, its work origin, the park position, and the recorded path. Equal while none of these
+/// has changed.</summary>
+/// <param name="Zero">Machine position of the drawing's zero, millimetres; null if unknown.</param>
+/// <param name="Run">The last run of this drawing, the current one, or one that was opened; null for none.</param>
+/// <param name="Colour">The measure that the colour of the run shows.</param>
 internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedRun? Run, RunMeasure Colour)
 {
     public static MachineOverlay Of(PreparedJob? job, MachineSession machine, RunMeasure colour)
     {
         if (job is null) return new MachineOverlay(null, null, null, colour);
-        var frame = machine.LastPlacement(new MotionProgram(job.Settings.Machine, default, []), dryRun: false)?.Frame; // also of a job that would leave the travel: that is what is to be seen
+        var frame = machine.LastPlacement(new MotionProgram(job.Settings.Machine, default, []), dryRun: false)?.Frame; // also for a job that would leave the travel, which the overlay has to show
         var run = machine.Recorded is { } recorded && ReferenceEquals(recorded.Job.DocumentDrawing, job.Drawing) ? recorded : null;
         return new MachineOverlay(job, frame is { } zero ? job.Settings.Machine.Scale.ToMillimetres(zero.X, zero.Y) : null, run, colour);
     }
 
-    /// <summary>In drawing units, over what the job says by itself.</summary>
+    /// <summary>The inputs with the machine data added, in drawing units.</summary>
     public OverlayInputs Over(OverlayInputs inputs)
     {
         if (Job is null) return inputs;
@@ -45,12 +45,12 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
         return [.. run.Trace.Places.Select((place, i) => new RecordedPlace(new Point2D(place.Place.X / unit, place.Place.Y / unit), fractions[i], place.ToolOn))];
     }
 
-    /// <summary>The travel of the profile in drawing units; null where an axis has none, or nobody knows where the drawing lies in it.</summary>
+    /// <summary>The travel of the profile in drawing units; null if an axis has none, or if the work origin is unknown.</summary>
     private Bounds2D? EnvelopeOf(PreparedJob job, double unit) => job.Settings.Machine.Axes is { X.Travel: { } x, Y.Travel: { } y } && Zero is { } zero
         ? new Bounds2D((x.Least - zero.X) / unit, (y.Least - zero.Y) / unit, (x.Most - zero.X) / unit, (y.Most - zero.Y) / unit)
         : null;
 
-    /// <summary>Where the machine goes after the last stroke, millimetres of the drawing.</summary>
+    /// <summary>Machine position after the last stroke, millimetres of the drawing.</summary>
     private Point2D? FinishOf(PreparedJob job)
     {
         if (job.Motion.Program?.Finish is { } finish) return job.Settings.Machine.Scale.ToMillimetres(finish.X, finish.Y);

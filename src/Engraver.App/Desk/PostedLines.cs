@@ -5,10 +5,10 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Desk;
 
-/// <summary>The lines of the posted program of a motion. A long program is written in the background; until then there are none.</summary>
+/// <summary>The lines of the posted program of a motion. A long program is written in the background; until then the list is empty.</summary>
 internal sealed record PostedLines(PlannedMotion? Motion, Task<IReadOnlyList<string>> Written)
 {
-    /// <summary>A program of no more segments is written while its page waits for it.</summary>
+    /// <summary>A program of at most this many segments is written synchronously.</summary>
     private const int ShortProgram = 20_000;
 
     public static PostedLines None { get; } = new(null, Task.FromResult<IReadOnlyList<string>>([]));
@@ -25,7 +25,7 @@ internal sealed record PostedLines(PlannedMotion? Motion, Task<IReadOnlyList<str
     private static ChunkLines Cut(PostText? program) => new(program?.Chunks ?? []);
 }
 
-/// <summary>The lines of texts one after the other, cut when they are looked at: four bytes for each line beside the texts themselves.</summary>
+/// <summary>The lines of consecutive texts, cut on access: four bytes for each line in addition to the texts.</summary>
 internal sealed class ChunkLines : IReadOnlyList<string>
 {
     private readonly IReadOnlyList<string> _chunks;

@@ -6,8 +6,8 @@ using Avalonia.Threading;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>The file dialog: a sheet below the machine strip, so that STOP stays beside it. The keyboard belongs to the name; arrows move in the list all
-/// the same.</summary>
+/// <summary>The file dialog: a sheet below the machine strip, so that STOP stays visible. The name field has the keyboard, but arrow keys move in the
+/// list.</summary>
 public partial class FileDialogView : UserControl
 {
     private const int Page = 10;
@@ -23,7 +23,7 @@ public partial class FileDialogView : UserControl
 
     private FileDialogModel Model => (FileDialogModel)DataContext!;
 
-    /// <summary>Letters that were typed while something else had the keyboard.</summary>
+    /// <summary>Text that was typed while another control had the focus.</summary>
     public void Type(string text)
     {
         Model.Name = Model.IsTyped ? Model.Name + text : text;
@@ -31,8 +31,8 @@ public partial class FileDialogView : UserControl
         NameBox.CaretIndex = Model.Name.Length;
     }
 
-    /// <summary>The keys of the dialog; everything else belongs to what has the keyboard.</summary>
-    /// <returns>True when the key is worked off.</returns>
+    /// <summary>Handles the keys of the dialog; all other keys go to the focused control.</summary>
+    /// <returns>True if the key was handled.</returns>
     public bool Press(KeyEventArgs e)
     {
         switch (e.Key, e.KeyModifiers)
@@ -61,7 +61,7 @@ public partial class FileDialogView : UserControl
         return true;
     }
 
-    /// <summary>Backspace deletes what was typed; where nothing was, it goes to the folder above.</summary>
+    /// <summary>Backspace deletes typed text; without any, it goes to the parent folder.</summary>
     private bool GoesUp(object? source) => source is not TextBox || Model.Name.Length == 0 || (!Model.IsTyped && Model.Chosen is not null);
 
     private void Begin()

@@ -6,8 +6,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>Files that are dragged onto the window from another program: a drawing is opened, a script is run, and an open file dialog takes whatever it
-/// is.</summary>
+/// <summary>Files that are dragged onto the window from another program: a drawing is opened, a script is run, and an open file dialog takes any
+/// file.</summary>
 internal sealed class FileDrop
 {
     private readonly DesktopModel _desk;

@@ -4,12 +4,12 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>Which files the list shows.</summary>
-/// <param name="Endings">With their dots; none: all.</param>
+/// <summary>Selects the files that the list shows.</summary>
+/// <param name="Endings">With the leading dot; none: all files.</param>
 public sealed record FileFilter(string Words, IReadOnlyList<string> Endings)
 {
-    /// <summary>Of a file to read: all its endings together; of one to write: each of them, because it decides what is written. Behind them all
-    /// files.</summary>
+    /// <summary>For a file to read: all its extensions together; for one to write: each of them, because it selects the format. The last filter is "all
+    /// files".</summary>
     public static IReadOnlyList<FileFilter> For(FileWanted wanted)
     {
         ArgumentNullException.ThrowIfNull(wanted);
@@ -18,7 +18,7 @@ public sealed record FileFilter(string Words, IReadOnlyList<string> Endings)
         return wanted.Writes ? [.. wanted.Endings.Select(ending => Named(wanted, [ending])), all] : [Named(wanted, wanted.Endings), all];
     }
 
-    /// <summary>The name with another ending: in the place of one that belongs to a filter, else behind the name.</summary>
+    /// <summary>The name with another extension: replaces one that belongs to a filter, otherwise it is appended.</summary>
     internal static string WithEnding(string name, string ending, IEnumerable<FileFilter> filters) =>
         filters.Any(filter => filter.Endings.Contains(Path.GetExtension(name), StringComparer.OrdinalIgnoreCase)) ? Path.ChangeExtension(name, ending) : name + ending;
 
@@ -28,10 +28,10 @@ public sealed record FileFilter(string Words, IReadOnlyList<string> Endings)
         new(Text.Get("Files.Filter", Text.Find("FileKind." + wanted.Kind) ?? Text.Get("FileKind.other"), string.Join(", ", endings.Select(ending => "*" + ending))), endings);
 }
 
-/// <summary>Where the dialog begins.</summary>
+/// <summary>The initial folder of the dialog.</summary>
 internal static class FileStart
 {
-    /// <summary>The folder that was used last for the kind, the drawing's, the working folder, home.</summary>
+    /// <summary>The folder last used for the kind of file, that of the drawing, the working folder, or home.</summary>
     public static string FolderFor(FileWanted wanted, CommandSession session)
     {
         var last = session.Settings.Current.FileFolders.GetValueOrDefault(wanted.Kind);
@@ -42,6 +42,6 @@ internal static class FileStart
         return folders.FirstOrDefault(folder => folder is not null && Directory.Exists(folder)) ?? Environment.GetFolderPath(Environment.SpecialFolder.UserProfile, Environment.SpecialFolderOption.DoNotVerify);
     }
 
-    /// <summary>A program that was started by an icon works in the root or beside itself, where nobody keeps drawings.</summary>
+    /// <summary>A program that was started by an icon works in the root or in its own folder, which usually contain no drawings.</summary>
     private static bool IsForPeople(string folder) => Path.GetDirectoryName(folder) is not null && Path.TrimEndingDirectorySeparator(folder) != Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory);
 }

@@ -3,7 +3,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>A place to go to: a folder, or a file that was open lately.</summary>
+/// <summary>A place of the dialog: a folder, or a recent file.</summary>
 /// <param name="Path">Full path.</param>
 public sealed record FilePlace(string Name, string Path, bool IsFile)
 {
@@ -12,16 +12,16 @@ public sealed record FilePlace(string Name, string Path, bool IsFile)
     public string Tip => TextCatalogue.Fact(Path);
 }
 
-/// <summary>The places at the left of the dialog. Each folder stands there once.</summary>
+/// <summary>The places at the left of the dialog. Each folder is listed once.</summary>
 internal static class FilePlaces
 {
     private const int MostRecentFolders = 5;
     private const int MostRecentFiles = 5;
 
-    /// <summary>For a thread of the pool: whether a folder is there may take a while to find out.</summary>
+    /// <summary>For a thread of the pool: checking that a folder exists may take a while.</summary>
     /// <param name="drawing">Path of the open drawing; null for none.</param>
-    /// <param name="recent">Paths of the drawings that were opened last.</param>
-    /// <param name="fits">Whether a recent file is one of those that are asked for.</param>
+    /// <param name="recent">Paths of the recent drawings.</param>
+    /// <param name="fits">Whether a recent file is one of the requested kind.</param>
     public static IReadOnlyList<FilePlace> Find(string? drawing, IReadOnlyList<string> recent, Func<string, bool> fits)
     {
         var places = new List<FilePlace>();
@@ -43,7 +43,7 @@ internal static class FilePlaces
 
     private static string FolderOf(Environment.SpecialFolder folder) => Environment.GetFolderPath(folder, Environment.SpecialFolderOption.DoNotVerify);
 
-    /// <summary>Drives that people mount, and the root of everything.</summary>
+    /// <summary>Mounted drives, and the root.</summary>
     private static IEnumerable<string> Drives()
     {
         try
@@ -61,12 +61,12 @@ internal static class FilePlaces
     private static string NameOf(string folder) => folder == "/" ? Text.Get("Files.Computer") : Path.GetFileName(Path.TrimEndingDirectorySeparator(folder)) is { Length: > 0 } name ? TextCatalogue.Fact(name) : folder;
 }
 
-/// <summary>The drawings that come with the program.</summary>
+/// <summary>The sample drawings that come with the program.</summary>
 internal static class SampleFolder
 {
     private const int FarthestAbove = 8;
 
-    /// <summary>The folder <c>samples</c> beside the program or above it; null when it did not come with it.</summary>
+    /// <summary>The folder <c>samples</c> beside the program or above it; null if it is not installed.</summary>
     public static string? Find()
     {
         var at = new DirectoryInfo(AppContext.BaseDirectory);

@@ -15,20 +15,20 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>What a file shows of itself before it is opened: the picture of a drawing, or the first lines of a text.</summary>
-/// <param name="Picture">Null when there is none to be seen.</param>
-/// <param name="Lines">The beginning of a text; empty for a drawing.</param>
-/// <param name="Caption">What the file holds, or why nothing is shown.</param>
+/// <summary>A preview of a file before it is opened: the picture of a drawing, or the first lines of a text.</summary>
+/// <param name="Picture">Null if there is none.</param>
+/// <param name="Lines">The first lines of a text; empty for a drawing.</param>
+/// <param name="Caption">A summary of the file, or why there is no preview.</param>
 internal sealed record FilePreview(Picture? Picture, string Lines, string Caption)
 {
-    /// <summary>A longer file is not read only to be looked at.</summary>
+    /// <summary>Maximum length of a file that is read for a preview.</summary>
     public const long MostBytes = 32_000_000;
 
     private const int MostLines = 40;
     private const int MostLetters = 3000;
 
-    /// <summary>Reads and draws a file on this thread; for one of the pool.</summary>
-    /// <exception cref="OperationCanceledException">It took too long, or another file is looked at.</exception>
+    /// <summary>Reads and draws a file on this thread; for a thread of the pool.</summary>
+    /// <exception cref="OperationCanceledException">It took too long, or another file was selected.</exception>
     public static FilePreview Create(FileRow file, DrawingSettings settings, CanvasTheme theme, PixelSize size, CancellationToken stop)
     {
         if (file.Bytes > MostBytes) return new FilePreview(null, "", Text.Get("Files.PreviewTooLarge", file.Size));

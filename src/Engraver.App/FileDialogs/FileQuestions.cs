@@ -7,8 +7,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>Shows the file dialog whenever a command asks for a file and the system variable FILEDIA is not 0, whether the command was clicked or typed; a
-/// script and pasted lines answer by themselves. Asks before a file is replaced and before edits are lost, also by closing the window.</summary>
+/// <summary>Shows the file dialog when a command requests a file and the system variable FILEDIA is not 0, whether the command was clicked or typed;
+/// scripts and pasted lines give their own answers. Asks before a file is replaced and before edits are lost, also when the window closes.</summary>
 public sealed class FileQuestions : Observable
 {
     private readonly DesktopModel _desk;
@@ -16,7 +16,7 @@ public sealed class FileQuestions : Observable
     private FileWanted? _asked;
     private bool _isLooking;
 
-    /// <param name="typed">Takes what was typed at the command line after the command: it belongs to the name.</param>
+    /// <param name="typed">Takes the text typed at the command line after the command: it is the start of the file name.</param>
     public FileQuestions(DesktopModel desk, Func<string> typed)
     {
         (_desk, _typed) = (desk, typed);
@@ -26,20 +26,20 @@ public sealed class FileQuestions : Observable
         desk.Changed += LookSoon;
     }
 
-    /// <summary>Raised when what was asked for could not be done; the command window says why.</summary>
+    /// <summary>Raised when the requested operation failed; the command window shows the reason.</summary>
     public event Action? Refused;
 
     public FileDialogModel Dialog { get; }
 
     public QuestionModel Question { get; } = new();
 
-    /// <summary>True when the system variable FILEDIA is not 0.</summary>
+    /// <summary>True if the system variable FILEDIA is not 0.</summary>
     public bool WantsDialogs => _desk.Session.Settings.Current.Variables.GetValueOrDefault("FILEDIA", 1.0) != 0.0;
 
-    /// <summary>Nothing is looked for in the background, and the dialog is what the prompt asks for.</summary>
+    /// <summary>No background work is pending, and the dialog matches the prompt.</summary>
     internal bool IsAtRest => !_isLooking && !Dialog.IsWorking;
 
-    /// <summary>Opens a drawing that was dropped, or chosen from a list: edits of the one that is open are asked about first.</summary>
+    /// <summary>Opens a drawing that was dropped, or chosen from a list, after asking about edits of the open one.</summary>
     public async Task OpenAsync(string path)
     {
         if (!await MayLoseEditsAsync("Files.Edited", "Files.OpenAnyway")) return;
@@ -47,8 +47,8 @@ public sealed class FileQuestions : Observable
         await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
     }
 
-    /// <summary>Asks about edits before the window closes. A question that stands already is left for this one.</summary>
-    /// <returns>False when the window stays: the operator wants it, or the edits could not be saved.</returns>
+    /// <summary>Asks about edits before the window closes. Replaces a question that is already open.</summary>
+    /// <returns>False if the window stays open: the operator chose so, or the edits could not be saved.</returns>
     public Task<bool> MayCloseAsync() => MayLoseEditsAsync("Files.EditedClose", "Files.DoNotSave");
 
     /// <summary>Runs a script that was dropped.</summary>
@@ -59,7 +59,7 @@ public sealed class FileQuestions : Observable
         if (await work is InputResult.Failed or InputResult.NotUnderstood) Refused?.Invoke();
     }
 
-    /// <summary>Looks once the present input is through: a prompt that is answered by the next input of a script is none for a dialog.</summary>
+    /// <summary>Updates after the current input is done: a prompt that is answered by the next input of a script does not open a dialog.</summary>
     private void LookSoon()
     {
         if (_isLooking) return;
@@ -90,15 +90,15 @@ public sealed class FileQuestions : Observable
         _ = _desk.CancelAsync();
     }
 
-    /// <summary>Answers the command. The dialog goes at once: what is typed from now on is for the command line.</summary>
+    /// <summary>Answers the command. The dialog closes immediately: what is typed from now on goes to the command line.</summary>
     private Task AnswerNowAsync(FileWanted wanted, string? path)
     {
         Dialog.Close();
         return TellAsync(_desk.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
     }
 
-    /// <summary>The path as somebody would type it: a file in the working folder by its name alone. A journal of inputs then runs in another place
-    /// too.</summary>
+    /// <summary>The path as it would be typed: a file in the working folder by its name alone, so that a journal of inputs also runs in another
+    /// folder.</summary>
     private string AsTyped(string path)
     {
         var name = Path.GetRelativePath(_desk.Session.Folder, path);
@@ -130,7 +130,7 @@ public sealed class FileQuestions : Observable
         await AnswerNowAsync(wanted, choice.Path);
     }
 
-    /// <summary>The dialog begins in the folder that was used last.</summary>
+    /// <summary>The dialog starts in the folder that was used last.</summary>
     private void Remember(string kind, string path) => _desk.Session.Settings.Change(settings => settings.WithFileFolder(kind, Path.GetDirectoryName(Path.GetFullPath(path))!));
 
     private async Task<bool> MayReplaceAsync(string path) =>
@@ -143,11 +143,11 @@ public sealed class FileQuestions : Observable
         else Refused?.Invoke();
     }
 
-    /// <returns>False when it could not be saved; also for a new drawing, whose file the dialog asks for now: what should come afterwards is asked for
-    /// again.</returns>
+    /// <returns>False if it could not be saved; also for a new drawing, for which the dialog opens now: the operator has to repeat the operation that
+    /// follows.</returns>
     private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.RunAsync("QSAVE", "Yes") : await _desk.RunAsync("QSAVE")) is InputResult.Done;
 
-    /// <returns>False when the operator wants to keep the drawing open, or it could not be saved.</returns>
+    /// <returns>False if the operator keeps the drawing open, or if it could not be saved.</returns>
     private async Task<bool> MayLoseEditsAsync(string question, string without)
     {
         if (await AskAboutEditsAsync(question, without) is not { } saves) return false;
@@ -156,10 +156,10 @@ public sealed class FileQuestions : Observable
         return false;
     }
 
-    /// <summary>Asks whether edits that are in no file are saved first.</summary>
-    /// <param name="question">Name of the text; it says what would lose them.</param>
+    /// <summary>Asks whether unsaved edits are saved first.</summary>
+    /// <param name="question">Name of the text, which names the operation that would lose them.</param>
     /// <param name="without">Name of the answer that does not save.</param>
-    /// <returns>True: save them; false: there are none, or they need not be kept; null: the drawing stays open.</returns>
+    /// <returns>True: save them; false: there are none, or they may be discarded; null: the drawing stays open.</returns>
     private async Task<bool?> AskAboutEditsAsync(string question, string without)
     {
         if (!_desk.Session.Document.IsEdited) return false;

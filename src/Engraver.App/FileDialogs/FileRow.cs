@@ -4,8 +4,8 @@ namespace Engraver.App.FileDialogs;
 
 /// <summary>A file or a folder in the list of the dialog.</summary>
 /// <param name="Path">Full path.</param>
-/// <param name="Bytes">Length of a file; 0 of a folder.</param>
-/// <param name="Changed">When it was written last, by the clock on the wall.</param>
+/// <param name="Bytes">Length of a file; 0 for a folder.</param>
+/// <param name="Changed">Time of the last change, local time.</param>
 public sealed record FileRow(string Name, string Path, bool IsFolder, long Bytes, DateTime Changed)
 {
     public bool IsFile => !IsFolder;
@@ -34,7 +34,7 @@ public enum FileColumn
 /// <summary>How the list is sorted: folders first, by the column, then by name.</summary>
 public readonly record struct FileOrder(FileColumn Column, bool IsDescending)
 {
-    /// <summary>The order after a click on the head of a column: the same column turns round, another begins with what is looked for first.</summary>
+    /// <summary>The order after a click on a column header: the same column reverses, another starts with its usual direction.</summary>
     public FileOrder Clicked(FileColumn column) => new(column, column == Column ? !IsDescending : column == FileColumn.Changed);
 
     public IReadOnlyList<FileRow> Sort(IEnumerable<FileRow> rows)

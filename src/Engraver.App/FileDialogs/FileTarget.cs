@@ -3,28 +3,28 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>What a typed name leads to.</summary>
+/// <summary>The result of resolving a typed name.</summary>
 internal abstract record FileTarget
 {
     private FileTarget()
     {
     }
 
-    /// <param name="Path">To go into.</param>
+    /// <param name="Path">The folder to open.</param>
     public sealed record Folder(string Path) : FileTarget;
 
-    /// <param name="Exists">It is there already.</param>
+    /// <param name="Exists">The file exists.</param>
     public sealed record Chosen(string Path, bool Exists) : FileTarget;
 
-    /// <param name="Sentence">Why there is nothing.</param>
+    /// <param name="Sentence">Why there is no result.</param>
     public sealed record Nothing(string Sentence) : FileTarget;
 
-    /// <summary>Finds it; for a thread of the pool.</summary>
-    /// <param name="typed">A name, a path from the folder that is shown or from the working folder, a whole path; quotes and <c>~</c> as at a prompt.</param>
-    /// <param name="shown">The folder that is shown.</param>
+    /// <summary>Resolves the name; for a thread of the pool.</summary>
+    /// <param name="typed">A name, a path relative to the shown folder or the working folder, or a full path; quotes and <c>~</c> as at a prompt.</param>
+    /// <param name="shown">The shown folder.</param>
     /// <param name="working">The working folder of the commands.</param>
-    /// <param name="ending">Of the filter that is chosen; null where it has none.</param>
-    /// <param name="jumped">The row to which the typed letters have led; null for none.</param>
+    /// <param name="ending">Of the selected filter; null if it has none.</param>
+    /// <param name="jumped">The row that matches the typed letters; null for none.</param>
     public static FileTarget Find(string typed, string shown, string working, FileWanted wanted, string? ending, FileRow? jumped)
     {
         var name = TypedFileName.Read(typed);

@@ -3,19 +3,19 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>What stands in a folder. Hidden files are left out.</summary>
-/// <param name="Rows">Folders, and the files that fit, in the order of the file system.</param>
-/// <param name="Finding">A sentence when the folder could not be read, or not all of it is shown; null when all is well.</param>
+/// <summary>The contents of a folder without hidden files.</summary>
+/// <param name="Rows">Folders, and the matching files, in the order of the file system.</param>
+/// <param name="Finding">A sentence if the folder could not be read, or is not shown completely; null otherwise.</param>
 internal sealed record FolderListing(IReadOnlyList<FileRow> Rows, string? Finding)
 {
-    /// <summary>Nobody looks through more rows than this.</summary>
+    /// <summary>Maximum number of rows.</summary>
     private const int MostRows = 20_000;
 
     private static readonly EnumerationOptions s_visible = new() { IgnoreInaccessible = false, AttributesToSkip = FileAttributes.Hidden };
 
-    /// <summary>Reads a folder; for a thread of the pool, because a folder of a network can be slow.</summary>
-    /// <param name="endings">Of the files that are wanted; none for all.</param>
-    /// <exception cref="OperationCanceledException">Another folder is wanted.</exception>
+    /// <summary>Reads a folder; for a thread of the pool, because a network folder can be slow.</summary>
+    /// <param name="endings">Of the requested files; none for all.</param>
+    /// <exception cref="OperationCanceledException">Another folder is requested.</exception>
     public static FolderListing Read(string folder, IReadOnlyList<string> endings, CancellationToken cancellation)
     {
         try
@@ -41,7 +41,7 @@ internal sealed record FolderListing(IReadOnlyList<FileRow> Rows, string? Findin
         return new FolderListing(rows, null);
     }
 
-    /// <summary>Null for a file that is not wanted, and for one that went away meanwhile.</summary>
+    /// <summary>Null for a file that does not match, and for one that was removed meanwhile.</summary>
     private static FileRow? RowOf(FileSystemInfo item, IReadOnlyList<string> endings)
     {
         try

@@ -11,16 +11,16 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>The preview beside the list. It is made in the background once the choice rests, for so long at most, and given up as soon as the choice moves
-/// on.</summary>
+/// <summary>The preview beside the list. It is created in the background when the selection has been unchanged for a moment, within a time limit, and
+/// cancelled when the selection changes.</summary>
 public sealed class PreviewModel(DesktopModel desk) : Observable
 {
-    /// <summary>Whoever runs through a list does not look at each file.</summary>
+    /// <summary>Delay, so that moving quickly through a list does not preview every file.</summary>
     internal static readonly TimeSpan Rest = TimeSpan.FromMilliseconds(120);
 
     internal static readonly TimeSpan Longest = TimeSpan.FromSeconds(3);
 
-    /// <summary>Pixels of a picture; it is shown at its size or smaller.</summary>
+    /// <summary>Pixels of a picture; it is shown at this size or smaller.</summary>
     private static readonly PixelSize s_size = new(400, 300);
 
     private Action? _stopMaking;
@@ -29,15 +29,15 @@ public sealed class PreviewModel(DesktopModel desk) : Observable
     /// <summary>The picture of the drawing; null while there is none.</summary>
     public Bitmap? Picture { get; private set; }
 
-    /// <summary>The beginning of a text.</summary>
+    /// <summary>The first lines of a text.</summary>
     public string Lines { get; private set; } = "";
 
     public string Caption { get; private set; } = "";
 
-    /// <summary>Reads and draws a file until it is told to stop.</summary>
+    /// <summary>Reads and draws a file until it is cancelled.</summary>
     internal Func<FileRow, DrawingSettings, CanvasTheme, PixelSize, CancellationToken, FilePreview> Maker { get; set; } = FilePreview.Create;
 
-    /// <param name="file">Null, or a folder: nothing is shown.</param>
+    /// <param name="file">Null, or a folder: no preview.</param>
     public void Show(FileRow? file)
     {
         if (file == _of) return;
@@ -61,7 +61,7 @@ public sealed class PreviewModel(DesktopModel desk) : Observable
         }
         catch (OperationCanceledException)
         {
-            if (_stopMaking == stopMaking) Take(null, "", Text.Get("Files.PreviewTooSlow")); // otherwise the choice has moved on
+            if (_stopMaking == stopMaking) Take(null, "", Text.Get("Files.PreviewTooSlow")); // otherwise another file was selected
         }
         finally
         {
@@ -76,7 +76,7 @@ public sealed class PreviewModel(DesktopModel desk) : Observable
         using var limit = new CancellationTokenSource(Longest, desk.Time);
         using var either = CancellationTokenSource.CreateLinkedTokenSource(limit.Token, movedOn);
         var stop = either.Token;
-        return await Task.Run(() => Maker(file, settings, theme, s_size, stop), stop).WaitAsync(stop); // reading from a dead drive hears no stop
+        return await Task.Run(() => Maker(file, settings, theme, s_size, stop), stop).WaitAsync(stop); // reading from a drive that does not respond ignores the cancellation
     }
 
     private void Take(Bitmap? picture, string lines, string caption)

@@ -3,8 +3,8 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>A question with a few answers, over the window. An answer is clicked, or its first letters are typed, which marks it, and Enter takes it; Enter
-/// alone takes the first one, Esc none.</summary>
+/// <summary>A question with a few answers, over the window. An answer is clicked, or highlighted by typing its first letters and accepted with Enter; Enter
+/// alone accepts the first one, Esc none.</summary>
 public sealed class QuestionModel : Observable
 {
     private TaskCompletionSource<string?>? _asked;
@@ -16,8 +16,8 @@ public sealed class QuestionModel : Observable
 
     public IReadOnlyList<QuestionAnswer> Answers { get; private set; } = [];
 
-    /// <param name="answers">Names of their texts; the first one is what Enter alone takes.</param>
-    /// <returns>The name that was chosen; null when the question was left.</returns>
+    /// <param name="answers">Names of their texts; Enter alone accepts the first.</param>
+    /// <returns>The chosen name; null if the question was cancelled.</returns>
     public Task<string?> AskAsync(string sentence, params IReadOnlyList<string> answers)
     {
         Leave();
@@ -30,7 +30,8 @@ public sealed class QuestionModel : Observable
 
     public void Leave() => Choose(null);
 
-    /// <summary>Marks the answer that begins with all letters typed so far, else with these; letters of no answer change nothing.</summary>
+    /// <summary>Highlights the answer that starts with all letters typed so far, otherwise with the new ones; letters that match no answer change
+    /// nothing.</summary>
     public void Type(string letters)
     {
         var typed = new[] { _typed + letters.Trim(), letters.Trim() }.FirstOrDefault(word => word.Length > 0 && Answers.Any(answer => answer.BeginsWith(word)));
@@ -39,7 +40,7 @@ public sealed class QuestionModel : Observable
         _typed = typed;
     }
 
-    /// <summary>Marks an answer, as the keyboard goes to it: Enter takes it.</summary>
+    /// <summary>Highlights an answer when it gets the focus: Enter accepts it.</summary>
     public void Mean(QuestionAnswer meant)
     {
         if (meant.IsMeant) return;
@@ -61,7 +62,7 @@ public sealed class QuestionModel : Observable
 
 /// <summary>One answer of a question.</summary>
 /// <param name="name">Name of its text.</param>
-/// <param name="words">As it is shown.</param>
+/// <param name="words">The displayed text.</param>
 public sealed class QuestionAnswer(string name, string words, Act choose) : Observable
 {
     private bool _isMeant;
@@ -72,7 +73,7 @@ public sealed class QuestionAnswer(string name, string words, Act choose) : Obse
 
     public Act Choose => choose;
 
-    /// <summary>What Enter takes.</summary>
+    /// <summary>The answer that Enter accepts.</summary>
     public bool IsMeant
     {
         get => _isMeant;

@@ -6,7 +6,7 @@ using Avalonia.VisualTree;
 
 namespace Engraver.App.FileDialogs;
 
-/// <summary>The sheet of a question; it stands below the machine strip, so that STOP stays beside it.</summary>
+/// <summary>The sheet of a question, below the machine strip, so that STOP stays visible.</summary>
 public partial class QuestionView : UserControl
 {
     public QuestionView()
@@ -20,17 +20,17 @@ public partial class QuestionView : UserControl
 
     private QuestionModel Model => (QuestionModel)DataContext!;
 
-    /// <summary>Enter takes an answer and Esc leaves; Tab goes from answer to answer; every other key stays unheard.</summary>
-    /// <returns>True when the key is worked off.</returns>
+    /// <summary>Enter accepts an answer and Esc cancels; Tab moves between the answers; all other keys are ignored.</summary>
+    /// <returns>True if the key was handled.</returns>
     public bool Press(KeyEventArgs e)
     {
         if (e.Key == Key.Escape) Model.Leave();
         else if (e.Key == Key.Enter) Model.Take();
-        else return e.Source is TextBox && (Edits(e.Key) || e.KeyModifiers is not (KeyModifiers.None or KeyModifiers.Shift)); // the text box under the question gets nothing of it
+        else return e.Source is TextBox && (Edits(e.Key) || e.KeyModifiers is not (KeyModifiers.None or KeyModifiers.Shift)); // the text box under the question must not receive it
         return true;
     }
 
-    /// <summary>Letters of an answer: the keyboard goes to it.</summary>
+    /// <summary>Letters of an answer: moves the focus to it.</summary>
     public void Type(string letters)
     {
         Model.Type(letters);

@@ -5,7 +5,7 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.App.Findings;
 
-/// <summary>The findings of CHECK, worst first; a click shows the place.</summary>
+/// <summary>The findings of CHECK, most severe first; a click shows the position.</summary>
 public sealed class FindingsModel : Observable
 {
     private readonly DesktopModel _desk;
@@ -23,7 +23,7 @@ public sealed class FindingsModel : Observable
 
     public string Summary { get; private set; } = "";
 
-    /// <summary>The finding that was clicked: the canvas goes there.</summary>
+    /// <summary>The clicked finding, which the canvas shows.</summary>
     public FindingRow? Chosen
     {
         get => _chosen;
@@ -46,7 +46,7 @@ public sealed class FindingsModel : Observable
     }
 }
 
-/// <summary>A finding of the drawing doctor.</summary>
+/// <summary>A finding of CHECK.</summary>
 public sealed class FindingRow(Diagnostic diagnostic)
 {
     public Diagnostic Diagnostic => diagnostic;

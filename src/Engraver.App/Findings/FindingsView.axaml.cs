@@ -2,7 +2,7 @@ using Avalonia.Controls;
 
 namespace Engraver.App.Findings;
 
-/// <summary>The page of the drawing doctor's findings.</summary>
+/// <summary>The page of the findings of CHECK.</summary>
 public partial class FindingsView : UserControl
 {
     public FindingsView() => InitializeComponent();
