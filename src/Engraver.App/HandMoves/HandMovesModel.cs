@@ -10,8 +10,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.HandMoves;
 
-/// <summary>The Machine page: jog pad, places to go to, homing, work origins, inputs and outputs. What moves by steps or to a place is a command; only the
-/// held jog goes to the machine without one.</summary>
+/// <summary>The Machine page: jog pad, positions to move to, homing, work origins, inputs and outputs. Moves by steps or to a position are commands; only
+/// the continuous jog goes directly to the machine.</summary>
 public sealed class HandMovesModel : Observable, IDisposable
 {
     private readonly DesktopModel _desk;
@@ -38,10 +38,10 @@ public sealed class HandMovesModel : Observable, IDisposable
         Look();
     }
 
-    /// <summary>By which a held key is told.</summary>
+    /// <summary>The clock that measures how long a key is held.</summary>
     public TimeProvider Time => _desk.Time;
 
-    /// <summary>The sizes of a step, and at the end "as long as it is held".</summary>
+    /// <summary>The step sizes; the last one is continuous jogging.</summary>
     public IReadOnlyList<StepSize> Steps { get; }
 
     public StepSize Step
@@ -55,7 +55,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         }
     }
 
-    /// <summary>The second control, which allows the rapid speed, is held; Shift does the same.</summary>
+    /// <summary>The rapid enable key, which allows the rapid speed, is held; Shift does the same.</summary>
     public bool IsFast { get; set; }
 
     public Act GoOrigin { get; }
@@ -86,7 +86,7 @@ public sealed class HandMovesModel : Observable, IDisposable
 
     public IReadOnlyList<LineRow> Outputs { get; private set; } = [];
 
-    /// <summary>While it is on, a click on an output asks to switch it.</summary>
+    /// <summary>While it is open, a click on an output asks to switch it.</summary>
     public bool IsGuardOpen
     {
         get => _isGuardOpen;
@@ -96,18 +96,18 @@ public sealed class HandMovesModel : Observable, IDisposable
     /// <summary>The machine has a Z axis.</summary>
     public bool HasHeight { get; private set; }
 
-    /// <summary>The tool's height over the drawing's zero and by the controller's; empty without a Z axis.</summary>
+    /// <summary>Height of the tool above the zero of the drawing and of the controller; empty without a Z axis.</summary>
     public string Height { get; private set; } = "";
 
     public string Homed { get; private set; } = "";
 
     public bool IsNotHomed { get; private set; }
 
-    /// <summary>A press of the pad would move the machine; where not, the pad looks as if it were off, and a press says why.</summary>
+    /// <summary>A press on the pad would move the machine; otherwise the pad looks disabled, and a press shows the reason.</summary>
     public bool CanJog => WhyNot() is null;
 
-    /// <summary>A held jog is expected, because its step was chosen or the pad has the focus: the controller is made ready for it, so that the press moves
-    /// at once.</summary>
+    /// <summary>A continuous jog is expected, because its step was chosen or the pad has the focus: prepares the controller, so that a press moves the
+    /// machine immediately.</summary>
     public void GetReady()
     {
         if (Step.Millimetres is null && !_desk.IsMoving && WhyNot() is null) _ = GetReadyAsync();
@@ -121,11 +121,11 @@ public sealed class HandMovesModel : Observable, IDisposable
         }
         catch (Exception unready) when (unready is ControllerException or InvalidOperationException)
         {
-            // The press says why.
+            // A press shows the reason.
         }
     }
 
-    /// <summary>A key of the pad goes down.</summary>
+    /// <summary>A key of the pad was pressed.</summary>
     /// <param name="way">Direction of each axis, -1, 0 or 1.</param>
     /// <param name="shift">Shift is held.</param>
     public void Press(JogVelocity way, bool shift)
@@ -140,7 +140,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         if (Step.Millimetres is { } step)
         {
             if (!_desk.IsMoving || _desk.Session.Machine.IsHeld) StepBy(way, step);
-            else _desk.Tell(MessageKind.Error, Text.Get("Pad.Busy")); // the jog before it has not ended yet
+            else _desk.Tell(MessageKind.Error, Text.Get("Pad.Busy")); // the previous jog has not ended yet
             return;
         }
 
@@ -151,7 +151,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         _ = TellEndAsync(jog, ended);
     }
 
-    /// <summary>The window lives and the key is held.</summary>
+    /// <summary>The window responds and the key is held.</summary>
     public void Hold(bool shift)
     {
         if (_jog is not { IsReleased: false } jog) return;
@@ -159,10 +159,10 @@ public sealed class HandMovesModel : Observable, IDisposable
         _desk.Session.Machine.Presence.Sign();
     }
 
-    /// <summary>The key goes up, the pad loses the focus or the window closes: the machine brakes. Never waits.</summary>
+    /// <summary>The key is released, the pad loses the focus or the window closes: the machine brakes. Never waits.</summary>
     public void Release() => _jog?.Release();
 
-    /// <summary>Completes when the last jog has left the controller as it was found.</summary>
+    /// <summary>Completes when the last jog has restored the controller.</summary>
     public Task Jogged => _before;
 
     public void Dispose() => _jog?.Dispose();
@@ -177,7 +177,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         return _desk.IsMoving && !machine.IsHeld && _before.IsCompleted ? Text.Get("Pad.Busy") : null;
     }
 
-    /// <summary>The fastest speed (<see cref="HandSpeed"/>) needs the second control.</summary>
+    /// <summary>The fastest speed (<see cref="HandSpeed"/>) requires the rapid enable key.</summary>
     private double Speed(bool shift)
     {
         var profile = _desk.Session.Machine.Profile;
@@ -191,7 +191,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         else _ = _desk.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
     }
 
-    /// <param name="before">The jog before this one, which leaves the controller as it was found first.</param>
+    /// <param name="before">The previous jog, which restores the controller first.</param>
     private async Task<JobResult> JogAsync(HeldJog jog, Task before, string journal)
     {
         await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
@@ -260,8 +260,8 @@ public sealed class HandMovesModel : Observable, IDisposable
     }
 }
 
-/// <summary>A size of a step, to choose.</summary>
-/// <param name="millimetres">Null: as long as the key is held.</param>
+/// <summary>A step size.</summary>
+/// <param name="millimetres">Null: continuous.</param>
 public sealed class StepSize(double? millimetres, HandMovesModel owner) : Observable
 {
     public double? Millimetres => millimetres;
@@ -285,7 +285,7 @@ public sealed class StepSize(double? millimetres, HandMovesModel owner) : Observ
 public sealed record OriginRow(string Name, string Place, bool IsActive);
 
 /// <summary>An input or an output.</summary>
-/// <param name="IsOn">Null: not known.</param>
+/// <param name="IsOn">Null: unknown.</param>
 public sealed record LineRow(int Number, string Name, bool? IsOn)
 {
     public string State => IsOn switch { true => Text.Get("Pad.On"), false => Text.Get("Pad.Off"), null => Text.Get("Pad.Unknown") };

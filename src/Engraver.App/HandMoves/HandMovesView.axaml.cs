@@ -35,7 +35,7 @@ public partial class HandMovesView : UserControl
         base.OnDetachedFromVisualTree(e);
     }
 
-    /// <summary>The second control goes down or up; whatever takes the hand away lets it go.</summary>
+    /// <summary>The rapid enable key is pressed or released; losing the pointer or the window releases it.</summary>
     private void HoldFast(bool held)
     {
         if (Model is { } model) model.IsFast = held;

@@ -10,8 +10,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.HandMoves;
 
-/// <summary>The pad: press moves, release stops; so do a lost focus, a lost pointer and a window that closes or loses its place in front. Arrow keys are
-/// the pad's only while it has the focus.</summary>
+/// <summary>The jog pad: a press moves, a release stops; so do a lost focus, a lost pointer and a window that closes or is deactivated. Arrow keys belong
+/// to the pad only while it has the focus.</summary>
 public sealed class JogPad : UserControl
 {
     private static readonly (string Name, JogVelocity Way, int Row, int Column)[] s_cells =
@@ -39,7 +39,7 @@ public sealed class JogPad : UserControl
 
     private HandMovesModel? Model => DataContext as HandMovesModel;
 
-    /// <summary>The keys that jog while the pad has the focus; all others are the command line's.</summary>
+    /// <summary>The keys that jog while the pad has the focus; all others go to the command line.</summary>
     public static JogVelocity? WayOf(Key key) => key switch
     {
         Key.Left => new JogVelocity(-1, 0),
@@ -51,7 +51,7 @@ public sealed class JogPad : UserControl
         _ => null,
     };
 
-    /// <summary>Whether a key is the pad's, seen by the window before anybody else.</summary>
+    /// <summary>Whether the pad handles a key; the window asks this before all other controls.</summary>
     public static bool Takes(object? source, Key key) => source is JogPad && (WayOf(key) is not null || key is Key.LeftShift or Key.RightShift);
 
     protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
@@ -81,7 +81,7 @@ public sealed class JogPad : UserControl
         _shift = e.KeyModifiers.HasFlag(KeyModifiers.Shift) || e.Key is Key.LeftShift or Key.RightShift;
         if (WayOf(e.Key) is not { } way) return;
         e.Handled = true;
-        if (_key is not null) return; // a key repeats itself while it is held
+        if (_key is not null) return; // keyboard repeat
         if (way.Z != 0.0 && Model is { HasHeight: false }) return;
         _key = e.Key;
         Press(way);
@@ -153,7 +153,7 @@ public sealed class JogPad : UserControl
         Model?.Release();
     }
 
-    /// <summary>The window lives: said from behind the rest of its work.</summary>
+    /// <summary>The window responds: called at a priority below the rest of its work.</summary>
     private void IsHeld()
     {
         if (_beat is not null) Model?.Hold(_shift);

@@ -7,7 +7,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Histories;
 
-/// <summary>The jobs that were run and the programs that were written, newest first, and what can be done with one of them.</summary>
+/// <summary>The jobs that were run and the programs that were written, newest first, with actions on one of them.</summary>
 public sealed class HistoryModel : Observable
 {
     private readonly DesktopModel _desk;
@@ -38,7 +38,7 @@ public sealed class HistoryModel : Observable
 
     public bool HasFindings => Findings.Length > 0;
 
-    /// <summary>Only jobs that hold this text are shown.</summary>
+    /// <summary>Only jobs that contain this text are shown.</summary>
     public string Search
     {
         get => _search;
@@ -58,13 +58,13 @@ public sealed class HistoryModel : Observable
         }
     }
 
-    /// <summary>Opens the drawing of the chosen job as it is now, with the settings of now.</summary>
+    /// <summary>Opens the drawing of the selected job in its present state, with the present settings.</summary>
     public Act Open { get; }
 
     /// <summary>Opens it with the settings that the job had.</summary>
     public Act Rerun { get; }
 
-    /// <summary>Writes the page of the chosen job.</summary>
+    /// <summary>Writes the report of the selected job.</summary>
     public Act Report { get; }
 
     private void Do(string option)
@@ -108,9 +108,9 @@ public sealed class HistoryRow(HistoryEntry entry, TimeZoneInfo here)
 
     public string Seconds => entry.Seconds is { } seconds ? ClockText.Format(seconds) : "";
 
-    /// <summary>That of what was commanded says so.</summary>
+    /// <summary>A deviation from the commanded path is marked as such.</summary>
     public string Deviation => entry.MaxDeviation is not { } deviation ? "" : entry.OpenLoop is null ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : Text.Get("History.Commanded", deviation);
 
-    /// <summary>How it ended, of what its deviation is, and where its files are.</summary>
+    /// <summary>The outcome, the source of the deviation, and the location of the files.</summary>
     public string Tip => string.Join('\n', new[] { entry.Sentence, HistoryText.OpenLoop(entry), entry.Drawing, entry.Address, entry.Program, entry.Journal, entry.Report }.Where(line => !string.IsNullOrEmpty(line)));
 }

@@ -8,7 +8,7 @@ public partial class HistoryView : UserControl
 {
     public HistoryView() => InitializeComponent();
 
-    /// <summary>Twice on a job opens its drawing.</summary>
+    /// <summary>A double click on a job opens its drawing.</summary>
     private void OnDoubleTapped(object? sender, TappedEventArgs e)
     {
         if (DataContext is not HistoryModel { Chosen: not null } model) return;

@@ -8,7 +8,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Jobs;
 
-/// <summary>The job before it starts: its checklist, its planned time, its first place.</summary>
+/// <summary>The job before it starts: its checklist, its planned time, its start position.</summary>
 public sealed class JobModel : Observable
 {
     private readonly DesktopModel _desk;
@@ -40,7 +40,7 @@ public sealed class JobModel : Observable
         Tell(null);
     }
 
-    /// <summary>Warnings are for the next start: while a job runs, the machine is away from its start as it should be.</summary>
+    /// <summary>Warnings are for the next start: while a job runs, the machine is away from its start position as expected.</summary>
     private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
         ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false, job.Motion.Program is { } program ? _desk.Session.Machine.LastPlacement(program, dryRun: _desk.Session.Machine.Armed is { DryRun: true }) : null, _desk.Time.GetUtcNow(), _desk.Session.Certificates.StandingOf(job)?.Check).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
         : [];
@@ -69,15 +69,15 @@ public sealed class JobModel : Observable
     }
 }
 
-/// <summary>One thing that must be so before a job may start, or that the operator must have read.</summary>
+/// <summary>A condition that must be met before a job may start, or a warning that the operator must have read.</summary>
 public sealed record CheckLine(ArmingCheck Check)
 {
-    /// <summary>Shape besides colour.</summary>
+    /// <summary>A shape in addition to the colour.</summary>
     public string Mark => Check switch { { IsNote: true } => "–", { IsAsked: false } => "?", { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
 
-    /// <summary>The sentence of the check; a warning says in words, too, that it is one.</summary>
+    /// <summary>The sentence of the check; a warning is marked by a word, too.</summary>
     public string Sentence => Check.IsWarning ? Text.Get("Job.Warning", Check.Sentence) : Check.Sentence;
 
-    /// <summary>True when the check has not passed, or is a warning.</summary>
+    /// <summary>True if the check has not passed, or is a warning.</summary>
     public bool IsUnusual => !Check.Passed || Check.IsWarning;
 }

@@ -6,15 +6,15 @@ using Engraver.Workbench.Commands.Editing;
 
 namespace Engraver.App.Layers;
 
-/// <summary>A colour that a layer may be given.</summary>
+/// <summary>A colour for a layer.</summary>
 /// <param name="colour">An index or a true colour.</param>
-/// <param name="take">Gives it to the layer; the name is the English one, which LAYER takes in every language.</param>
+/// <param name="take">Sets the colour of the layer; the name is the English one, which LAYER accepts in every language.</param>
 public sealed class ColourChoice(DrawingColour colour, Action<string> take)
 {
-    /// <summary>The colour of index 7 in the list of colours.</summary>
+    /// <summary>The colour shown for index 7 in the list of colours.</summary>
     private const uint White = 0xFFFFFFFF;
 
-    /// <summary>In the language of the operator.</summary>
+    /// <summary>In the operator's language.</summary>
     public string Name { get; } = ColourName.Format(colour);
 
     public IBrush Brush { get; } = BrushOf(colour);

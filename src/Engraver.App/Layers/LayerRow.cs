@@ -9,7 +9,7 @@ namespace Engraver.App.Layers;
 /// <summary>A layer with its switches and its colour; each runs the LAYER command.</summary>
 public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
 {
-    /// <summary>Red to white, dark and light grey.</summary>
+    /// <summary>Index of the last of the standard colours: red to white, dark and light grey.</summary>
     private const int StandardColours = 9;
 
     public string Name => layer.Name;
@@ -24,7 +24,7 @@ public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
 
     public bool Plot => layer.Plot;
 
-    /// <summary>False: nothing of it is cut.</summary>
+    /// <summary>False: nothing on the layer is cut.</summary>
     public bool IsCut => layer.CutByDefault;
 
     public Act SwitchOn { get; } = Switch(layer.On ? "OFF" : "ON", layer, desk);

@@ -4,7 +4,7 @@ using Avalonia.Media;
 
 namespace Engraver.App.MachineStrip;
 
-/// <summary>Eight inputs or outputs as small squares, number 1 at the left: filled is on, hollow is off, a dot is not known.</summary>
+/// <summary>Eight inputs or outputs as small squares, number 1 at the left: filled is on, hollow is off, a dot is unknown.</summary>
 public sealed class BitLamps : Control
 {
     private const int Count = 8;
@@ -16,7 +16,7 @@ public sealed class BitLamps : Control
 
     static BitLamps() => AffectsRender<BitLamps>(BitsProperty, ForegroundProperty);
 
-    /// <summary>Bit 0 is number 1; null: not known.</summary>
+    /// <summary>Bit 0 is number 1; null: unknown.</summary>
     public int? Bits
     {
         get => GetValue(BitsProperty);

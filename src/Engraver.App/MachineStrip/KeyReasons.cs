@@ -3,11 +3,11 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.MachineStrip;
 
-/// <summary>Why a key of the strip does not work now, as the key of two texts: <c>KeyReason.KEY</c> says it in a word or two, <c>KeyReason.KEY.Tip</c> in a
-/// sentence with what to do. Null: it works.</summary>
+/// <summary>Why a key of the strip is disabled, as the key of two texts: <c>KeyReason.KEY</c> in one or two words, <c>KeyReason.KEY.Tip</c> in a sentence
+/// with what to do. Null: it is enabled.</summary>
 internal static class KeyReasons
 {
-    /// <summary>ARM works also where it only says what is missing and what to do.</summary>
+    /// <summary>ARM is also enabled where it only reports what is missing and what to do.</summary>
     public static string? Arm(MachineStatus status) => status.State switch
     {
         MachineState.Armed => "Armed",
@@ -27,10 +27,10 @@ internal static class KeyReasons
     /// <summary>Empty for null.</summary>
     public static string ShortOf(string? reason) => reason is null ? "" : Text.Get("KeyReason." + reason);
 
-    /// <param name="otherwise">The text while the key works.</param>
+    /// <param name="otherwise">The text while the key is enabled.</param>
     public static string TipOf(string? reason, string otherwise, MachineStatus status) => reason is null ? Text.Get(otherwise) : Text.Get("KeyReason." + reason + ".Tip", status.Reason.TrimEnd('.'));
 
-    /// <summary>What stands against both.</summary>
+    /// <summary>The reasons that disable both ARM and START.</summary>
     private static string? Standing(MachineStatus status) => status.State switch
     {
         MachineState.Offline => "NoController",

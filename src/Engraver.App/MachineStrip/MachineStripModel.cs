@@ -10,7 +10,7 @@ namespace Engraver.App.MachineStrip;
 /// <summary>The machine in one line: state as text, shape and colour, position, feed, tool, progress, and the keys.</summary>
 public sealed class MachineStripModel : Observable
 {
-    /// <summary>What a press on a key of the override changes, a factor of the programmed feed or rapid speed.</summary>
+    /// <summary>The change of the override by one press, as a factor of the programmed feed or rapid speed.</summary>
     private const double OverrideStep = 0.1;
 
     private const string Unknown = "–";
@@ -35,19 +35,19 @@ public sealed class MachineStripModel : Observable
 
     public Act Arm { get; }
 
-    /// <summary>Works only when armed, or when a job is held.</summary>
+    /// <summary>Enabled only when the machine is armed, or when a job is held.</summary>
     public Act Start { get; }
 
-    /// <summary>What START would do: go on with a held job, as the key of that name does on other machines.</summary>
+    /// <summary>The action of START; with a held job it is to continue, as the key of that name on other machines.</summary>
     public string StartText => Text.Get(_status.State is MachineState.Held ? "Machine.Resume" : "Machine.Start");
 
-    /// <summary>Why ARM does not work now, in a word or two under it; empty while it does.</summary>
+    /// <summary>Why ARM is disabled, in one or two words under the key; empty while it is enabled.</summary>
     public string ArmWhy => KeyReasons.ShortOf(KeyReasons.Arm(_status));
 
-    /// <summary>The same of START.</summary>
+    /// <summary>The same for START.</summary>
     public string StartWhy => KeyReasons.ShortOf(KeyReasons.Start(_status));
 
-    /// <summary>What ARM does; while it does not work, why and what to do.</summary>
+    /// <summary>The action of ARM; while it is disabled, the reason and what to do.</summary>
     public string ArmTip => KeyReasons.TipOf(KeyReasons.Arm(_status), "Machine.ArmTip", _status);
 
     public string StartTip => KeyReasons.TipOf(KeyReasons.Start(_status), "Machine.StartTip", _status);
@@ -79,7 +79,7 @@ public sealed class MachineStripModel : Observable
         ? Text.Get("Machine.OverrideLimited", _status.FeedInForce * 100.0, _status.FeedRatio * 100.0)
         : Text.Get("Machine.Override", _status.FeedRatio * 100.0);
 
-    /// <summary>The feed is not as planned: the figure is lit.</summary>
+    /// <summary>The feed differs from the plan: the figure is highlighted.</summary>
     public string OverrideKey => _status.FeedRatio == 1.0 ? "NeutralLampBrush" : "AbnormalLampBrush";
 
     /// <summary>Rapid speed in percent of the plan.</summary>
@@ -90,10 +90,10 @@ public sealed class MachineStripModel : Observable
 
     public string State => _status.State.Said();
 
-    /// <summary>Name of the geometry that stands before the state.</summary>
+    /// <summary>Name of the geometry before the state.</summary>
     public string ShapeKey => "Shape." + _status.State;
 
-    /// <summary>Name of the brush of the shape; grey as long as nothing is unusual.</summary>
+    /// <summary>Name of the brush of the shape; grey unless the state is unusual.</summary>
     public string LampKey => _status.State switch
     {
         MachineState.Running => "NormalLampBrush",
@@ -104,7 +104,7 @@ public sealed class MachineStripModel : Observable
         _ => "NeutralLampBrush",
     };
 
-    /// <summary>The reason of the state, or until when it lasts.</summary>
+    /// <summary>The reason of the state, or when it ends.</summary>
     public string Reason => _status.State == MachineState.Armed && _status.ArmedUntil is { } until
         ? Text.Get(_status.IsDryRun ? "Machine.ArmedDryFor" : "Machine.ArmedFor", Math.Max(0, Math.Ceiling((until - _desk.Time.GetUtcNow()).TotalSeconds)))
         : _status.Reason.Length > 0 ? _status.Reason : _status.Controller ?? Text.Get("Machine.NoController");
@@ -118,36 +118,36 @@ public sealed class MachineStripModel : Observable
     /// <summary>The machine has a Z axis.</summary>
     public bool HasHeight => _desk.Session.Machine.Profile.Axes.Z is not null;
 
-    /// <summary>Height over the drawing's zero; by the controller's zero while that one is not known, as X and Y.</summary>
+    /// <summary>Height above the zero of the drawing, or above the controller's zero while that one is unknown; the same as for X and Y.</summary>
     public string Z => Figure(_status.WorkHeight ?? _status.MachineHeight);
 
     public string MachineHeight => _status.MachineHeight is { } height ? Text.Get("Machine.Height", Figure(height)) : "";
 
     public string MachinePlace => _status.MachinePosition is { } place ? Text.Get("Machine.MachinePosition", Figure(place.X), Figure(place.Y)) : "";
 
-    /// <summary>Speed along the path, mm/min: while a job runs by the positions that the controller reports (<see cref="ToldSpeed"/>), else the
-    /// controller's own speed.</summary>
+    /// <summary>Speed along the path, mm/min: while a job runs, computed from the positions that the controller reports (<see cref="ToldSpeed"/>),
+    /// otherwise the speed that the controller reports.</summary>
     public string Feed => (_status.Speed ?? _told.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
 
     public string Tool => _status.ToolCommanded switch { true => Text.Get("Machine.ToolOn"), false => Text.Get("Machine.ToolOff"), null => Unknown };
 
-    /// <summary>Bit 0 is input 1; null is not known.</summary>
+    /// <summary>Bit 0 is input 1; null: unknown.</summary>
     public int? Inputs => _status.Inputs;
 
-    /// <summary>Bit 0 is output 1; null is not known.</summary>
+    /// <summary>Bit 0 is output 1; null: unknown.</summary>
     public int? Outputs => _status.Outputs;
 
-    /// <summary>0 to 1, of the planned time: one long segment counts as much as the many short ones that take as long.</summary>
+    /// <summary>Fraction of the planned time, 0 to 1: one long segment counts as much as the many short ones of the same duration.</summary>
     public double Progress => _status.Progress is { } at ? _desk.Derived.FractionDone(at) : 0.0;
 
     public string ProgressText => _status.Progress is { } at
         ? Text.Get("Machine.ProgressText", Progress * 100.0, ClockText.Format(at.Seconds))
         : Unknown;
 
-    /// <summary>How many segments of how many are cut; empty while no job has a progress.</summary>
+    /// <summary>Number of cut segments and total; empty while there is no job with progress.</summary>
     public string SegmentsText => _status.Progress is { } at ? Text.Get("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
 
-    /// <summary>Empty while no job has a progress.</summary>
+    /// <summary>Empty while there is no job with progress.</summary>
     public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at) * _desk.Derived.TimeUnder(_status.FeedInForce, _status.RapidRatio))) : "";
 
     private void Look()

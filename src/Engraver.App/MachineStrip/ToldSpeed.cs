@@ -2,12 +2,11 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.MachineStrip;
 
-/// <summary>The speed of the tool while a job runs: the distance between two positions that the controller told, over the time on the controller's own
-/// clock.</summary>
-/// <remarks>A chord is shorter than its arc: at a tenth of a second and a radius of 1 mm that is 4 % at 600 mm/min.</remarks>
+/// <summary>The speed of the tool while a job runs: the distance between two reported positions divided by the time on the controller's clock.</summary>
+/// <remarks>A chord is shorter than its arc: at a tenth of a second and a radius of 1 mm by 4 % at 600 mm/min.</remarks>
 internal sealed class ToldSpeed
 {
-    /// <summary>Least controller time between two positions, seconds; a speed over less time would be too inexact.</summary>
+    /// <summary>Minimum controller time between two positions, seconds; over a shorter time the speed is too inaccurate.</summary>
     private const double LeastSeconds = 0.1;
 
     private EngravedProgress? _last;
@@ -15,7 +14,7 @@ internal sealed class ToldSpeed
     /// <summary>mm/s; null while no job runs, and before its second position.</summary>
     public double? Current { get; private set; }
 
-    /// <param name="told">The last progress of the job under way; null when none runs.</param>
+    /// <param name="told">Last progress of the running job; null when none runs.</param>
     public void Look(EngravedProgress? told)
     {
         if (told is null || _last is null || told.Seconds < _last.Seconds)

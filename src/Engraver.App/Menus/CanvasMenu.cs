@@ -6,15 +6,15 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Menus;
 
-/// <summary>The menu of the right button on the canvas, for what is going on: a command that asks (Enter, Cancel, its options), objects that are selected,
-/// or nothing of both.</summary>
-/// <remarks>AutoCAD's order: repeat the last command, recent input, then what fits. Neither repeats what starts motion.</remarks>
+/// <summary>The context menu of the canvas, for the current state: a command with a prompt (Enter, Cancel, its options), selected objects, or
+/// neither.</summary>
+/// <remarks>AutoCAD's order: repeat the last command, recent input, then the entries for the state. Neither repeats a command that starts motion.</remarks>
 internal sealed class CanvasMenu(DesktopModel desk, MenuBuilder menus, CommandWindowModel line)
 {
     private IEnumerable<string> Fitting =>
         (desk.Session.Document.Current.Selection.Count > 0 ? MenuLayout.OnSelection : MenuLayout.OnCanvas).Where(name => name.Length == 0 || name.Contains('.', StringComparison.Ordinal) || desk.Session.Catalog.Find(name) is not null);
 
-    /// <param name="room">The height that there is, units of 1/96 inch; a longer menu scrolls.</param>
+    /// <param name="room">The available height, units of 1/96 inch; a longer menu scrolls.</param>
     public ContextMenu Make(double room) => new() { Name = "CanvasMenu", MaxHeight = Math.Max(MenuBuilder.LeastHeight, room), ItemsSource = Items() };
 
     private List<Control> Items() => desk.Prompt.Command is null ? [.. Again(), .. menus.Entries(Fitting)] : [.. InCommand()];
@@ -45,6 +45,6 @@ internal sealed class CanvasMenu(DesktopModel desk, MenuBuilder menus, CommandWi
 
     private static MenuItem Item(string header, string tag, Action run) => new() { Header = header, Tag = tag, Command = new Act(run) };
 
-    /// <summary>As it is: an underscore marks no letter of the keyboard.</summary>
+    /// <summary>Escapes underscores, which would mark an access key.</summary>
     private static string Letters(string text) => text.Replace("_", "__", StringComparison.Ordinal);
 }

@@ -9,13 +9,13 @@ using ICommand = System.Windows.Input.ICommand;
 
 namespace Engraver.App.Menus;
 
-/// <summary>Makes the menus of the layout. The items of a menu are made when it is first opened.</summary>
-/// <param name="typed">Gives the text that is typed for a command; it is shown at the right of the entry.</param>
-/// <param name="act">Gives the command of an entry.</param>
+/// <summary>Creates the menus of the layout. The items of a menu are created when it is first opened.</summary>
+/// <param name="typed">Returns the text that is typed for a command; it is shown at the right of the entry.</param>
+/// <param name="act">Returns the command of an entry.</param>
 /// <param name="recent">The submenu of RECENT; null: the entry runs the command.</param>
 public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> act, RecentMenu? recent = null)
 {
-    /// <summary>A menu is never made lower than this, units of 1/96 inch.</summary>
+    /// <summary>Minimum height of a menu, units of 1/96 inch.</summary>
     internal const double LeastHeight = 120;
 
     /// <summary>Between a menu and the edge of its window.</summary>
@@ -23,7 +23,7 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
 
     public IReadOnlyList<MenuItem> Build(IEnumerable<MenuSection> sections) => [.. sections.Where(section => section.Entries.Count > 0).Select(Menu)];
 
-    /// <summary>Gives a menu that has opened no more height than its window has; what is longer scrolls.</summary>
+    /// <summary>Limits the height of an open menu to that of its window; a longer menu scrolls.</summary>
     public static void Fit(MenuItem? item, Visual window)
     {
         if (item?.GetVisualDescendants().OfType<Popup>().FirstOrDefault() is not { Child: Border list } || item.TranslatePoint(default, window) is not { } corner) return;
@@ -68,13 +68,13 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
     }
 }
 
-/// <summary>What a command is called in menus and tips.</summary>
+/// <summary>The name of a command in menus and tips.</summary>
 public static class MenuTitle
 {
     /// <summary>The text <c>Command.NAME</c>; a command without one is shown by its name.</summary>
     public static string Find(string name) => Text.Find("Command." + name) ?? name;
 
-    /// <summary>What to type for it: the shortest alias, else the name.</summary>
+    /// <summary>The shortest input for the command: its shortest alias, or the name.</summary>
     public static string Typed(CommandSession session, string name) =>
         session.Aliases.Commands.Where(pair => pair.Value == name).Select(pair => pair.Key).OrderBy(alias => alias.Length).ThenBy(alias => alias, StringComparer.Ordinal).FirstOrDefault() ?? name;
 }

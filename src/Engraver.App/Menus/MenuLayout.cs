@@ -2,7 +2,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Menus;
 
-/// <summary>The commands of each menu. Every command of the catalogue has a place: those that are not named here come at the end of the menu of their
+/// <summary>The commands of each menu. Every command of the catalogue is included: those that are not listed here are added to the end of the menu of their
 /// group.</summary>
 public static class MenuLayout
 {
@@ -48,13 +48,13 @@ public static class MenuLayout
         new("Help", ["HELP"]),
     ];
 
-    /// <summary>The right button on the canvas while nothing is selected.</summary>
+    /// <summary>The context menu of the canvas without a selection.</summary>
     public static IReadOnlyList<string> OnCanvas { get; } = ["ZOOM", "PAN", "REGEN", Separator, "SELECT", "Window.SelectAll", Separator, "U", "REDO", Separator, "OPTIONS"];
 
-    /// <summary>The same while objects are selected.</summary>
+    /// <summary>The same with selected objects.</summary>
     public static IReadOnlyList<string> OnSelection { get; } = ["ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS", Separator, "ENTER", "TOOLSTART", Separator, "ZOOM", "PAN", Separator, "LIST", "PROPERTIES"];
 
-    /// <summary>The menus of what is built.</summary>
+    /// <summary>The menus of the existing commands.</summary>
     public static IReadOnlyList<MenuSection> For(CommandCatalog catalog)
     {
         ArgumentNullException.ThrowIfNull(catalog);
@@ -86,7 +86,7 @@ public static class MenuLayout
         _ => "View",
     };
 
-    /// <summary>No separator at an end or beside another.</summary>
+    /// <summary>Removes separators at the ends and next to each other.</summary>
     private static List<string> Tidy(IReadOnlyList<string> entries)
     {
         var tidy = new List<string>();
@@ -100,20 +100,20 @@ public static class MenuLayout
     }
 }
 
-/// <summary>One menu of the bar, or a submenu of one.</summary>
+/// <summary>One menu of the menu bar, or a submenu.</summary>
 /// <param name="Key">Name of its text (<c>Menu.File</c>).</param>
-/// <param name="Entries">Names of commands; empty is a separator; <c>Menu.KEY</c> is a submenu; another name with a dot is an act of the window itself
+/// <param name="Entries">Names of commands; empty is a separator; <c>Menu.KEY</c> is a submenu; another name with a dot is an action of the window
 /// (<c>Window.Palettes</c>).</param>
 public sealed record MenuSection(string Key, IReadOnlyList<string> Entries)
 {
     internal const string SubmenuPrefix = "Menu.";
 
-    /// <summary>What the entries name as submenus.</summary>
+    /// <summary>The submenus that the entries name.</summary>
     public IReadOnlyList<MenuSection> Submenus { get; init; } = [];
 
-    /// <summary>Name of its text, and of its entry in the menu around it.</summary>
+    /// <summary>Name of its text, and of its entry in the parent menu.</summary>
     public string Name => SubmenuPrefix + Key;
 
-    /// <summary>The commands in it and in its submenus.</summary>
+    /// <summary>The commands in the menu and its submenus.</summary>
     public IEnumerable<string> Commands => Entries.Where(entry => entry.Length > 0 && !entry.Contains('.', StringComparison.Ordinal)).Concat(Submenus.SelectMany(submenu => submenu.Commands));
 }

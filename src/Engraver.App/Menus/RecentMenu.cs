@@ -5,12 +5,12 @@ using ICommand = System.Windows.Input.ICommand;
 
 namespace Engraver.App.Menus;
 
-/// <summary>The submenu of the drawings that were opened last. Those that are gone are told and cannot be chosen.</summary>
+/// <summary>The submenu of the recent drawings. Missing files are marked and disabled.</summary>
 /// <param name="open">Opens a drawing, the parameter.</param>
-/// <param name="list">RECENT itself, which lists them in the command window.</param>
+/// <param name="list">The RECENT command, which lists them in the command window.</param>
 public sealed class RecentMenu(RecentDrawings recent, ICommand open, ICommand list)
 {
-    /// <summary>The entry of a menu; its drawings are looked up whenever it is opened.</summary>
+    /// <summary>The menu entry; its drawings are updated whenever it is opened.</summary>
     public MenuItem Entry(object header)
     {
         var item = new MenuItem { Header = header, Tag = "RECENT" };
@@ -30,7 +30,7 @@ public sealed class RecentMenu(RecentDrawings recent, ICommand open, ICommand li
 
     private MenuItem EntryOf(RecentDrawing drawing, int number)
     {
-        var name = drawing.Name.Replace("_", "__", StringComparison.Ordinal); // one alone marks a letter of the keyboard
+        var name = drawing.Name.Replace("_", "__", StringComparison.Ordinal); // a single underscore marks an access key
         var entry = new MenuItem { Header = Text.Get(drawing.IsGone ? "Menu.RecentNotFound" : "Menu.RecentDrawing", number, name), Command = open, CommandParameter = drawing, IsEnabled = drawing.IsThere, Tag = drawing.Path };
         ToolTip.SetTip(entry, drawing.Path);
         return entry;

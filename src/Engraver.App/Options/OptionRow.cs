@@ -3,7 +3,7 @@ using Engraver.Workbench.Commands.Settings;
 
 namespace Engraver.App.Options;
 
-/// <summary>A setting on the sheet, with what was typed for it.</summary>
+/// <summary>A setting on the sheet, with its edited value.</summary>
 public sealed class OptionRow(OptionEntry entry) : Observable
 {
     private const string On = "1";
@@ -16,17 +16,17 @@ public sealed class OptionRow(OptionEntry entry) : Observable
     /// <summary>The name with its unit.</summary>
     public string Title => entry.Unit.Length > 0 ? Texts.Text.Get("Options.WithUnit", entry.Name, entry.Unit) : entry.Name;
 
-    /// <summary>What it does, what is typed for it, and its first value.</summary>
+    /// <summary>Its meaning, its possible values, and its default.</summary>
     public string Meaning => entry.Default.Length > 0 ? Texts.Text.Get("Options.MeaningWithDefault", entry.Meaning, entry.Command, entry.ShownDefault) : Texts.Text.Get("Options.Meaning", entry.Meaning, entry.Command);
 
     public bool IsNumber => entry.Choices.Count == 0 && !entry.IsSwitch;
 
     public bool IsChoice => entry.Choices.Count > 0;
 
-    /// <summary>The words that may be chosen.</summary>
+    /// <summary>The possible words.</summary>
     public IReadOnlyList<OptionChoice> Choices { get; } = entry.ShownChoices;
 
-    /// <summary>The word that is chosen; null for a number.</summary>
+    /// <summary>The selected word; null for a number.</summary>
     public OptionChoice? Choice
     {
         get => Choices.FirstOrDefault(choice => choice.Value == _typed);
@@ -55,10 +55,10 @@ public sealed class OptionRow(OptionEntry entry) : Observable
         set => Typed = value ? On : Off;
     }
 
-    /// <summary>Another value than now stands there.</summary>
+    /// <summary>The edited value differs from the current one.</summary>
     public bool IsChanged => _typed != entry.Value;
 
-    /// <summary>What is wrong with it, in a sentence; empty while it can be taken.</summary>
+    /// <summary>The error in the value, in a sentence; empty if the value is valid.</summary>
     public string Wrong
     {
         get => _wrong;

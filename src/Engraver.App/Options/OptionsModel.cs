@@ -5,7 +5,7 @@ using Engraver.Workbench.Commands.Settings;
 
 namespace Engraver.App.Options;
 
-/// <summary>The sheet of OPTIONS: every setting on pages, with a search over all of them. What is changed is taken by the same commands that are
+/// <summary>The sheet of OPTIONS: every setting on pages, with a search over all of them. Changes are made by the commands that can also be
 /// typed.</summary>
 public sealed class OptionsModel : Observable
 {
@@ -32,7 +32,7 @@ public sealed class OptionsModel : Observable
     /// <summary>Titles of the pages.</summary>
     public IReadOnlyList<string> Pages { get; private set; } = [];
 
-    /// <summary>The page in front; a search shows rows of all of them.</summary>
+    /// <summary>The page in front; a search shows rows of all pages.</summary>
     public string? Page
     {
         get => _page;
@@ -55,18 +55,18 @@ public sealed class OptionsModel : Observable
         }
     }
 
-    /// <summary>The rows of the page, or those that are found.</summary>
+    /// <summary>The rows of the page, or the matches of the search.</summary>
     public IReadOnlyList<OptionRow> Shown => _search.Trim().Length > 0 ? [.. _rows.Where(row => row.Entry.Holds(_search))] : [.. _rows.Where(row => row.Entry.PageTitle == _page)];
 
     public bool FindsNothing => IsOpen && Shown.Count == 0;
 
-    /// <summary>Leaves everything as it was.</summary>
+    /// <summary>Discards all changes.</summary>
     public Act Cancel { get; }
 
-    /// <summary>Takes what was changed; the sheet stays.</summary>
+    /// <summary>Applies the changes; the sheet stays open.</summary>
     public Act Apply { get; }
 
-    /// <summary>OK: takes what was changed and closes, unless something cannot be taken.</summary>
+    /// <summary>OK: applies the changes and closes the sheet, unless a value is invalid.</summary>
     public Act Take { get; }
 
     public void Open()
@@ -77,8 +77,8 @@ public sealed class OptionsModel : Observable
         IsOpen = true;
     }
 
-    /// <summary>Runs the command of each changed setting, one after the other.</summary>
-    /// <returns>False when one was refused; the reason stands beside it.</returns>
+    /// <summary>Runs the command of each changed setting, in order.</summary>
+    /// <returns>False if one was refused; the reason is shown beside it.</returns>
     public async Task<bool> ApplyAsync()
     {
         foreach (var row in _rows) row.Wrong = row.Entry.WhyNot(row.Typed) ?? "";
@@ -104,7 +104,7 @@ public sealed class OptionsModel : Observable
         if (await ApplyAsync()) IsOpen = false;
     }
 
-    /// <summary>Brings the row that cannot be taken to the front.</summary>
+    /// <summary>Brings the row with the invalid value to the front.</summary>
     private bool Refused(OptionRow row)
     {
         if (!Shown.Contains(row)) Page = row.Entry.PageTitle;

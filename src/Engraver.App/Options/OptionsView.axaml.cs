@@ -7,30 +7,30 @@ using Engraver.App.Desk;
 
 namespace Engraver.App.Options;
 
-/// <summary>A sheet over the window below the machine strip: STOP stays beside it.</summary>
+/// <summary>A sheet over the window below the machine strip, so that STOP stays visible.</summary>
 public partial class OptionsView : UserControl
 {
     public OptionsView()
     {
         InitializeComponent();
-        OptionPages.ContainerPrepared += (_, e) => e.Container.Focusable = true; // rows of lists take no keyboard elsewhere (Theme/Controls.axaml)
+        OptionPages.ContainerPrepared += (_, e) => e.Container.Focusable = true; // list items are not focusable elsewhere (Theme/Controls.axaml)
         OptionPages.SelectionChanged += (_, _) => TabGoesToShownPage();
     }
 
     private OptionsModel Model => (OptionsModel)DataContext!;
 
-    /// <summary>Enter takes, also on a check box, which Space turns; Esc leaves. Everything else belongs to what has the keyboard.</summary>
-    /// <returns>True when it was one of them.</returns>
+    /// <summary>Enter accepts, also on a check box, which Space toggles; Esc closes. All other keys go to the focused control.</summary>
+    /// <returns>True if the sheet handled the key.</returns>
     public bool Press(KeyEventArgs e)
     {
-        if (e.Source is ComboBox { IsDropDownOpen: true } or ComboBoxItem) return false; // the keys are those of the open list
+        if (e.Source is ComboBox { IsDropDownOpen: true } or ComboBoxItem) return false; // the keys belong to the open list
         if (e.Key == Key.Escape) Model.Cancel.Execute(null);
         else if (e.Key == Key.Enter && e.Source is not ((Button and not ToggleButton) or ComboBox or ComboBoxItem)) Model.Take.Execute(null);
         else return false;
         return true;
     }
 
-    /// <summary>Tab goes to the page that is shown, from which the arrow keys go on, and not to the first of the list.</summary>
+    /// <summary>Tab moves to the shown page, from which the arrow keys continue, instead of the first of the list.</summary>
     private void TabGoesToShownPage()
     {
         if (OptionPages.SelectedItem is { } page) KeyboardNavigation.SetTabOnceActiveElement(OptionPages, OptionPages.ContainerFromItem(page));
@@ -44,10 +44,10 @@ public partial class OptionsView : UserControl
     }
 }
 
-/// <summary>Opens the sheets of commands that have one, where the command session asks for it.</summary>
+/// <summary>Opens the sheets of commands that have one, at the request of the command session.</summary>
 internal static class OptionsDialog
 {
-    /// <summary>As long as the window is open, OPTIONS opens its sheet instead of asking at the command line, and QUIT closes the window.</summary>
+    /// <summary>While the window is open, OPTIONS opens its sheet instead of a prompt at the command line, and QUIT closes the window.</summary>
     public static void Serve(DesktopModel desk, OptionsModel options, Window window)
     {
         desk.Session.Dialogs = Show;

@@ -7,12 +7,12 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.App.Platforms;
 
-/// <summary>Avalonia on the software platform of this repository: X11 windows, or windows in memory. Stop keys and the on-screen STOP are seen on the
+/// <summary>Avalonia on the software platform of this repository: X11 windows, or windows in memory. Stop keys and the on-screen STOP are handled on the
 /// thread that reads the input.</summary>
-/// <remarks>One of two files of the same class; the project takes the one of its back end.</remarks>
+/// <remarks>One of two files of the same class; the project includes the one of its back end.</remarks>
 internal static class DesktopPlatform
 {
-    /// <summary>Longest time that a script may take; it may run a job on a machine.</summary>
+    /// <summary>Maximum duration of a script, which may run a job on a machine.</summary>
     private static readonly TimeSpan s_longestScript = TimeSpan.FromHours(24);
 
     /// <summary>The builder for real windows.</summary>
@@ -21,7 +21,7 @@ internal static class DesktopPlatform
     /// <summary>The builder for a desktop in memory.</summary>
     public static AppBuilder InMemory(AppBuilder builder, DesktopSession session, HeadlessDesktop desktop, double scale) => On(builder, session, new FrontEnd.Headless(desktop), scale);
 
-    /// <summary>From now on presses of the on-screen STOP are seen without the UI thread.</summary>
+    /// <summary>From now on presses of the on-screen STOP are handled without the UI thread.</summary>
     public static void WatchStop(ShellWindow window, DesktopSession session)
     {
         var region = ((InputRegions)session.PlatformState!).Add(window, window.StopArea, () => session.StopKeys.PressStop());
@@ -29,9 +29,9 @@ internal static class DesktopPlatform
         window.Closed += (_, _) => region.Dispose();
     }
 
-    /// <summary>Opens, runs the script, takes the picture, ends.</summary>
-    /// <param name="onFirstFrame">Called when the first frame is there, and then nothing else is done; null for the whole.</param>
-    /// <returns>The sentence of what failed; null when all went well.</returns>
+    /// <summary>Opens the window, runs the script, saves the picture, ends.</summary>
+    /// <param name="onFirstFrame">Called after the first frame instead of running the script; null to run it.</param>
+    /// <returns>The sentence of the failure; null on success.</returns>
     public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, Action? onFirstFrame)
     {
         var desktop = new HeadlessDesktop();
@@ -55,7 +55,7 @@ internal static class DesktopPlatform
         return opening.GetAwaiter().GetResult();
     }
 
-    /// <summary>The message of a display that is not there; null for every other failure.</summary>
+    /// <summary>The message for a missing display; null for every other failure.</summary>
     public static string? NoDisplay(Exception failure) => (failure as DisplayUnavailableException)?.Message;
 
     private static AppBuilder On(AppBuilder builder, DesktopSession session, FrontEnd frontEnd, double scale)

@@ -5,7 +5,7 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Playback;
 
-/// <summary>The planned path in time: play, step, scrub. While it plays, a timer of the window asks where the tool is.</summary>
+/// <summary>The planned path over time: play, step, scrub. While it plays, a timer of the window updates the position.</summary>
 public sealed class PlaybackModel : Observable
 {
     private const double FramesASecond = 60.0;
@@ -34,7 +34,7 @@ public sealed class PlaybackModel : Observable
 
     public Act ToEnd { get; }
 
-    /// <summary>To the beginning of the contour before.</summary>
+    /// <summary>To the start of the previous contour.</summary>
     public Act StepBack { get; }
 
     public Act StepForward { get; }
@@ -103,12 +103,12 @@ public sealed class PlaybackModel : Observable
     }
 }
 
-/// <summary>A speed of the playback to choose.</summary>
+/// <summary>A speed of the playback.</summary>
 public sealed class PlaybackSpeed(string name, double factor, PlaybackModel playback) : Observable
 {
     public string Name => name;
 
-    /// <summary>Multiple of the machine's own speed; infinite goes to the end at once.</summary>
+    /// <summary>Multiple of the machine's own speed; infinite goes to the end immediately.</summary>
     public double Factor => factor;
 
     public bool IsChosen => playback.Speed == factor;

@@ -2,7 +2,7 @@ using Engraver.App.Canvas.Rasterising;
 
 namespace Engraver.App.Plots;
 
-/// <summary>Where the lines of a chart lie: at round numbers, with room for what is written beside them.</summary>
+/// <summary>Positions of the grid lines of a chart: at round numbers, with room for the labels.</summary>
 internal static class ChartMarks
 {
     private const double LeastRowPixels = 40.0;
@@ -10,7 +10,7 @@ internal static class ChartMarks
 
     private static readonly double[] s_clockSteps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 36000];
 
-    /// <summary>Speeds from zero to the first one that is not below the peak: the last is the top of the chart.</summary>
+    /// <summary>Speeds from zero to the first one at or above the peak: the last is the top of the chart.</summary>
     /// <param name="peak">Positive.</param>
     /// <param name="pixels">Height of the chart.</param>
     public static IReadOnlyList<double> Speeds(double peak, double pixels)
@@ -20,7 +20,7 @@ internal static class ChartMarks
         return [.. Enumerable.Range(0, rows + 1).Select(row => row * step)];
     }
 
-    /// <summary>Seconds from zero to not beyond the end, in steps that a clock has.</summary>
+    /// <summary>Seconds from zero up to the end, in steps that are usual for time.</summary>
     /// <param name="total">Seconds; positive.</param>
     /// <param name="pixels">Width of the chart.</param>
     public static IReadOnlyList<double> Seconds(double total, double pixels)

@@ -4,7 +4,7 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Plots;
 
-/// <summary>Planned speed over time, with the tool's place in it.</summary>
+/// <summary>Planned speed over time, with the position of the playback.</summary>
 public sealed class PlotModel : Observable, ISeen
 {
     private bool _isSeen;
@@ -23,7 +23,7 @@ public sealed class PlotModel : Observable, ISeen
 
     public bool IsEmpty => Curve is null;
 
-    /// <summary>Seconds; moving it moves the tool.</summary>
+    /// <summary>Seconds; setting it moves the playback.</summary>
     public double At
     {
         get => _desk.Derived.AtSeconds;
@@ -42,7 +42,7 @@ public sealed class PlotModel : Observable, ISeen
     private void Look()
     {
         if (ReferenceEquals(_desk.Derived.Current.Motion, _shown) || (!IsSeen && _shown is null)) return;
-        _shown = IsSeen ? _desk.Derived.Current.Motion : null; // hidden, it does not keep an old one
+        _shown = IsSeen ? _desk.Derived.Current.Motion : null; // a hidden page keeps no reference to an old plan
         Curve = _shown is null ? null : SpeedCurve.From(_shown);
         Tell(null);
     }

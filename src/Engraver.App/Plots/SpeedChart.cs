@@ -9,7 +9,7 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Plots;
 
-/// <summary>Draws a speed curve over time; a press or a drag chooses a moment.</summary>
+/// <summary>Draws a speed curve over time; a press or a drag selects a time.</summary>
 public sealed class SpeedChart : Control
 {
     private const double LeftRoom = 46;
@@ -54,7 +54,7 @@ public sealed class SpeedChart : Control
         set => SetValue(GridBrushProperty, value);
     }
 
-    /// <summary>The moment of the tool.</summary>
+    /// <summary>The brush of the line at the position of the playback.</summary>
     public IBrush? CursorBrush
     {
         get => GetValue(CursorBrushProperty);
@@ -102,7 +102,7 @@ public sealed class SpeedChart : Control
         return line;
     }
 
-    /// <param name="speeds">mm/min; the last is the top of the field.</param>
+    /// <param name="speeds">mm/min; the last is the top of the plot area.</param>
     private void DrawGrid(DrawingContext context, Rect field, IReadOnlyList<double> speeds, double totalSeconds)
     {
         var pen = new Pen(GridBrush);
@@ -133,8 +133,8 @@ public sealed class SpeedChart : Control
     }
 }
 
-/// <summary>Planned speed over time, as many samples as a window can show.</summary>
-/// <param name="TotalSeconds">Time of the end; the first sample is at 0.</param>
+/// <summary>Planned speed over time, with as many samples as a window can show.</summary>
+/// <param name="TotalSeconds">Time of the last sample; the first is at 0.</param>
 public sealed record SpeedCurve(double TotalSeconds, IReadOnlyList<SpeedSample> Samples)
 {
     private const int MostSamples = 4000;

@@ -3,8 +3,8 @@ using Engraver.App.Desk;
 
 namespace Engraver.App.Programs;
 
-/// <summary>The job as the controller's own program (DMC).</summary>
-/// <remarks>It is written when the page is seen for the first time.</remarks>
+/// <summary>The job as a program of the controller (DMC).</summary>
+/// <remarks>It is written when the page is first shown.</remarks>
 public sealed class ProgramModel : FollowedRows<ProgramLine>, ISeen
 {
     private bool _isSeen;
@@ -36,7 +36,7 @@ public sealed class ProgramModel : FollowedRows<ProgramLine>, ISeen
         Show(lines.Count, index => new ProgramLine(index, lines[index]));
     }
 
-    /// <summary>A page that is hidden does not keep the lines of an old program.</summary>
+    /// <summary>A hidden page keeps no reference to the lines of an old program.</summary>
     private void Forget()
     {
         if (_shown.Count == 0 || Desk.Derived.HasLines) return;

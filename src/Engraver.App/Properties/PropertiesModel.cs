@@ -12,13 +12,13 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Properties;
 
-/// <summary>What is selected: its properties, which can be edited, and in a section of their own the 16 slots of its rows by name.</summary>
+/// <summary>The properties of the selection, which can be edited, and in a separate section the 16 slots of its rows by name.</summary>
 public sealed class PropertiesModel : Observable
 {
-    /// <summary>Most rows that are listed; further ones are only counted.</summary>
+    /// <summary>Maximum number of listed rows; more are only counted.</summary>
     private const int MostRows = 20;
 
-    /// <summary>With more objects selected the table is not searched for their rows.</summary>
+    /// <summary>Maximum number of selected objects for which the rows of the table are searched.</summary>
     private const int MostObjects = 20;
 
     private readonly DesktopModel _desk;
@@ -39,7 +39,7 @@ public sealed class PropertiesModel : Observable
     {
         var state = _desk.Session.Document.Current;
         var derived = _desk.Derived.Current;
-        var table = ReferenceEquals(derived.State.Drawing, state.Drawing) ? derived.Sequence?.Table : null; // rows of an earlier drawing name other entities
+        var table = ReferenceEquals(derived.State.Drawing, state.Drawing) ? derived.Sequence?.Table : null; // the rows of an earlier drawing refer to other entities
         var now = (state.Drawing, state.Selection, table, _desk.Session.Settings.Current.Figures());
         if (now == _shown) return;
         _shown = now;
@@ -68,9 +68,9 @@ public sealed class PropertiesModel : Observable
         return new PropertyLine(value.Property.Title, value.Value, value.IsEditable ? typed => ChangeAsync(value, typed, of) : null) { Choices = value.IsEditable ? value.Property.Choices(drawing) : [] };
     }
 
-    /// <summary>CHPROP on what is selected, as if it were typed. Not of a line that is no longer shown, and not while a command asks: it would be ended and
-    /// the selection with it.</summary>
-    /// <returns>False when nothing was changed.</returns>
+    /// <summary>Runs CHPROP on the selection, as if typed. Not for a line that is no longer shown, and not during a command, because that would end the
+    /// command and lose the selection.</summary>
+    /// <returns>False if nothing was changed.</returns>
     private async Task<bool> ChangeAsync(PropertyValue value, string typed, DocumentState of)
     {
         var state = _desk.Session.Document.Current;

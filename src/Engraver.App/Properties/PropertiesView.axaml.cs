@@ -4,7 +4,7 @@ using Avalonia.Interactivity;
 
 namespace Engraver.App.Properties;
 
-/// <summary>The palette of what is selected. A field is taken on Enter or when the hand leaves it, and given up with Esc.</summary>
+/// <summary>The palette of the selection. A field is accepted with Enter or when it loses the focus, and reverted with Esc.</summary>
 public partial class PropertiesView : UserControl
 {
     public PropertiesView()
@@ -14,7 +14,7 @@ public partial class PropertiesView : UserControl
         LineList.AddHandler(LostFocusEvent, OnLeft, RoutingStrategies.Bubble);
     }
 
-    /// <summary>Enter and Esc in a field belong to it, not to the window.</summary>
+    /// <summary>Enter and Esc in a field belong to the field, not to the window.</summary>
     public static bool Takes(object? source, Key key) => key is Key.Enter or Key.Escape && source is TextBox { DataContext: PropertyLine };
 
     private void OnKey(object? sender, KeyEventArgs e)

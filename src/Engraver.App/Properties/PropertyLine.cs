@@ -2,15 +2,15 @@ using Engraver.App.Binding;
 
 namespace Engraver.App.Properties;
 
-/// <summary>A property and its value; where it can be edited, what is typed is taken on Enter.</summary>
-/// <param name="name">As people read it.</param>
-/// <param name="value">As it is.</param>
-/// <param name="change">Takes another value and tells whether it was changed; null where it cannot be edited.</param>
+/// <summary>A property and its value; if it can be edited, Enter accepts the typed value.</summary>
+/// <param name="name">The displayed name.</param>
+/// <param name="value">The present value.</param>
+/// <param name="change">Sets a value and returns whether it was changed; null if it cannot be edited.</param>
 public sealed class PropertyLine(string name, string value, Func<string, Task<bool>>? change = null) : Observable, IEquatable<PropertyLine>
 {
     private string _typed = value;
 
-    /// <summary>Enter takes the focus away, which takes a field too: once is enough.</summary>
+    /// <summary>Enter also moves the focus, which would accept the field a second time.</summary>
     private bool _isBeingChanged;
 
     public string Name => name;
@@ -19,7 +19,7 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
 
     public bool IsHead { get; private init; }
 
-    /// <summary>The values that it can have, where these are known: layers.</summary>
+    /// <summary>The possible values, where they are known: layers.</summary>
     public IReadOnlyList<string> Choices { get; init; } = [];
 
     public bool HasChoices => Choices.Count > 0;
@@ -28,14 +28,14 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
 
     public bool IsShown => change is null && !IsHead;
 
-    /// <summary>What stands in the field.</summary>
+    /// <summary>The text of the field.</summary>
     public string Typed
     {
         get => _typed;
         set => Set(ref _typed, value ?? "");
     }
 
-    /// <summary>The choice that is made; null for values that vary.</summary>
+    /// <summary>The selected choice; null for values that vary.</summary>
     public string? Chosen
     {
         get => Choices.FirstOrDefault(choice => choice == Value);
@@ -45,10 +45,10 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
         }
     }
 
-    /// <summary>The beginning of a section.</summary>
+    /// <summary>The heading of a section.</summary>
     public static PropertyLine Head(string title) => new(title, "", null) { IsHead = true };
 
-    /// <summary>Enter: what stands in the field is the new value.</summary>
+    /// <summary>Enter: accepts the text of the field as the new value.</summary>
     public void Take()
     {
         if (Typed != Value) _ = ChangeAsync(Typed.Trim());
@@ -57,7 +57,7 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
     /// <summary>Esc: the field shows the value again.</summary>
     public void GiveUp() => Typed = Value;
 
-    /// <summary>What is refused is told in the history, and the field shows the value again.</summary>
+    /// <summary>A refusal is reported in the history, and the field shows the value again.</summary>
     private async Task ChangeAsync(string to)
     {
         if (change is null || _isBeingChanged) return;
@@ -71,13 +71,13 @@ public sealed class PropertyLine(string name, string value, Func<string, Task<bo
         _isBeingChanged = false;
     }
 
-    /// <summary>Lines that cannot be edited are the same when they read the same.</summary>
+    /// <summary>Read-only lines are equal if their texts are.</summary>
     public bool Equals(PropertyLine? other) => ReferenceEquals(this, other) || (other is { IsHead: var head } && head == IsHead && IsShown && other.IsShown && (other.Name, other.Value) == (Name, Value));
 
     public override bool Equals(object? obj) => Equals(obj as PropertyLine);
 
     public override int GetHashCode() => HashCode.Combine(Name, Value);
 
-    /// <summary>For a reader of the screen.</summary>
+    /// <summary>For a screen reader.</summary>
     public override string ToString() => $"{name} {Value}".TrimEnd();
 }

@@ -4,12 +4,13 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Safety;
 
-/// <summary>Handles a failure of the program around the commands: stops the machine first, then writes a report and raises an alarm. It never throws.</summary>
-/// <param name="stop">Stops the machine; from any thread, waits for nothing.</param>
+/// <summary>Handles a failure of the program outside the commands: stops the machine first, then writes a report and raises an alarm. It never
+/// throws.</summary>
+/// <param name="stop">Stops the machine; from any thread, does not wait.</param>
 public sealed class FailureGuard(Action stop, AlarmLog alarms, FailureReports reports)
 {
     /// <summary>Handles an unexpected exception; from any thread.</summary>
-    /// <returns>The file of the report; null when none was written.</returns>
+    /// <returns>The path of the report; null if none was written.</returns>
     public string? Take(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);

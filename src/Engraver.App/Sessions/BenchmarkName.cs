@@ -1,31 +1,31 @@
 namespace Engraver.App.Sessions;
 
-/// <summary>The values of <c>--benchmark</c>: what is measured instead of opening the desktop.</summary>
+/// <summary>The values of <c>--benchmark</c>: the measurement to run instead of the desktop.</summary>
 internal static class BenchmarkName
 {
-    /// <summary>From the start of the process to its first frame, which is said on standard output; then the window closes.</summary>
+    /// <summary>From the start of the process to its first frame, which is reported on standard output; then the window closes.</summary>
     public const string Start = "start";
 
     public const string Canvas = "canvas";
 
-    /// <summary>Processor time that the window on a display uses while nobody touches it, after opening drawing and script. Then the window closes.</summary>
+    /// <summary>Processor time of an idle window on a display, after opening drawing and script. Then the window closes.</summary>
     public const string Idle = "idle";
 
     public const string Stop = "stop";
 
-    /// <summary>The same with keys sent to the window on a display, from outside; with a drawing a job is stopped too. Then the window closes.</summary>
+    /// <summary>The same with keys sent to the window on a display from outside; with a drawing, a job is stopped too. Then the window closes.</summary>
     public const string StopOnDisplay = "stop-display";
 
     /// <summary>Frames of a window on a display while the view of the drawing moves. Then the window closes.</summary>
     public const string Frames = "frames";
 
-    /// <summary>All of the window painted anew, at two sizes.</summary>
+    /// <summary>Repainting the whole window, at two sizes.</summary>
     public const string Repaint = "repaint";
 
-    /// <summary>From OPEN to the first picture and to everything that follows.</summary>
+    /// <summary>From OPEN to the first picture and to the end of all derivations.</summary>
     public const string Open = "open";
 
-    /// <summary>What a large drawing weighs: processor time and memory of opening, planning, moving, closing and opening again.</summary>
+    /// <summary>Cost of a large drawing: processor time and memory of opening, planning, moving, closing and opening again.</summary>
     public const string Weight = "weight";
 
     public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Weight, Idle, StopOnDisplay, Frames];

@@ -3,7 +3,7 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Sessions;
 
-/// <summary>The options that the program was started with (<c>engraver desktop</c> of the runner's contract).</summary>
+/// <summary>The options of the command line (<c>engraver desktop</c>; see docs/cli-contract.md).</summary>
 public sealed record DesktopOptions
 {
     private const double LeastScale = 0.5;
@@ -15,26 +15,26 @@ public sealed record DesktopOptions
     /// <summary>Path of a script to run once the window is open.</summary>
     public string? Script { get; init; }
 
-    /// <summary>True: no display is needed; ends after the screenshot.</summary>
+    /// <summary>True: no display is needed; the program ends after the screenshot.</summary>
     public bool Headless { get; init; }
 
-    /// <summary>Where a picture of the window is written after file and script.</summary>
+    /// <summary>Path of a picture of the window, written after file and script; null for none.</summary>
     public string? Screenshot { get; init; }
 
-    /// <summary>Size of the window in units of 1/96 inch; null: as it was left.</summary>
+    /// <summary>Size of the window in units of 1/96 inch; null: the last size.</summary>
     public (int Width, int Height)? Size { get; init; }
 
-    /// <summary>Pixels for each unit; null: as the display says.</summary>
+    /// <summary>Pixels per unit; null: the scale of the display.</summary>
     public double? Scale { get; init; }
 
-    /// <summary>Name of the culture whose language is spoken; null: that of LANGUAGE, else of the system.</summary>
+    /// <summary>Name of the culture that selects the language; null: that of LANGUAGE, otherwise that of the system.</summary>
     public string? Culture { get; init; }
 
-    /// <summary>What is measured instead of opening the desktop; null: nothing (<see cref="BenchmarkName"/>).</summary>
+    /// <summary>The measurement to run instead of the desktop; null: none (<see cref="BenchmarkName"/>).</summary>
     public string? Benchmark { get; init; }
 
-    /// <summary>Reads the words of the command line.</summary>
-    /// <returns>The options, or the sentence that says what is wrong.</returns>
+    /// <summary>Parses the words of the command line.</summary>
+    /// <returns>The options, or the sentence of the error.</returns>
     public static (DesktopOptions? Options, string? Wrong) Parse(IReadOnlyList<string> words)
     {
         var options = new DesktopOptions();

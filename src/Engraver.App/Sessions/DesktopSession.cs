@@ -8,7 +8,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Sessions;
 
-/// <summary>The parts of the desktop without its window: a command session with the operator's files, the desktop model over it, the stop keys.</summary>
+/// <summary>The parts of the desktop without its window: a command session with the operator's files, the desktop model for it, the stop keys.</summary>
 public sealed class DesktopSession : IAsyncDisposable
 {
     private readonly CommandSession _session;
@@ -28,30 +28,30 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>Any thread.</summary>
     public StopKeys StopKeys { get; }
 
-    /// <summary>Kept beside the settings.</summary>
+    /// <summary>Stored beside the settings.</summary>
     public FailureReports FailureReports { get; }
 
     /// <summary>Any thread.</summary>
     public FailureGuard Failures => field ??= new FailureGuard(() => StopKeys.PressStop(), _session.Machine.Alarms, FailureReports);
 
-    /// <summary>Code of the language that LANGUAGE keeps; null: that of the system.</summary>
+    /// <summary>Code of the language set by LANGUAGE; null: that of the system.</summary>
     public string? Language => _session.Settings.Current.Language;
 
-    /// <summary>State that the platform keeps with this session; only the platform uses it.</summary>
+    /// <summary>State of the platform for this session; used only by the platform.</summary>
     internal object? PlatformState { get; set; }
 
-    /// <summary>Made on the UI thread, when it is first asked for.</summary>
+    /// <summary>Created on the UI thread on first access.</summary>
     public DesktopModel Desk => _desk ??= new DesktopModel(_session, Time);
 
-    /// <summary>The operator's own files.</summary>
+    /// <summary>Uses the operator's own files.</summary>
     public static CommandEnvironment ForUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettingsFile, RunNeedsArming = true, SimulatorSpeed = 1.0 };
 
-    /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
+    /// <summary>Stores nothing: a picture must not depend on how an operator left the window, nor change it.</summary>
     public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null, KeepsHistory = false };
 
-    /// <summary>The display is gone, and with it the operator's hands: the machine is stopped first, and the journal of the job says why. Any thread; waits
-    /// for nothing.</summary>
-    /// <returns>What happened and what to do, for whoever started the program.</returns>
+    /// <summary>The display is gone, and with it the operator's controls: stops the machine first; the journal of the job states the reason. Any thread;
+    /// does not wait.</summary>
+    /// <returns>What happened and what to do, for the person who started the program.</returns>
     public string LoseDisplay()
     {
         var moved = DesktopModel.Moves(_session.Machine);
@@ -61,7 +61,7 @@ public sealed class DesktopSession : IAsyncDisposable
         return moved ? $"{what} {Text.Get("Failure.DisplayAdvice")}" : what;
     }
 
-    /// <summary>What cannot be held, as a move by hand, is stopped.</summary>
+    /// <summary>Motion that cannot be held, such as a move by hand, is stopped.</summary>
     private void HoldOrStop()
     {
         if (!_session.Machine.HoldJob()) _session.Machine.Stop();

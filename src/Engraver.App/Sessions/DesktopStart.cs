@@ -5,11 +5,11 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Sessions;
 
-/// <summary>Opens the drawing, runs the script and writes the picture once the window is open.</summary>
+/// <summary>Opens the drawing, runs the script and saves the picture once the window is open.</summary>
 public static class DesktopStart
 {
     /// <summary>Opens the drawing and runs the script of the options.</summary>
-    /// <returns>The sentence of what failed; null when all went well.</returns>
+    /// <returns>The sentence of the failure; null on success.</returns>
     public static async Task<string?> OpenAsync(DesktopModel desk, DesktopOptions options)
     {
         if (desk.Session.Settings.Current.LastProfile is { } profile && File.Exists(profile)) await desk.RunAsync("CNCPROFILE", profile);
@@ -19,7 +19,7 @@ public static class DesktopStart
         return ran is InputResult.Failed failed ? failed.Sentence : null;
     }
 
-    /// <summary>Writes a picture of the window to a file.</summary>
+    /// <summary>Saves a picture of the window to a file.</summary>
     public static void Picture(Window window, double scale, string path)
     {
         using var picture = new RenderTargetBitmap(new Avalonia.PixelSize((int)(window.Bounds.Width * scale), (int)(window.Bounds.Height * scale)), new Avalonia.Vector(96 * scale, 96 * scale));

@@ -3,8 +3,8 @@ using Avalonia.Controls;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Parts under each other. Where the height is not enough they stand in as few columns as fit, of about the same number, so that none is left
-/// alone.</summary>
+/// <summary>A vertical stack. If the height is not sufficient, the children are distributed over as few columns as fit, of about equal number, so that no
+/// column has a single child.</summary>
 public sealed class BalancedColumns : Panel
 {
     protected override Size MeasureOverride(Size availableSize)
@@ -36,7 +36,7 @@ public sealed class BalancedColumns : Panel
 
     private static double HeightOf(Control[] column) => column.Sum(child => child.DesiredSize.Height);
 
-    /// <summary>The least number of columns of which none is higher than the room; one part each where nothing fits.</summary>
+    /// <summary>The smallest number of columns that fit in the height; one child each if nothing fits.</summary>
     private List<Control[]> ColumnsFor(double room)
     {
         for (var count = 1; count < Children.Count; count++)

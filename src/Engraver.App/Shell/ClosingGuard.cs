@@ -7,8 +7,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Closing the window ends a job and loses edits that are in no file. With a job under way the first request to close is answered with a warning,
-/// the second one is carried out; edits are asked about each time, until the operator has answered.</summary>
+/// <summary>Closing the window ends a job and loses unsaved edits. While a job runs the first request to close shows a warning, the second one closes;
+/// edits are asked about each time until the operator has answered.</summary>
 internal sealed class ClosingGuard
 {
     private readonly DesktopModel _desk;
@@ -16,20 +16,20 @@ internal sealed class ClosingGuard
     private readonly Action _close;
     private bool _warnedOfJob;
 
-    /// <summary>The edits that need not be kept; null: nobody has said so.</summary>
+    /// <summary>The edits that may be discarded; null: the operator has not answered.</summary>
     private Drawing? _given;
     private bool _isAsking;
 
-    /// <param name="close">Asks the window to close again, once the edits may be lost or are saved.</param>
+    /// <param name="close">Requests closing again, after the edits are saved or may be lost.</param>
     public ClosingGuard(DesktopModel desk, FileQuestions files, Action close)
     {
         (_desk, _files, _close) = (desk, files, close);
         desk.Changed += () => _warnedOfJob &= desk.IsMoving;
     }
 
-    /// <summary>Tells in the history why the window stays open, or asks whether edits are saved first; a request to close while that question stands
-    /// changes nothing.</summary>
-    /// <returns>True when it has to stay this time.</returns>
+    /// <summary>Reports in the history why the window stays open, or asks whether edits are saved first; a request to close while that question is open has
+    /// no effect.</summary>
+    /// <returns>True if the window has to stay open this time.</returns>
     public bool Holds(WindowCloseReason reason)
     {
         if (reason is WindowCloseReason.ApplicationShutdown or WindowCloseReason.OSShutdown) return false;

@@ -3,13 +3,13 @@ using Avalonia.Controls;
 
 namespace Engraver.App.Shell;
 
-/// <summary>How large a window opens: as it was left, but never larger than the screen.</summary>
+/// <summary>The initial size of a window: its last size, but at most the size of the screen.</summary>
 internal static class OpeningSize
 {
-    /// <summary>What the window manager draws over the window, units of 1/96 inch.</summary>
+    /// <summary>Height of the title bar that the window manager adds, units of 1/96 inch.</summary>
     private const double TitleBar = 32;
 
-    /// <param name="wanted">The size it was left with, units of 1/96 inch.</param>
+    /// <param name="wanted">The last size, units of 1/96 inch.</param>
     public static void Give(Window window, Size wanted)
     {
         var room = window.Screens.Primary is { } screen ? screen.WorkingArea.Size.ToSize(screen.Scaling) : wanted;

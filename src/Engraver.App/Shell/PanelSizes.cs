@@ -5,7 +5,7 @@ using Engraver.App.Tabs;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The sizes of the palettes and the pages: dragged by the operator, folded to their strip of tabs, kept between two starts. In a small window
+/// <summary>The sizes of the palettes and the pages: dragged by the operator, folded to their strip of tabs, stored between two starts. In a small window
 /// they shrink before the canvas does, and grow back; in a very small one they are folded until the operator opens them there.</summary>
 public sealed class PanelSizes
 {
@@ -13,20 +13,20 @@ public sealed class PanelSizes
     private const string PagesName = "pages";
     private const string PalettesName = "palettes";
 
-    /// <summary>The strip of tabs, and the row with what was said last.</summary>
+    /// <summary>The strip of tabs, and the row with the last message.</summary>
     private const double FoldedPagesHeight = 29 + 24;
     private const double FoldedPalettesWidth = 30;
     private const double LeastPagesHeight = 110;
     private const double LeastPalettesWidth = 240;
     private const double DefaultHistoryHeight = 420;
 
-    /// <summary>Least room that the panels leave, units of 1/96 inch: in height for the canvas and the playback bar, in width for the canvas and the tools
-    /// in several columns.</summary>
+    /// <summary>Minimum room beside the panels, units of 1/96 inch: in height for the canvas and the playback bar, in width for the canvas and the tools in
+    /// several columns.</summary>
     private const double LeastCanvasHeight = 140;
     private const double LeastCanvasWidth = 340;
     private const double SplitterSize = 4;
 
-    /// <summary>Where there is less room for canvas and panels the pages are folded, or the palettes.</summary>
+    /// <summary>With less room for canvas and panels, the pages or the palettes are folded.</summary>
     private const double LeastHeightForPages = 380;
     private const double LeastWidthForPalettes = 900;
     private readonly DesktopModel _desk;
@@ -38,9 +38,9 @@ public sealed class PanelSizes
     private bool _isLow;
     private bool _isNarrow;
 
-    /// <param name="room">Around both, and the command line.</param>
-    /// <param name="rows">Of canvas, splitter and pages.</param>
-    /// <param name="columns">Of tools, canvas, splitter and palettes.</param>
+    /// <param name="room">Contains the rows and columns, and the command line.</param>
+    /// <param name="rows">Rows of canvas, splitter and pages.</param>
+    /// <param name="columns">Columns of tools, canvas, splitter and palettes.</param>
     public PanelSizes(DesktopModel desk, Control room, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
     {
         (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, rows.RowDefinitions[^1], columns.ColumnDefinitions[^1], pages, palettes);
@@ -53,7 +53,7 @@ public sealed class PanelSizes
         ShowPalettes();
     }
 
-    /// <summary>Only the strip of tabs of the pages is seen.</summary>
+    /// <summary>Only the strip of tabs of the pages is visible.</summary>
     public bool ArePagesFolded => IsFolded(PagesName);
 
     public void FoldPages()
@@ -68,11 +68,10 @@ public sealed class PanelSizes
         ShowPalettes();
     }
 
-    /// <summary>Brings the history to the front when something is typed; where the pages are folded they stay so, and the command line shows the last line
-    /// of it.</summary>
+    /// <summary>Brings the history to the front when something is typed; folded pages stay folded, and the command line shows the last line.</summary>
     public void BringCommandLine() => _pages.Show("Command");
 
-    /// <summary>F2: enlarges the history, or shrinks it back. Its large height is remembered beside the usual one.</summary>
+    /// <summary>F2: enlarges the history, or restores its height. Both heights are remembered.</summary>
     public void ExpandHistory()
     {
         BringCommandLine();
@@ -83,7 +82,7 @@ public sealed class PanelSizes
         _pagesRow.Height = new GridLength(_isExpanded ? Math.Max(usual, SizeOf(HistoryName, DefaultHistoryHeight)) : usual);
     }
 
-    /// <summary>Ctrl+0: folds everything but the canvas, or opens it again.</summary>
+    /// <summary>Ctrl+0: folds all panels around the canvas, or opens them again.</summary>
     public void FoldAll()
     {
         var (pages, palettes) = (IsFolded(PagesName), IsFolded(PalettesName));
@@ -92,7 +91,7 @@ public sealed class PanelSizes
         if (palettes == unfolds) FoldPalettes();
     }
 
-    /// <summary>Remembers the sizes as they are.</summary>
+    /// <summary>Stores the present sizes.</summary>
     public void Keep() => _desk.Session.Settings.Change(settings =>
     {
         if (!IsFolded(PagesName)) settings = settings.WithPanelSize(_isExpanded ? HistoryName : PagesName, _pagesRow.Height.Value);
@@ -107,7 +106,7 @@ public sealed class PanelSizes
 
     private bool IsFolded(string panel) => _desk.Session.Settings.Current is var settings && IsSmall(panel) ? !settings.PanelsOpenWhenSmall.Contains(panel) : settings.FoldedPanels.Contains(panel);
 
-    /// <summary>Folds it or opens it, for windows as small as this one or for all others.</summary>
+    /// <summary>Folds or opens a panel, for windows as small as this one or for all others.</summary>
     private void Fold(string panel)
     {
         Keep();

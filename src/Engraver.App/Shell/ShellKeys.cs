@@ -2,10 +2,10 @@ using Avalonia.Input;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The keys that have a meaning of their own, as AutoCAD has them. None of them starts motion.</summary>
+/// <summary>The keyboard shortcuts, as in AutoCAD. None of them starts motion.</summary>
 public static class ShellKeys
 {
-    /// <summary>The command, or the action of the window, that a key runs; null for none.</summary>
+    /// <summary>The command, or the action of the window, of a key; null for none.</summary>
     public static string? CommandOf(KeyEventArgs e) => (e.KeyModifiers, e.Key) switch
     {
         (KeyModifiers.None, Key.F1) => "HELP",

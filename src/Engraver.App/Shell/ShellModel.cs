@@ -29,12 +29,12 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The state of the one window: its parts, each with a model of its own, and its title.</summary>
+/// <summary>The state of the main window: its parts, each with its own model, and its title.</summary>
 public sealed class ShellModel : Observable
 {
     private readonly PageTab _alarms;
 
-    /// <param name="act">Gives the command of a menu entry or a tool; the window supplies it, because some need a file dialog.</param>
+    /// <param name="act">Returns the command of a menu entry or a tool; the window supplies it, because some commands need a file dialog.</param>
     public ShellModel(DesktopModel desk, Func<string, ICommand> act)
     {
         Desk = desk;
@@ -62,7 +62,7 @@ public sealed class ShellModel : Observable
 
     public PlaybackModel Playback { get; }
 
-    /// <summary>The sheet that asks where the controller is.</summary>
+    /// <summary>The sheet that asks for the controller's address.</summary>
     public ConnectModel Connect { get; }
 
     /// <summary>The sheet of the settings.</summary>
@@ -73,12 +73,12 @@ public sealed class ShellModel : Observable
 
     public RecentDrawings Recent { get; }
 
-    /// <summary>What the empty canvas offers.</summary>
+    /// <summary>The start page on the empty canvas.</summary>
     public StartPageModel StartPage { get; }
 
     public IReadOnlyList<ToolButton> Tools { get; }
 
-    /// <summary>Drawing and machine, which the task bar shows too.</summary>
+    /// <summary>Drawing and machine, which the task bar also shows.</summary>
     public string Title
     {
         get
@@ -89,7 +89,7 @@ public sealed class ShellModel : Observable
         }
     }
 
-    /// <summary>The palettes at the right; made when they are first shown.</summary>
+    /// <summary>The palettes at the right; created when first shown.</summary>
     public IReadOnlyList<PageTab> Palettes() =>
     [
         new("Layers", () => new LayersView { DataContext = new LayersModel(Desk) }),
@@ -114,7 +114,7 @@ public sealed class ShellModel : Observable
         new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),
     ];
 
-    /// <summary>A line over a page that shows what follows from the drawing, while that is not there yet; empty while nothing is to be said.</summary>
+    /// <summary>A line over a page that shows derived results, while these are not complete; empty for none.</summary>
     public string HintFor(string? page)
     {
         var derivation = Desk.Session.Derivation;

@@ -18,7 +18,7 @@ using Engraver.App.Terminals;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The window of the desktop. Keys typed in it go to the command line, unless a text box has the focus.</summary>
+/// <summary>The window of the desktop. Typed keys go to the command line, unless a text box has the focus.</summary>
 public partial class ShellWindow : Window
 {
     private readonly DesktopModel _desk;
@@ -68,7 +68,7 @@ public partial class ShellWindow : Window
     /// <summary>The area of STOP in the window.</summary>
     public Rect StopArea => MachineStrip.StopAreaIn(this);
 
-    /// <summary>The terminal where it is in front; null otherwise.</summary>
+    /// <summary>The terminal if it is in front; null otherwise.</summary>
     private TerminalView? ShownTerminal => Pages.Current is { Key: "Terminal", Page: TerminalView terminal } && !_panels.ArePagesFolded ? terminal : null;
 
     /// <summary>A sheet is open over the window and has the keyboard.</summary>
@@ -95,7 +95,7 @@ public partial class ShellWindow : Window
         Palettes.Hint(Model.HintFor(Palettes.Current?.Key));
     }
 
-    /// <summary>The command of an entry of menus and tools.</summary>
+    /// <summary>The command of an entry in menus and tools.</summary>
     private Act ActOf(string name) => name switch
     {
         "QUIT" => new Act(() => Close()), // also while a script runs or something asks, which goes on when the window stays
@@ -120,7 +120,7 @@ public partial class ShellWindow : Window
         else _ = _desk.RunAsync("CNCCONNECT");
     }
 
-    /// <summary>Selects everything: as an answer where objects are asked for, else for the next command.</summary>
+    /// <summary>Selects all objects: as an answer at a prompt for objects, otherwise for the next command.</summary>
     private void SelectAll()
     {
         if (_desk.Prompt.Options.Any(option => option.Name == "ALL")) _ = _desk.EnterAsync("ALL");
@@ -132,14 +132,14 @@ public partial class ShellWindow : Window
         if (_desk.Prompt.Command is null && _desk.Session.Document.Current.Selection.Count > 0) _ = _desk.RunAsync("ERASE");
     }
 
-    /// <summary>Takes the focus from a menu that has closed, so that the next keys go to the command line.</summary>
+    /// <summary>Moves the focus from a closed menu to the command line.</summary>
     private void GiveKeyboardBack(object? sender, RoutedEventArgs e)
     {
         if (FocusManager?.GetFocusedElement() is MenuItem) FocusManager.Focus(null);
     }
 
-    /// <summary>What is typed is for the terminal that has come to the front, also while its field is not laid out yet: the command line, which stays in
-    /// sight, lets go of the keyboard.</summary>
+    /// <summary>Moves the focus from the command line, which stays visible, to the terminal in front; what is typed is for the terminal, also before its
+    /// field is laid out.</summary>
     private void GiveKeyboardToTerminal()
     {
         if (ShownTerminal is not { } terminal) return;
@@ -147,10 +147,10 @@ public partial class ShellWindow : Window
         terminal.TakeKeyboard();
     }
 
-    /// <summary>True where a control that takes text itself has the focus: a text box, an open menu.</summary>
+    /// <summary>True if a control that takes text itself has the focus: a text box, an open menu.</summary>
     private static bool HasKeyboard(object? source) => source is TextBox or MenuItem;
 
-    /// <summary>True for a key that the control with the focus uses itself.</summary>
+    /// <summary>True for a key that the focused control handles itself.</summary>
     private static bool Uses(object? source, Key key) => HasKeyboard(source)
         || (source is Slider or ComboBox or ComboBoxItem && key is (Key.Left or Key.Right or Key.Up or Key.Down or Key.Home or Key.End or Key.PageUp or Key.PageDown))
         || (source is ComboBox { IsDropDownOpen: true } or ComboBoxItem && key is (Key.Enter or Key.Space));
@@ -180,7 +180,7 @@ public partial class ShellWindow : Window
         return e.Handled = true;
     }
 
-    /// <summary>The keys of a sheet that is open; it keeps all others from the command line too.</summary>
+    /// <summary>Handles the keys of an open sheet, and keeps all others from the command line.</summary>
     private bool PressOnSheet(KeyEventArgs e)
     {
         if (Model.Files.Question.IsOpen) e.Handled = QuestionSheet.Press(e);
@@ -191,7 +191,7 @@ public partial class ShellWindow : Window
         return true;
     }
 
-    /// <summary>A tip is gone with the next key: it would lie over the dialog that the key opens.</summary>
+    /// <summary>Closes tips on the next key: a tip would cover the dialog that the key opens.</summary>
     private void CloseTips()
     {
         foreach (var control in this.GetVisualDescendants().OfType<Control>().Where(ToolTip.GetIsOpen).ToList()) ToolTip.SetIsOpen(control, false);
@@ -219,7 +219,7 @@ public partial class ShellWindow : Window
         };
     }
 
-    /// <summary>A key while nothing that uses keys has the keyboard: no button that was clicked before takes it.</summary>
+    /// <summary>Handles a key while no control that uses keys has the focus; a button that was clicked before does not get it.</summary>
     private bool PressElsewhere(Key key)
     {
         if (ShownTerminal is { } terminal && _desk.Prompt.Command is null) return terminal.Press(key);
@@ -229,9 +229,9 @@ public partial class ShellWindow : Window
         return true;
     }
 
-    /// <summary>Tab takes a suggestion. From a field it goes to the next field of the same page; from anywhere else the keyboard stays with the command
+    /// <summary>Tab accepts a suggestion. From a field it moves to the next field of the same page; from anywhere else the focus stays with the command
     /// line.</summary>
-    /// <returns>True when it is done; false leaves it to the fields.</returns>
+    /// <returns>True if handled; false leaves it to the fields.</returns>
     private bool Tab(object? source)
     {
         if (HasKeyboard(source) && source != CommandLine.LineBox) return ShownTerminal is not null && Pages.IsVisualAncestorOf((Visual)source!);
@@ -240,14 +240,14 @@ public partial class ShellWindow : Window
         return true;
     }
 
-    /// <summary>The keyboard is at the command line: what is typed next arrives there.</summary>
+    /// <summary>Moves the focus to the command line: what is typed next arrives there.</summary>
     private void TakeKeyboard()
     {
         if (ShownTerminal is not null) _panels.BringCommandLine();
         CommandLine.LineBox.Focus();
     }
 
-    /// <summary>Esc has held the machine: a question that is asked beside the job ends, the job does not.</summary>
+    /// <summary>Esc has held the machine: a question that is asked during the job ends, the job does not.</summary>
     private void OnHeld() => Dispatcher.UIThread.Post(() =>
     {
         Model.Command.Line = "";
@@ -255,7 +255,8 @@ public partial class ShellWindow : Window
         if (!IsSheetOpen) TakeKeyboard();
     });
 
-    /// <summary>The command of a key; null for none, and for keys that edit text while a text box other than the empty command line has the focus.</summary>
+    /// <summary>The command of a key; null for none, and for keys that edit text while a text box other than the empty command line has the
+    /// focus.</summary>
     private string? CommandOf(KeyEventArgs e) =>
         ShellKeys.CommandOf(e) ?? (e.Source is TextBox box && (box != CommandLine.LineBox || box.Text is { Length: > 0 }) ? null : ShellKeys.CommandOutsideText(e));
 

@@ -9,7 +9,7 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The buttons of the tool column. Their tips name the command and its alias, so that the hand learns to type them.</summary>
+/// <summary>The buttons of the tool column. Their tips name the command and its alias, so that the operator learns to type them.</summary>
 public static class ToolColumn
 {
     private static readonly IReadOnlyList<(string Command, string[] Answers, string Icon, bool EndsGroup)> s_tools =

@@ -7,15 +7,15 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Says for the window that it lives and is before the operator, as long as a continuous jog needs it, whichever way it was begun. A window that
-/// is left, made small or closed releases the jog at once.</summary>
+/// <summary>Sends the heartbeat of a continuous jog while the window responds and is active, whatever started the jog. Deactivating, minimising or closing
+/// the window releases the jog immediately.</summary>
 internal sealed class WindowPresence
 {
     private readonly Window _window;
     private readonly DesktopModel _desk;
     private ITimer? _beat;
 
-    /// <summary>The operator is elsewhere: a jog that begins meanwhile gets no sign.</summary>
+    /// <summary>The window is not active: a jog that starts meanwhile gets no heartbeat.</summary>
     private bool _isLeft;
 
     public WindowPresence(Window window, DesktopModel desk)
@@ -23,7 +23,7 @@ internal sealed class WindowPresence
         (_window, _desk) = (window, desk);
         window.Activated += (_, _) => _isLeft = false;
         window.Deactivated += (_, _) => Leave();
-        window.Closing += (_, _) => Presence.Leave(); // it may stay open, where the operator is asked
+        window.Closing += (_, _) => Presence.Leave(); // it may stay open if the operator is asked
         window.Closed += (_, _) => Leave();
         window.PropertyChanged += (_, change) =>
         {
@@ -51,7 +51,7 @@ internal sealed class WindowPresence
         _beat = _beat is null ? _desk.Time.CreateTimer(_ => Dispatcher.UIThread.Post(Sign, DispatcherPriority.Background), null, OperatorPresence.Beat, OperatorPresence.Beat) : null;
     }
 
-    /// <summary>From behind the rest of the window's work: what keeps that up keeps the sign up.</summary>
+    /// <summary>Called at a priority below the rest of the window's work, so that anything that delays that work also delays the heartbeat.</summary>
     private void Sign()
     {
         if (!_isLeft) Presence.Sign();

@@ -18,11 +18,11 @@ public static class DesktopProgram
     private const int Stopped = 5;
     private const int NoDisplay = 6;
 
-    /// <summary>Longest wait for the machine after a thread of the program has failed, so that a machine that does not answer cannot keep the program
-    /// alive.</summary>
+    /// <summary>Maximum wait for the machine after a thread of the program has failed, so that a machine that does not answer cannot keep the program
+    /// running.</summary>
     private static readonly TimeSpan s_longestEnd = TimeSpan.FromSeconds(5);
 
-    /// <returns>The exit code of the runner's contract.</returns>
+    /// <returns>The exit code; see docs/cli-contract.md.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
         if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay or BenchmarkName.Frames)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
@@ -44,7 +44,7 @@ public static class DesktopProgram
             session.DisposeAsync().AsTask().GetAwaiter().GetResult();
         }
 
-        // A thread of the program has failed and .NET is about to end the process: the machine first.
+        // A thread of the program has failed and .NET is about to end the process: the machine is stopped first.
         void EndWithMachineStopped(object sender, UnhandledExceptionEventArgs e)
         {
             if (e.ExceptionObject is Exception failure) error.WriteLine(Text.Get("Start.Failed", session.Failures.Take(failure) ?? failure.Message));

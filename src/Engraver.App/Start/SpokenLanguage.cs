@@ -4,7 +4,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.Start;
 
-/// <summary>In which language the desktop speaks: that of its command line, else that of LANGUAGE, else that of the system, else English.</summary>
+/// <summary>The language of the desktop: that of its command line, otherwise that of LANGUAGE, otherwise that of the system, otherwise English.</summary>
 internal sealed partial class SpokenLanguage : IDisposable
 {
     private const int LongestLocaleName = 85;
@@ -15,13 +15,13 @@ internal sealed partial class SpokenLanguage : IDisposable
 
     private SpokenLanguage(CultureInfo culture) => CultureInfo.CurrentUICulture = CultureInfo.DefaultThreadCurrentUICulture = culture;
 
-    /// <summary>Every thread speaks it until this is disposed.</summary>
+    /// <summary>All threads use it until this is disposed.</summary>
     public static SpokenLanguage Speak(string name) => new(name.Length == 0 ? CultureInfo.InvariantCulture : new CultureInfo(name));
 
-    /// <summary>The name of the culture to speak; empty is English.</summary>
-    /// <param name="asked">Of the command line: spoken whatever the settings say; null when nothing was asked.</param>
-    /// <param name="kept">Of the settings; null is that of the system.</param>
-    /// <param name="system">Names of the system's languages, the first that counts first (<c>de_DE.UTF-8</c>).</param>
+    /// <summary>The name of the culture; empty is English.</summary>
+    /// <param name="asked">From the command line, which has precedence over the settings; null for none.</param>
+    /// <param name="kept">From the settings; null is the language of the system.</param>
+    /// <param name="system">Names of the system's languages, in order of precedence (<c>de_DE.UTF-8</c>).</param>
     public static string Choose(string? asked, string? kept, IEnumerable<string?> system)
     {
         if (asked is not null && asked.Equals(PseudoLanguage.CultureName, StringComparison.OrdinalIgnoreCase)) return asked;
@@ -29,7 +29,7 @@ internal sealed partial class SpokenLanguage : IDisposable
         return LanguageFile.For(name)?.Code ?? "";
     }
 
-    /// <summary>What the system says: on Windows the language of the user's regional settings, elsewhere the variables of POSIX in their order.</summary>
+    /// <summary>The language of the system: on Windows that of the user's regional settings, elsewhere the POSIX variables in their order.</summary>
     public static IEnumerable<string?> OfSystem()
     {
         if (!OperatingSystem.IsWindows()) return s_variables.Select(Environment.GetEnvironmentVariable);
@@ -38,11 +38,11 @@ internal sealed partial class SpokenLanguage : IDisposable
 
     public void Dispose() => (CultureInfo.CurrentUICulture, CultureInfo.DefaultThreadCurrentUICulture) = _before;
 
-    /// <summary>Null when Windows tells none.</summary>
+    /// <summary>Null if Windows returns none.</summary>
     private static unsafe string? WindowsName()
     {
         var name = stackalloc char[LongestLocaleName];
-        var length = GetUserDefaultLocaleName((ushort*)name, LongestLocaleName); // with the zero at its end
+        var length = GetUserDefaultLocaleName((ushort*)name, LongestLocaleName); // including the terminating zero
         return length > 1 ? new string(name, 0, length - 1) : null;
     }
 

@@ -4,8 +4,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.StartPage;
 
-/// <summary>The drawings that were opened last, with what is known of their files. Files are asked after in the background: a folder of a network can be
-/// slow.</summary>
+/// <summary>The recent drawings and the state of their files. Files are checked in the background, because a network folder can be slow.</summary>
 public sealed class RecentDrawings
 {
     private readonly DesktopModel _desk;
@@ -19,16 +18,16 @@ public sealed class RecentDrawings
         Look();
     }
 
-    /// <summary>Raised when the list, or what is known of a file, has changed.</summary>
+    /// <summary>Raised when the list or the state of a file has changed.</summary>
     public event Action? Changed;
 
-    /// <summary>The last one opened first.</summary>
+    /// <summary>The most recent first.</summary>
     public IReadOnlyList<RecentDrawing> All { get; private set; } = [];
 
-    /// <summary>Files are being asked after.</summary>
+    /// <summary>Files are being checked.</summary>
     internal bool IsAsking => _asking > 0;
 
-    /// <summary>Asks anew which files are still there.</summary>
+    /// <summary>Checks again which files exist.</summary>
     public void Refresh() => _ = AskAsync(_paths);
 
     public void Remove(RecentDrawing gone)
@@ -70,10 +69,10 @@ public sealed class RecentDrawings
     }
 }
 
-/// <summary>A drawing that was open once.</summary>
+/// <summary>A recent drawing.</summary>
 /// <param name="Path">Full path.</param>
-/// <param name="Changed">When its file was written last, by the clock on the wall; null when that is not known.</param>
-/// <param name="IsGone">No file is there any more.</param>
+/// <param name="Changed">Time of the last change of its file, local time; null if unknown.</param>
+/// <param name="IsGone">The file no longer exists.</param>
 public sealed record RecentDrawing(string Path, DateTime? Changed, bool IsGone)
 {
     public string Name => TextCatalogue.Fact(System.IO.Path.GetFileName(Path));
@@ -84,10 +83,10 @@ public sealed record RecentDrawing(string Path, DateTime? Changed, bool IsGone)
 
     public bool IsThere => !IsGone;
 
-    /// <summary>When it was changed, or that it is gone.</summary>
+    /// <summary>The time of the last change, or that the file is missing.</summary>
     public string Date => IsGone ? Text.Get("StartPage.NotFound") : Changed is { } date ? Text.Get("Files.Date", date) : "";
 
-    /// <summary>As its file is now; for a thread of the pool.</summary>
+    /// <summary>Reads the present state of the file; for a thread of the pool.</summary>
     public static RecentDrawing Of(string path)
     {
         var file = new FileInfo(path);

@@ -7,8 +7,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.StartPage;
 
-/// <summary>What the empty canvas offers: the drawings that were opened last, and the samples. It makes room as soon as there is a drawing, or a command
-/// asks for a place on the canvas.</summary>
+/// <summary>The start page on the empty canvas: the recent drawings, and the samples. It is hidden when there is a drawing, or when a command requests a
+/// point on the canvas.</summary>
 public sealed class StartPageModel : Observable
 {
     private const int MostSamples = 12;
@@ -32,13 +32,13 @@ public sealed class StartPageModel : Observable
 
     public System.Windows.Input.ICommand Open { get; }
 
-    /// <summary>Opens a drawing, the parameter; one that is gone is told.</summary>
+    /// <summary>Opens a drawing, the parameter; a missing one is reported.</summary>
     public Act OpenRecent { get; }
 
     /// <summary>Opens a sample, the parameter.</summary>
     public Act OpenSample { get; }
 
-    /// <summary>Takes a drawing, the parameter, out of the list.</summary>
+    /// <summary>Removes a drawing, the parameter, from the list.</summary>
     public Act Remove { get; }
 
     public IReadOnlyList<RecentDrawing> Recent => _recent.All;

@@ -3,15 +3,15 @@ using Avalonia.Controls;
 
 namespace Engraver.App.StatusBar;
 
-/// <summary>A row that ends at the right. Where it is too narrow for all its parts the first ones are left out, whole, so that no text is cut off: the most
-/// important part stands last.</summary>
+/// <summary>A right-aligned row. If it is too narrow for all its children, the first ones are hidden completely, so that no text is cut off: the most
+/// important child is the last.</summary>
 public sealed class FittingRow : Panel
 {
     public static readonly StyledProperty<double> SpacingProperty = AvaloniaProperty.Register<FittingRow, double>(nameof(Spacing));
 
     static FittingRow() => AffectsMeasure<FittingRow>(SpacingProperty);
 
-    /// <summary>Between two parts, units of 1/96 inch.</summary>
+    /// <summary>Between two children, units of 1/96 inch.</summary>
     public double Spacing
     {
         get => GetValue(SpacingProperty);
@@ -40,7 +40,7 @@ public sealed class FittingRow : Panel
         return finalSize;
     }
 
-    /// <summary>The parts that fit, last first, and the width that they take.</summary>
+    /// <summary>The children that fit, from the last on, and their total width.</summary>
     private (double Width, List<Control> Shown) Shown(double room)
     {
         var (width, shown) = (0.0, new List<Control>());

@@ -4,8 +4,8 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.StatusBar;
 
-/// <summary>A computation that takes long: a command at work, or the planning of the job. Shown when it has gone on for a moment, so that nothing flickers;
-/// a command that tells how far it is, at once.</summary>
+/// <summary>A long operation: a running command, or the planning of the job. Shown after a short delay to avoid flicker; a command that reports its
+/// progress is shown immediately.</summary>
 /// <param name="again">Called on the UI thread when it is time to show it.</param>
 internal sealed class LongWork(DesktopModel desk, Action again)
 {
@@ -17,12 +17,12 @@ internal sealed class LongWork(DesktopModel desk, Action again)
 
     public bool IsShown { get; private set; }
 
-    /// <summary>0 to 1; null when nobody knows.</summary>
+    /// <summary>0 to 1; null if unknown.</summary>
     public double? Fraction { get; private set; }
 
     public string Text { get; private set; } = "";
 
-    /// <summary>Looks again what is at work.</summary>
+    /// <summary>Updates the state from what is running.</summary>
     public void Look()
     {
         var session = desk.Session;

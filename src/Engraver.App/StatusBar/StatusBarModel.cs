@@ -6,7 +6,7 @@ using Engraver.Workbench.Commands.Settings;
 
 namespace Engraver.App.StatusBar;
 
-/// <summary>The line at the bottom: coordinates, drafting switches, the settings that decide accuracy, profile and link.</summary>
+/// <summary>The line at the bottom: coordinates, drafting switches, the settings that determine accuracy, profile and link.</summary>
 public sealed class StatusBarModel : Observable
 {
     private readonly DesktopModel _desk;
@@ -31,17 +31,17 @@ public sealed class StatusBarModel : Observable
         private set => Set(ref _coordinates, value);
     }
 
-    /// <summary>What takes long, how far it is, and how it is ended; empty while nothing does.</summary>
+    /// <summary>The long operation, its progress, and how it is ended; empty for none.</summary>
     public string Progress => _work.Text;
 
     public bool IsWorking => _work.IsShown;
 
-    /// <summary>Nobody knows how far it is.</summary>
+    /// <summary>The progress is unknown.</summary>
     public bool IsEndless => _work.Fraction is null;
 
     public double Fraction => _work.Fraction ?? 0.0;
 
-    /// <summary>Of the drawing, and so of the coordinates; tolerances are millimetres whatever it is.</summary>
+    /// <summary>Of the drawing, and so of the coordinates; tolerances are always in millimetres.</summary>
     public string Unit => Text.Get("Status.Unit", _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Get("Status.Millimetres"));
 
     public string JoinTolerance => Text.Get("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
@@ -52,7 +52,7 @@ public sealed class StatusBarModel : Observable
 
     public string Link => _desk.Session.Machine.Description ?? Text.Get("Status.NotConnected");
 
-    /// <summary>The cursor stands at a place of the drawing.</summary>
+    /// <summary>The cursor has moved to a point of the drawing.</summary>
     public void Point(Point2D place)
     {
         var figures = _desk.Session.Settings.Current.Figures();

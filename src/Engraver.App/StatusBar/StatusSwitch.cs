@@ -6,7 +6,7 @@ using Engraver.Workbench.Views;
 namespace Engraver.App.StatusBar;
 
 /// <summary>One drafting switch; a click runs its command.</summary>
-/// <param name="name">As it is shown.</param>
+/// <param name="name">The displayed name.</param>
 /// <param name="command">The command that switches it.</param>
 public sealed class StatusSwitch(string name, string command, Func<ViewState, bool> isOn, DesktopModel desk) : Observable
 {
@@ -14,14 +14,14 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
 
     public string Command => command;
 
-    /// <summary>What it does, with its key.</summary>
+    /// <summary>Its function, with its key.</summary>
     public string Tip => Text.Get("Switch." + name);
 
     public bool IsOn => isOn(desk.Session.View.Current);
 
     public Act Switch { get; } = new(() => _ = desk.RunAsync(command, isOn(desk.Session.View.Current) ? "OFF" : "ON"));
 
-    /// <summary>The switches of the status bar, as AutoCAD names them.</summary>
+    /// <summary>The switches of the status bar, with AutoCAD's names.</summary>
     public static IReadOnlyList<StatusSwitch> All(DesktopModel desk) =>
     [
         new("SNAP", "SNAP", view => view.Snap, desk),

@@ -7,13 +7,13 @@ using Engraver.Core.EntityTables;
 
 namespace Engraver.App.Tables;
 
-/// <summary>One line of the table drawn as one control: number and 16 cells, or their names. Scrolling makes no controls.</summary>
+/// <summary>One line of the table drawn as one control: number and 16 cells, or their names. Scrolling creates no controls.</summary>
 public sealed class SlotCells : Control
 {
     public const double NumberWidth = 50;
     public const double CellWidth = 74;
 
-    /// <summary>The last cell does not touch the edge.</summary>
+    /// <summary>Includes a margin after the last cell.</summary>
     public const double AllWidth = NumberWidth + (EntitySlot.Count * CellWidth) + RoomAtTheEdge;
 
     private const double RoomAtTheEdge = 6;
@@ -49,7 +49,7 @@ public sealed class SlotCells : Control
 
     protected override Size MeasureOverride(Size availableSize) => new(AllWidth, 20);
 
-    /// <summary>Where the text of a slot ends; -1 is the number of the row.</summary>
+    /// <summary>Right edge of the text of a slot; -1 is the number of the row.</summary>
     private static double RightOf(int slot) => NumberWidth + ((slot + 1) * CellWidth) - 10;
 
     /// <param name="below">From the middle line.</param>

@@ -15,7 +15,7 @@ public static class SlotNames
     /// <summary>Empty for a slot that is a count or a kind.</summary>
     public static IReadOnlyList<string> Units => [.. Enumerable.Range(0, EntitySlot.Count).Select(UnitOf)];
 
-    /// <summary>The unit of one slot; empty where there is none.</summary>
+    /// <summary>The unit of one slot; empty for none.</summary>
     public static string UnitOf(int slot) => slot switch
     {
         >= EntitySlot.StartX and <= EntitySlot.Radius => Text.Get("SlotUnit.Length"),

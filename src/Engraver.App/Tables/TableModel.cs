@@ -3,7 +3,7 @@ using Engraver.Core.EntityTables;
 
 namespace Engraver.App.Tables;
 
-/// <summary>The entity table in sequence order, however long.</summary>
+/// <summary>The entity table in sequence order; any length.</summary>
 public sealed class TableModel : FollowedRows<TableRow>
 {
     private EntityTable? _table;
@@ -11,7 +11,7 @@ public sealed class TableModel : FollowedRows<TableRow>
     public TableModel(DesktopModel desk)
         : base(desk, () => desk.Derived.RowUnderTool, desk.Derived.MoveToRow, row => row.Index) => Follow();
 
-    /// <summary>Shows a table, however long.</summary>
+    /// <summary>Shows a table of any length.</summary>
     internal void Show(EntityTable? table)
     {
         _table = table;

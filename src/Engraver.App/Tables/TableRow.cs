@@ -3,10 +3,10 @@ using Engraver.Core.EntityTables;
 
 namespace Engraver.App.Tables;
 
-/// <summary>A row of the fixed-slot table, its 16 figures as they are read. Made when it is looked at.</summary>
+/// <summary>A row of the fixed-slot table with its 16 formatted values. Created on access.</summary>
 public sealed class TableRow(EntityTable table, int index) : IEquatable<TableRow>
 {
-    /// <summary>Whole numbers beyond this are written with their exponent.</summary>
+    /// <summary>Larger whole numbers are written with an exponent.</summary>
     private const double LargestWhole = 1e15;
 
     public int Index => index;
@@ -26,6 +26,6 @@ public sealed class TableRow(EntityTable table, int index) : IEquatable<TableRow
 
     public override int GetHashCode() => index;
 
-    /// <summary>For a reader of the screen: the number of the row and its figures.</summary>
+    /// <summary>For a screen reader: the number of the row and its values.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{index + 1}: {string.Join(' ', Enumerable.Range(0, EntitySlot.Count).Select(Figure))}");
 }

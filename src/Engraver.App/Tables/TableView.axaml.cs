@@ -4,7 +4,7 @@ using Avalonia.Media;
 
 namespace Engraver.App.Tables;
 
-/// <summary>The page of the entity table. The names of the slots stay in sight and scroll sideways with the rows.</summary>
+/// <summary>The page of the entity table. The names of the slots stay visible and scroll sideways with the rows.</summary>
 public partial class TableView : UserControl
 {
     public TableView()

@@ -3,7 +3,7 @@ using Engraver.App.Binding;
 
 namespace Engraver.App.Tabs;
 
-/// <summary>A page behind a tab; made when it is first shown, so that the first frame does not wait for hidden pages.</summary>
+/// <summary>A page behind a tab; created when first shown, so that the first frame does not wait for hidden pages.</summary>
 public sealed class PageTab(string key, Func<Control> make) : Observable
 {
     private Control? _page;
@@ -18,7 +18,7 @@ public sealed class PageTab(string key, Func<Control> make) : Observable
 
     public Control Page => _page ??= make();
 
-    /// <summary>How many items on the page wait for the operator; shown on the tab, whether the page is made or not.</summary>
+    /// <summary>Number of items on the page that wait for the operator; shown on the tab, even before the page is created.</summary>
     public int Waiting
     {
         get => _waiting;

@@ -7,7 +7,7 @@ using Engraver.App.Binding;
 
 namespace Engraver.App.Tabs;
 
-/// <summary>Pages behind a strip of tabs. A page is made when it is first shown and kept.</summary>
+/// <summary>Pages behind a strip of tabs. A page is created when first shown, and kept.</summary>
 public partial class PageTabs : UserControl
 {
     private Control? _seen;
@@ -29,7 +29,7 @@ public partial class PageTabs : UserControl
     /// <summary>The page in front.</summary>
     public PageTab? Current => Strip.SelectedItem as PageTab;
 
-    /// <summary>Only the strip of tabs is seen, or the title of the page in front.</summary>
+    /// <summary>Only the strip of tabs, or the title of the page in front, is visible.</summary>
     public bool IsFolded => !Shown.IsVisible;
 
     /// <param name="first">Key of the page in front.</param>
@@ -50,7 +50,7 @@ public partial class PageTabs : UserControl
         FoldIcon.Data = (Geometry)Application.Current!.FindResource(folded ? openIcon : foldIcon)!;
     }
 
-    /// <summary>Hides the strip of tabs of a panel that is folded sideways; the title of the page in front, turned, stands for it.</summary>
+    /// <summary>Hides the strip of tabs of a panel that is folded sideways; the rotated title of the page in front replaces it.</summary>
     public void HideStrip(bool hidden) => (Strip.IsVisible, FoldedTitle.IsVisible) = (!hidden, hidden);
 
     /// <summary>Shows a line over the page in front; empty hides it.</summary>
@@ -65,7 +65,7 @@ public partial class PageTabs : UserControl
         PageShown?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Tells the page in front that it is seen, unless the panel is folded, and the one before that it is not.</summary>
+    /// <summary>Notifies the page in front that it is visible, unless the panel is folded, and the previous page that it is not.</summary>
     private void See(Control? page)
     {
         if (!ReferenceEquals(page, _seen) && _seen?.DataContext is ISeen hidden) hidden.IsSeen = false;

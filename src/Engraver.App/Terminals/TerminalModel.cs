@@ -21,7 +21,7 @@ public sealed class TerminalModel : Observable
         Look();
     }
 
-    /// <summary>What was typed and answered, oldest first.</summary>
+    /// <summary>Inputs and replies, oldest first.</summary>
     public IReadOnlyList<TerminalRow> Rows { get; private set; } = [];
 
     public string Line
@@ -32,7 +32,7 @@ public sealed class TerminalModel : Observable
 
     private LiveTerminal Terminal => _desk.Session.Machine.Terminal;
 
-    /// <summary>Enter: the line goes to the controller. A link that fails is an alarm; the line stays on the page.</summary>
+    /// <summary>Enter: sends the line to the controller. A failing link raises an alarm; the line stays on the page.</summary>
     public async Task SubmitAsync()
     {
         var line = Line;

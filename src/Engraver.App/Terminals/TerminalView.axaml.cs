@@ -8,7 +8,7 @@ public partial class TerminalView : UserControl
 {
     public TerminalView() => InitializeComponent();
 
-    /// <summary>Text that was typed somewhere else while this page is in front.</summary>
+    /// <summary>Text that was typed elsewhere while this page is in front.</summary>
     public void Type(string text)
     {
         TakeKeyboard();
@@ -16,12 +16,12 @@ public partial class TerminalView : UserControl
         LineBox.CaretIndex = LineBox.Text?.Length ?? 0;
     }
 
-    /// <summary>A key that was pressed somewhere else.</summary>
-    /// <returns>True when it was one for the line.</returns>
+    /// <summary>A key that was pressed elsewhere.</summary>
+    /// <returns>True if the terminal handled it.</returns>
     public bool Press(Key key)
     {
         if (key == Key.Space) Type(" ");
-        else if (key == Key.Enter) TakeKeyboard(); // what is sent is what is seen in the line that has the keyboard
+        else if (key == Key.Enter) TakeKeyboard(); // what is sent must be visible in the focused line
         else return false;
         return true;
     }

@@ -4,8 +4,8 @@ using Avalonia.Controls.Primitives;
 
 namespace Engraver.App.Theme;
 
-/// <summary>Foreground by the name of a brush of the theme, so that a view model names a meaning and never a colour, and the theme may change under
-/// it.</summary>
+/// <summary>Sets the foreground by the name of a brush of the theme, so that a view model states a meaning instead of a colour, and the theme can
+/// change.</summary>
 public sealed class Paint
 {
     public static readonly AttachedProperty<string?> ForegroundProperty = AvaloniaProperty.RegisterAttached<Paint, Control, string?>("Foreground");

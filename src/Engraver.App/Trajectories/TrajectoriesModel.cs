@@ -6,7 +6,7 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Trajectories;
 
-/// <summary>The trajectories of the document, each with its figures and what can be changed of it.</summary>
+/// <summary>The trajectories of the document, each with its figures and editable values.</summary>
 public sealed class TrajectoriesModel : Observable
 {
     private readonly DesktopModel _desk;
@@ -26,15 +26,15 @@ public sealed class TrajectoriesModel : Observable
 
     public bool IsEmpty => Rows.Count == 0;
 
-    /// <summary>How many, and how the next ones are made.</summary>
+    /// <summary>Their number, and how the next ones are created.</summary>
     public string Summary { get; private set; } = "";
 
-    /// <summary>Objects of some were edited since.</summary>
+    /// <summary>Objects of some trajectories were edited since these were created.</summary>
     public bool HasStale => Rows.Any(row => row.IsStale);
 
     public Act Export { get; }
 
-    /// <summary>Makes those anew whose objects were edited.</summary>
+    /// <summary>Recreates those whose objects were edited.</summary>
     public Act Update { get; }
 
     public Act DeleteAll { get; }
@@ -47,7 +47,7 @@ public sealed class TrajectoriesModel : Observable
         bool[] stale = [.. list.All.Select(one => edits?.IsStale(one) == true)];
         var isSame = ReferenceEquals(list, _shown.List) && stale.SequenceEqual(Rows.Select(row => row.IsStale));
         _shown = (list, drawing);
-        if (isSame) return; // what is being typed into a field stays
+        if (isSame) return; // keeps the text that is being typed into a field
         Rows = [.. list.All.Select((one, index) => new TrajectoryRow(one, index, list.All.Count, _desk, Anew) { IsStale = stale[index] })];
         Summary = Text.Get(list.Settings.DynamicDensity ? "Trajectories.Dynamic" : "Trajectories.Uniform", list.All.Sum(one => one.Curve.Points), list.Settings.DynamicDensity ? list.Settings.MaxErrorMm : list.Settings.SegmentLengthMm);
         Tell(null);

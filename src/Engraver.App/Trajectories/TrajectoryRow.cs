@@ -7,12 +7,12 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Trajectories;
 
-/// <summary>A trajectory with its figures; what is typed into its fields runs SACEEDITTRAJECTORY, so that it undoes.</summary>
-/// <param name="refused">Called when what was typed was not taken, so that it stands in the field no longer.</param>
+/// <summary>A trajectory with its figures; editing a field runs SACEEDITTRAJECTORY, so that it can be undone.</summary>
+/// <param name="refused">Called when a value was refused, so that the field is reset.</param>
 public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, DesktopModel desk, Action refused) : Observable
 {
-    /// <summary>Enter takes what was typed, and so does the field when it loses the focus, which it does as soon as the table is made anew: the second time
-    /// is no further step.</summary>
+    /// <summary>The last edit: Enter accepts a value, and so does the field when it loses the focus, which it does when the table is recreated. The second
+    /// time must not be a second step.</summary>
     private (string What, string Value)? _taken;
 
     public string Name
@@ -23,13 +23,13 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
 
     public string Points => one.Curve.Points.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>Proven, millimetres, never rounded down.</summary>
+    /// <summary>Proven bound, millimetres, never rounded down.</summary>
     public string Bound => Figures.Bound(one.Curve.VerifiedBound);
 
-    /// <summary>True when the proven error is larger than the one asked for, as equal steps may make it.</summary>
+    /// <summary>True if the proven error exceeds the requested one, which equal steps may cause.</summary>
     public bool IsBeyond => one.Curve.VerifiedBound > one.MaxErrorMm;
 
-    /// <summary>Its objects have been edited since it was made.</summary>
+    /// <summary>Its objects have been edited since it was created.</summary>
     public bool IsStale { get; init; }
 
     public string Length => one.Curve.Length.ToString("0.###", CultureInfo.InvariantCulture);
@@ -37,7 +37,7 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
     /// <summary>Largest ratio of neighbouring steps.</summary>
     public string Ratio => one.Curve.SpacingRatio.ToString("0.00", CultureInfo.InvariantCulture);
 
-    /// <summary>Asked for, millimetres.</summary>
+    /// <summary>Requested, millimetres.</summary>
     public string Error
     {
         get => Number(one.MaxErrorMm);
@@ -54,7 +54,7 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
 
     public bool CanSink => index < count - 1;
 
-    /// <summary>A helix is not made anew.</summary>
+    /// <summary>A helix is not recreated.</summary>
     public bool CanChangeError => !one.IsHelix;
 
     public Act Rise { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "Up"));
@@ -63,7 +63,7 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
 
     public Act Delete { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "Delete"));
 
-    /// <summary>Completes when what was typed last has been taken or refused.</summary>
+    /// <summary>Completes when the last edit has been accepted or refused.</summary>
     public Task Edited { get; private set; } = Task.CompletedTask;
 
     private static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
