@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Canvas;
 
-/// <summary>A seeded sheet of uneven closed outlines, one to a cell of 4 units: lines, every tenth cell arcs, every twentieth a spline. The same number
-/// gives the same sheet.</summary>
+/// <summary>A seeded sheet of irregular closed outlines, one in each cell of 4 units: lines, every tenth cell arcs, every twentieth a spline. The same
+/// number gives the same sheet.</summary>
 public static class BenchmarkDrawing
 {
     private const double CellSize = 4.0;

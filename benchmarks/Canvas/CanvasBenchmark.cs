@@ -24,7 +24,7 @@ public static class CanvasBenchmark
     {
         ArgumentNullException.ThrowIfNull(sizes);
         ArgumentNullException.ThrowIfNull(output);
-        Measure(2000, TextWriter.Null); // so that the just-in-time compiler is not measured
+        Measure(2000, TextWriter.Null); // compiles the code, so that the just-in-time compiler is not measured
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"Canvas {s_size.Width} x {s_size.Height} pixels, {Environment.ProcessorCount} cores"));
         output.WriteLine("| Segments | Stage | best ms | median ms | best CPU ms | note |");
         output.WriteLine("|---:|---|---:|---:|---:|---|");
@@ -46,7 +46,7 @@ public static class CanvasBenchmark
         MeasurePicks(drawing, scene, all, output, segments);
     }
 
-    /// <summary>The drawing with everything selected under a cut path as long as itself, half of it engraved.</summary>
+    /// <summary>The drawing with everything selected under a cut path of the same length, half of it engraved.</summary>
     private static void MeasurePath(CanvasScene scene, CanvasView view, TextWriter output, int segments)
     {
         var (palette, selected) = (scene.Colours.PaletteFor(CanvasTheme.Dark), new bool[scene.Drawing.Entities.Count]);

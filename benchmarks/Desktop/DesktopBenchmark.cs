@@ -8,11 +8,11 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary><c>--benchmark</c>: measures the figures of the desktop in docs/benchmarks.md.</summary>
+/// <summary><c>--benchmark</c>: measures the desktop's figures of docs/benchmarks.md.</summary>
 internal static class DesktopBenchmark
 {
     /// <summary>Runs a benchmark that needs no window on a display.</summary>
-    /// <returns>The sentence of what failed; null when all went well.</returns>
+    /// <returns>The sentence of the failure; null on success.</returns>
     public static string? Run(DesktopOptions options, TextWriter output)
     {
         if (options.Benchmark == BenchmarkName.Canvas)
@@ -33,7 +33,7 @@ internal static class DesktopBenchmark
         }
     }
 
-    /// <summary>Runs a benchmark that needs a window on a display, whose drawing is open and shown; other names do nothing.</summary>
+    /// <summary>Runs a benchmark that needs a window on a display with its drawing open and shown; other names do nothing.</summary>
     public static async Task MeasureAsync(string? benchmark, DesktopSession session, ShellWindow window, string? drawing, TextWriter output)
     {
         switch (benchmark)
@@ -54,7 +54,7 @@ internal static class DesktopBenchmark
         }
     }
 
-    /// <summary>Closes the window once its first frame is drawn, and says how long that took.</summary>
+    /// <summary>Closes the window after its first frame, and reports the time until then.</summary>
     public static void EndAfterFirstFrame(Window window) =>
         window.Opened += (_, _) => window.RequestAnimationFrame(_ => window.RequestAnimationFrame(_ =>
         {

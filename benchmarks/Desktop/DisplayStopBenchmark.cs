@@ -17,7 +17,7 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
     private const nuint PauseKey = 0xFF13;
 
     /// <summary>Writes a Markdown table. On the user interface thread.</summary>
-    /// <param name="drawing">Path of the drawing whose job is stopped again and again; null: stops of a job are not measured.</param>
+    /// <param name="drawing">Path of the drawing whose job is stopped repeatedly; null: stops of a job are not measured.</param>
     public async Task RunAsync(string? drawing)
     {
         await using var controller = new SimulatedController(new SimulatorOptions());
@@ -66,7 +66,7 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
         await output.WriteLineAsync(StopEar.Row(StopPresses.RunsJob, times));
     }
 
-    /// <summary>Waits until the condition holds or the other task has ended.</summary>
+    /// <summary>Waits until the condition is true or the other task has ended.</summary>
     private async Task UntilAsync(Func<bool> condition, Task beside)
     {
         var held = new TaskCompletionSource();

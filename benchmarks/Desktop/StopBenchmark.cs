@@ -13,7 +13,7 @@ namespace Engraver.Benchmarks.Desktop;
 
 /// <summary>Measures the time from the press of Pause until the bytes of the stop arrive at the other end of a TCP link: while the window is idle, while it
 /// draws a million segments, while its thread is blocked, and while a job runs.</summary>
-/// <param name="drawing">Path of the drawing whose job is stopped again and again; null: stops of a job are not measured.</param>
+/// <param name="drawing">Path of the drawing whose job is stopped repeatedly; null: stops of a job are not measured.</param>
 internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, string? drawing, TextWriter output)
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
@@ -36,7 +36,7 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         Await(controller.DisposeAsync().AsTask());
     }
 
-    /// <summary>Starts jobs and stops each once it streams.</summary>
+    /// <summary>Starts jobs and stops each after its streaming has started.</summary>
     private void MeasureJobs(string file, StopEar ear)
     {
         Await(session.Desk.RunAsync("OPEN", file));
@@ -58,7 +58,7 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         output.WriteLine(StopEar.Row(StopPresses.RunsJob, times));
     }
 
-    /// <summary>Arms the job, again where the watch has disarmed it because it saw a machine that had just come to rest.</summary>
+    /// <summary>Arms the job, again if the machine monitor has disarmed it because the machine had only just come to rest.</summary>
     private void Arm()
     {
         while (session.Desk.Session.Machine.Armed is null)

@@ -6,8 +6,8 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures what a large drawing weighs in the desktop: processor time and memory of opening and planning, frames while it is moved, memory after
-/// it was closed and opened again.</summary>
+/// <summary>Measures the cost of a large drawing in the desktop: processor time and memory of opening and planning, frames while it is moved, memory after
+/// closing and opening it again.</summary>
 internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
 {
     private const int Frames = 300;
@@ -64,7 +64,7 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
 
     private void AwaitPicture() => desktop.StepUntil(() => window.CanvasSource.IsCurrent && window.Canvas.IsFresh, s_patience);
 
-    /// <summary>Frames drawn as fast as they come while the view moves before each.</summary>
+    /// <summary>Draws frames as fast as possible while the view moves before each.</summary>
     private void TellFrames(string what, Action<int> move)
     {
         var times = new double[Frames];
@@ -81,8 +81,7 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
         AwaitPicture();
     }
 
-    /// <summary>What the process holds of the computer's memory once the desktop has given back what it has no use for; nothing is collected for the
-    /// figure.</summary>
+    /// <summary>Resident memory of the process after the desktop has released what it does not use; nothing is collected for the measurement.</summary>
     private void TellMemory(string when)
     {
         desktop.StepUntil(() => session.Desk.IsMemoryReleased, s_patience);

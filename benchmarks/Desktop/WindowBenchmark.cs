@@ -8,7 +8,7 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures how long a window in memory takes to paint everything anew and to open a drawing.</summary>
+/// <summary>Measures how long a window in memory takes to repaint completely and to open a drawing.</summary>
 internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
 {
     private const int Frames = 200;
@@ -32,7 +32,7 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
         }
     }
 
-    /// <summary>Measures the time from the input OPEN to the first picture of the drawing, and until everything that follows from it is computed.</summary>
+    /// <summary>Measures the time from the input OPEN to the first picture of the drawing, and until all derivations are complete.</summary>
     public void Open(string drawing)
     {
         var watch = Stopwatch.StartNew();

@@ -3,19 +3,19 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Benchmarks.Offsets;
 
-/// <summary>Processor time of offsets by 1 mm, and how it grows with the number of vertices.</summary>
+/// <summary>Processor time of offsets by 1 mm, and its growth with the number of vertices.</summary>
 internal static class OffsetBenchmark
 {
     private const double Distance = 1.0;
 
-    /// <summary>Runs of which the median is taken; more where one run is too short for a clock of milliseconds.</summary>
+    /// <summary>Number of runs for the median; more if one run is too short for a clock of milliseconds.</summary>
     private const int Runs = 5;
 
     private const int MoreRuns = 31;
 
     private const int ShortRun = 50_000;
 
-    /// <summary>With fewer vertices no time can be told anyway.</summary>
+    /// <summary>With fewer vertices the time is too short to be measured.</summary>
     private const int NoRun = 5_000;
 
     /// <summary>The two lines above the rows.</summary>
@@ -23,7 +23,7 @@ internal static class OffsetBenchmark
 
     /// <summary>A row for each contour, side and number of vertices.</summary>
     /// <param name="sizes">Numbers of vertices, growing.</param>
-    /// <param name="stop">Between two runs.</param>
+    /// <param name="stop">Checked between two runs.</param>
     public static IEnumerable<string> Rows(IReadOnlyList<int> sizes, CancellationToken stop)
     {
         foreach (var (name, create) in OffsetContours.All)
@@ -44,7 +44,7 @@ internal static class OffsetBenchmark
     private static (OffsetResult Result, double Milliseconds) Timed(OffsetContour contour, OffsetSide side, CancellationToken stop)
     {
         var times = new double[contour.Segments.Count is > NoRun and < ShortRun ? MoreRuns : Runs];
-        var result = ContourOffset.Offset([contour], Distance, side, OffsetOptions.Default); // compiles what is measured
+        var result = ContourOffset.Offset([contour], Distance, side, OffsetOptions.Default); // compiles the measured code
         for (var i = 0; i < times.Length; i++)
         {
             stop.ThrowIfCancellationRequested();

@@ -3,13 +3,13 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Benchmarks.Offsets;
 
-/// <summary>Closed contours of as many vertices as wanted, millimetres, on which offsets are measured. The more vertices, the finer: at 100,000 the teeth
+/// <summary>Closed contours of a given number of vertices, millimetres, on which offsets are measured. The more vertices, the finer: at 100,000 the teeth
 /// of a comb are far narrower than the distance.</summary>
 internal static class OffsetContours
 {
     private const double WholeTurn = 2.0 * Math.PI;
 
-    /// <summary>Each by its name in the table.</summary>
+    /// <summary>Each with its name in the table.</summary>
     public static IReadOnlyList<(string Name, Func<int, OffsetContour> Create)> All { get; } =
     [
         ("circle of chords", Chords), ("wavy", Wavy), ("random", Noise), ("star", count => Rings(count, 100.0, 90.0, 1)), ("comb", count => Rings(count, 1000.0, 990.0, 2)), ("straight comb", StraightComb), ("gear", Gear), ("spiral", Spiral),
@@ -21,14 +21,14 @@ internal static class OffsetContours
     /// <summary>Radius 100 with waves of 20 and of 5.</summary>
     private static OffsetContour Wavy(int count) => Round(count, (_, angle) => 100.0 + (20.0 * Math.Sin(7.0 * angle)) + (5.0 * Math.Sin(31.0 * angle)));
 
-    /// <summary>Radius 100 to 101 at random, seed 1.</summary>
+    /// <summary>Random radius from 100 to 101, seed 1.</summary>
     private static OffsetContour Noise(int count)
     {
         var random = new Random(1);
         return Round(count, (_, _) => 100.0 + random.NextDouble());
     }
 
-    /// <summary>So many vertices on one radius, as many on the other, in turn.</summary>
+    /// <summary>Alternating groups of vertices on two radii.</summary>
     private static OffsetContour Rings(int count, double outer, double inner, int each) => Round(count, (i, _) => i / each % 2 == 0 ? outer : inner);
 
     /// <summary>Upright teeth of 10 mm on a bar 1000 long and 20 high.</summary>

@@ -5,17 +5,18 @@ using Engraver.Core.Pockets;
 
 namespace Engraver.Benchmarks.Pockets;
 
-/// <summary>Processor time of a square pocket of 100 mm with 20 round islands, for several tools: the passes grow with one over the stepover.</summary>
+/// <summary>Processor time of a square pocket of 100 mm with 20 round islands, for several tools: the number of passes is proportional to the reciprocal of
+/// the stepover.</summary>
 internal static class PocketBenchmark
 {
     /// <summary>Head of the table, Markdown.</summary>
     public static string Head => "| strategy | R mm | F | passes | pass length m | strokes | coverage | CPU s |\n|---|---|---|---|---|---|---|---|";
 
-    /// <summary>The rows, one after the other.</summary>
+    /// <summary>The rows, in order.</summary>
     public static IEnumerable<string> Rows(CancellationToken stop)
     {
         var contours = Contours();
-        Measure(contours, new PocketOptions { ToolRadius = 2.0 }); // compiles what is measured
+        Measure(contours, new PocketOptions { ToolRadius = 2.0 }); // compiles the measured code
         foreach (var strategy in (PocketStrategy[])[PocketStrategy.Contour, PocketStrategy.Zigzag])
         {
             foreach (var (radius, stepover) in ((double, double)[])[(1.0, 0.5), (0.5, 0.5), (0.5, 0.9), (0.25, 0.5)])

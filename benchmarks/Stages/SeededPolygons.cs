@@ -1,10 +1,8 @@
 namespace Engraver.Benchmarks.Stages;
 
-/// <summary>The benchmark drawing: exactly so many lines that form closed polygons of 10 to 50 sides on a grid, apart from each other, on three
-/// layers.</summary>
-/// <remarks>The last polygon takes up the remainder, up to 59 sides; fewer than three lines make an open stroke instead. The generator of the samples
-/// compiles this
-/// file too, so that the drawings it writes are those that are measured here.</remarks>
+/// <summary>The benchmark drawing: an exact number of lines that form separate closed polygons of 10 to 50 sides on a grid, on three layers.</summary>
+/// <remarks>The last polygon takes the remainder, up to 59 sides; fewer than three lines make an open stroke instead. The generator of the samples also
+/// compiles this file, so that it writes the same drawings.</remarks>
 internal static class SeededPolygons
 {
     private const int FewestSides = 10;
@@ -15,7 +13,7 @@ internal static class SeededPolygons
     public static IReadOnlyList<string> Layers { get; } = ["CUT", "MARK", "DEEP"];
 
     /// <param name="count">Number of lines.</param>
-    /// <param name="shuffled">Whether to put the lines into random order, every other one (by chance) reversed.</param>
+    /// <param name="shuffled">Whether to put the lines into random order and to reverse a random half of them.</param>
     /// <param name="seed">The same seed gives the same lines.</param>
     public static SeededLine[] Lines(int count, bool shuffled, ulong seed)
     {
@@ -40,7 +38,7 @@ internal static class SeededPolygons
         return remaining - sides < FewestSides ? remaining : sides;
     }
 
-    /// <summary>A polygon with an uneven rim that stays within its cell.</summary>
+    /// <summary>A polygon with an irregular outline that stays within its cell.</summary>
     private static void AddPolygon(List<SeededLine> lines, int cell, int columns, int sides, SeededSequence random)
     {
         var (x, y) = (((cell % columns) + 0.5) * CellSize, ((cell / columns) + 0.5) * CellSize);

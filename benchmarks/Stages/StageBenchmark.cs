@@ -24,7 +24,7 @@ public static class StageBenchmark
     private const ulong Seed = 1;
     private static readonly DrawingSettings s_settings = new();
 
-    /// <summary>Runs everything once on a small drawing, so that the first row does not pay for the just-in-time compiler.</summary>
+    /// <summary>Runs everything once on a small drawing, so that the first row does not include the just-in-time compiler.</summary>
     public static Task WarmUpAsync(CancellationToken stop) => RunAsync(500, stop);
 
     /// <summary>One row for each stage.</summary>
@@ -32,7 +32,7 @@ public static class StageBenchmark
     /// <exception cref="OperationCanceledException">Stopped by the operator.</exception>
     public static Task<IReadOnlyList<StageFigure>> RunAsync(int entities, CancellationToken stop) => MeasureAsync(entities, Drawing(entities), stop);
 
-    /// <summary>The seeded drawing as DXF with six decimals, as drawings from CAD have them.</summary>
+    /// <summary>The seeded drawing as DXF with six decimals, as CAD programs write it.</summary>
     private static byte[] Drawing(int entities)
     {
         var sheet = SeededPolygons.Lines(entities, shuffled: true, Seed)
@@ -70,7 +70,7 @@ public static class StageBenchmark
         return [read, table, chain, order, generate, check, simulate, verify];
     }
 
-    /// <summary>Runs the job on the simulated controller, once: it is the longest stage by far, and its result is a judgement besides a time.</summary>
+    /// <summary>Runs the job once on the simulated controller: it is by far the longest stage, and its result is also verified.</summary>
     private static async Task<StageFigure> SimulateAsync(int entities, PreparedJob job, MotionProgram program, CancellationToken stop)
     {
         var journal = Path.GetTempFileName();
@@ -98,14 +98,15 @@ public static class StageBenchmark
         return Judged(figure, replay.Value.MachineTime.TotalSeconds, report.MaxDeviationMm, report.MissingLengthMm);
     }
 
-    /// <param name="seconds">Machine time; divided by the processor's time it is how many times faster than the machine this was.</param>
+    /// <param name="seconds">Machine time; divided by the processor time it is how many times faster than the machine the stage was.</param>
     private static StageFigure Judged(StageFigure figure, double seconds, double? worst, double? missing) => figure with
     {
         Note = string.Create(
             CultureInfo.InvariantCulture, $"{seconds:0} s of machine time, {seconds / figure.CpuSeconds:0} times real time, worst {worst:0.0000} mm, missing {missing:0.###} mm"),
     };
 
-    /// <summary>Keeps the last progress of the replay. It is reported on the replay's own thread, so that it is there when the replay has ended.</summary>
+    /// <summary>Keeps the last progress of the replay. It is reported on the thread of the replay, so that it is complete when the replay has
+    /// ended.</summary>
     private sealed class LastReport : IProgress<ReplayProgress>
     {
         public ReplayProgress Value { get; private set; }
@@ -116,8 +117,8 @@ public static class StageBenchmark
 
 /// <summary>One row of the table in docs/benchmarks.md.</summary>
 /// <param name="CpuSeconds">User and system time of the whole process, median of the repetitions.</param>
-/// <param name="AllocatedBytes">Allocated on all threads, for each entity.</param>
-/// <param name="KeptBytes">Still reachable through the result, for each entity.</param>
+/// <param name="AllocatedBytes">Allocated on all threads, per entity.</param>
+/// <param name="KeptBytes">Still reachable through the result, per entity.</param>
 public sealed record StageFigure(int Entities, string Stage, double CpuSeconds, double AllocatedBytes, double KeptBytes, string Note)
 {
     /// <summary>The two lines above the rows.</summary>

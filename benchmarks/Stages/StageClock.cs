@@ -1,6 +1,6 @@
 namespace Engraver.Benchmarks.Stages;
 
-/// <summary>Measures one stage: processor time of the process (not of the wall), bytes allocated and bytes kept.</summary>
+/// <summary>Measures one stage: processor time of the process (not wall time), bytes allocated and bytes kept.</summary>
 internal static class StageClock
 {
     public static async Task<(StageFigure Figure, T Result)> MeasureAsync<T>(int entities, string stage, int repetitions, Func<Task<T>> run, Func<T, string> note)
@@ -17,7 +17,7 @@ internal static class StageClock
             result = await run().ConfigureAwait(false);
             seconds[i] = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
             allocated = GC.GetTotalAllocatedBytes(precise: true) - bytes;
-            if (i == 0) kept = GC.GetTotalMemory(forceFullCollection: true) - reachable; // later ones replace a result that may still be reachable
+            if (i == 0) kept = GC.GetTotalMemory(forceFullCollection: true) - reachable; // later repetitions replace a result that may still be reachable
         }
 
         Array.Sort(seconds);

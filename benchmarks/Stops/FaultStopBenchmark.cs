@@ -7,16 +7,16 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>Measures the time from STOP to the bytes that brake the axes on a TCP wire or a serial line, while a job streams to a simulated controller at
-/// speed 1 to which a fault of a faults file has just happened.</summary>
+/// <summary>Measures the time from STOP to the bytes that brake the axes on a TCP link or a serial line, while a job streams to a simulated controller at
+/// speed 1 just after a fault of a faults file.</summary>
 internal sealed class FaultStopBenchmark
 {
-    /// <summary>So many jobs in a row that never move are no accident.</summary>
+    /// <summary>Number of consecutive jobs without motion after which the benchmark fails.</summary>
     private const int MostUnbegun = 50;
 
     private readonly FaultStopPress _press;
 
-    /// <param name="folder">For the journals of the jobs, and the serial device; exists.</param>
+    /// <param name="folder">For the journals of the jobs, and the serial device; must exist.</param>
     /// <param name="baud">Of a serial line; null for TCP.</param>
     public FaultStopBenchmark(string folder, int? baud)
     {
@@ -24,7 +24,7 @@ internal sealed class FaultStopBenchmark
         _press = new FaultStopPress(folder, baud, job);
     }
 
-    /// <summary>The faults of <c>simulate --faults</c>, each with what stands in the file beside its moment; none first.</summary>
+    /// <summary>The faults of <c>simulate --faults</c>, each with its text in the file beside its time; the first is none.</summary>
     public static IReadOnlyList<(string Name, string? Fault)> Faults { get; } =
     [
         ("none", null),
@@ -40,7 +40,7 @@ internal sealed class FaultStopBenchmark
         ("powerCycle", ""),
     ];
 
-    /// <summary>So many presses under one fault.</summary>
+    /// <summary>Measures a number of presses under one fault.</summary>
     /// <param name="fault">Null for none.</param>
     /// <exception cref="ControllerException">The simulated controller could not be reached.</exception>
     public async Task<FaultStopFigure> RunAsync(string name, string? fault, int presses, CancellationToken stop)
@@ -70,7 +70,7 @@ internal sealed class FaultStopBenchmark
         return new FaultStopFigure(name, times, braked, lost) { LongestPause = pause, Behind = _press.IsSerial ? behind : null };
     }
 
-    /// <summary>2,000 lines of half a millimetre that rise and fall: 25 ms each at the default feed.</summary>
+    /// <summary>2,000 lines of half a millimetre in a zigzag: 25 ms each at the default feed.</summary>
     private static byte[] Zigzag()
     {
         var text = new System.Text.StringBuilder("0\nSECTION\n2\nENTITIES\n");

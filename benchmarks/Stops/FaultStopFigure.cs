@@ -2,16 +2,16 @@ using System.Globalization;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>One row of the table: how long stops took under one fault.</summary>
+/// <summary>One row of the table: durations of the stops under one fault.</summary>
 /// <param name="Milliseconds">From STOP to the wire, ascending.</param>
-/// <param name="Braked">Stops that found the job braking already, because the fault had ended it.</param>
-/// <param name="Lost">Stops that never reached the wire because the link was gone.</param>
+/// <param name="Braked">Stops of jobs that were already braking, because the fault had ended them.</param>
+/// <param name="Lost">Stops that did not reach the wire because the link was lost.</param>
 internal sealed record FaultStopFigure(string Fault, IReadOnlyList<double> Milliseconds, int Braked, int Lost)
 {
     /// <summary>The longest garbage collection between a press and the wire, milliseconds.</summary>
     public double LongestPause { get; init; }
 
-    /// <summary>On a serial line: from the end of the bytes under way, ascending; null for TCP, where a stop does not wait for them.</summary>
+    /// <summary>On a serial line: from the end of the bytes in transmission, ascending; null for TCP, where a stop does not wait for them.</summary>
     public IReadOnlyList<double>? Behind { get; init; }
 
     /// <summary>The head of the table for a serial line.</summary>

@@ -5,10 +5,10 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>A pseudo-terminal that stands for a serial line of a rate: a command is on the wire when its last bit would have left such a line, which
-/// carries ten bits for each byte, one after the other.</summary>
-/// <remarks>Only what is measured takes its time: what comes before the motion (some ten thousand bytes: the handshake, the program that watches, the
-/// segments that fill the buffer) and behind the press is carried at once.</remarks>
+/// <summary>A pseudo-terminal that simulates a serial line of a baud rate: a command is on the wire when its last bit would have left the line, which
+/// transmits ten bits for each byte in sequence.</summary>
+/// <remarks>Only the measured part is delayed: what precedes the motion (about ten thousand bytes: the handshake, the watchdog program, the segments that
+/// fill the buffer) and what follows the press is transmitted immediately.</remarks>
 internal sealed class FaultStopSerialTap : FaultStopWire
 {
     private readonly Lock _gate = new();
@@ -16,7 +16,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
     private readonly ServedSimulator _controller;
     private readonly double _ticksPerByte;
 
-    /// <summary>Time stamp at which the line has carried everything that the host gave it.</summary>
+    /// <summary>Time stamp at which the line has transmitted all bytes of the host.</summary>
     private double _free;
 
     private double _underWay;
@@ -41,7 +41,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
         }
     }
 
-    /// <param name="path">Becomes the device; must not exist.</param>
+    /// <param name="path">Path of the device that is created; must not exist.</param>
     public static async Task<FaultStopWire> OverSerialAsync(ServedSimulator controller, string path, int baud, CancellationToken cancellation)
     {
         var tap = new FaultStopSerialTap(controller, path, baud);
@@ -56,7 +56,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
 
     public override void Rest() => _controller.SerialCarriesAtOnce = true;
 
-    /// <summary>The line ends with its controller.</summary>
+    /// <summary>The line is closed together with its controller.</summary>
     public override ValueTask DisposeAsync() => ValueTask.CompletedTask;
 
     private void Hear(ReadOnlyMemory<byte> bytes, bool fromHost)
@@ -75,7 +75,7 @@ internal sealed class FaultStopSerialTap : FaultStopWire
         foreach (var (text, at) in commands) Tell(text, at);
     }
 
-    /// <summary>The commands that end in these bytes, each with the time stamp at which its end has left the line: a semicolon ends a command as a CR does
+    /// <summary>The commands that end in these bytes, each with the time stamp at which its end has left the line: a semicolon ends a command as CR does
     /// (galil-dmc.md A.3).</summary>
     private List<(string Text, long At)> Carried(ReadOnlySpan<byte> bytes, long came)
     {
@@ -100,6 +100,6 @@ internal sealed class FaultStopSerialTap : FaultStopWire
 
     private static double Milliseconds(double ticks) => ticks * 1000.0 / Stopwatch.Frequency;
 
-    /// <summary>The command begins the motion along the path (galil-dmc.md B.1).</summary>
+    /// <summary>The command starts the motion along the path (galil-dmc.md B.1).</summary>
     private static bool Begins(StringBuilder command) => command.Equals("BGS");
 }

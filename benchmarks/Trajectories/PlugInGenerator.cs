@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>What the SACETraj plug-in makes of a curve: its generator after the notes on its code (sace-xps-agie.md 1.2 and 1.3), defects included. Lines
-/// as they stand in its file. Millimetres.</summary>
+/// <summary>The points that the SACETraj plug-in generates for a curve: a reimplementation from the notes on its code (sace-xps-agie.md 1.2 and 1.3),
+/// defects included. Lines as in its file. Millimetres.</summary>
 internal sealed class PlugInGenerator
 {
     private readonly IReadOnlyList<Segment> _segments;
@@ -19,14 +19,14 @@ internal sealed class PlugInGenerator
 
     private double Length => _ends[^1];
 
-    /// <summary>Samples that were looked at in search of the next points.</summary>
+    /// <summary>Number of samples scanned in search of the next points.</summary>
     private long _scanned;
 
     /// <summary>Dynamic density; empty for a curve shorter than the error.</summary>
-    /// <exception cref="OverflowException">The error is 0: the number of samples is without limit.</exception>
+    /// <exception cref="OverflowException">The error is 0: the number of samples is unlimited.</exception>
     public static List<Point2D> Dynamic(IReadOnlyList<Segment> segments, double error) => Dynamic(segments, error, out _);
 
-    /// <param name="scanned">Samples that were looked at in search of the next points, again for every point.</param>
+    /// <param name="scanned">Number of samples scanned in search of the next points, again for every point.</param>
     public static List<Point2D> Dynamic(IReadOnlyList<Segment> segments, double error, out long scanned)
     {
         scanned = 0;
@@ -79,7 +79,7 @@ internal sealed class PlugInGenerator
         return lines;
     }
 
-    /// <summary>Curvatures, and the next sample at or after each whose tangent turns too fast for its curvature.</summary>
+    /// <summary>Curvatures, and for each the next sample at or after it whose tangent turns too fast for its curvature.</summary>
     private (double[] Bends, int[] NextCorner) Sample(int count, double spacing)
     {
         var (bends, tangents, next) = (new double[count + 1], new Vector2D[count + 1], new int[count + 2]);
@@ -97,7 +97,7 @@ internal sealed class PlugInGenerator
     private bool Fits(double[] bends, int[] nextCorner, int count, double length, double from, double step, double error)
     {
         var (first, last) = ((int)Math.Ceiling(from / length * count), (int)Math.Floor((from + step) / length * count));
-        _scanned += Math.Max(0, Math.Min(last, count) - first + 1); // it takes the largest curvature of all of them; here the first that is too large will do
+        _scanned += Math.Max(0, Math.Min(last, count) - first + 1); // it takes the largest curvature of all of them; the first one that is too large is equivalent
         if (nextCorner[Math.Min(first, count + 1)] <= last) return false;
         for (var i = first; i <= Math.Min(last, count); i++)
         {

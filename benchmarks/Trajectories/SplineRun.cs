@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>What a controller makes of the lines of a spline file, evaluated here from the definition of the uniform Catmull-Rom spline, and how far it is
-/// from what was drawn. Shares no code with the generator.</summary>
+/// <summary>The curve that a controller makes of the lines of a spline file, evaluated from the definition of the uniform Catmull-Rom spline, and its
+/// distance from the source. Shares no code with the generator.</summary>
 internal sealed class SplineRun
 {
     private readonly List<(double X, double Y)> _places = [];
@@ -22,10 +22,10 @@ internal sealed class SplineRun
 
     public IReadOnlyList<(double X, double Y)> Places => _places;
 
-    /// <summary>Largest distance of a place of the spline from the source.</summary>
+    /// <summary>Largest distance of a point of the spline from the source.</summary>
     public double FromSource(IReadOnlyList<Segment> source) => _places.Max(place => source.Min(segment => segment.DistanceTo(new Point2D(place.X, place.Y))));
 
-    /// <summary>Largest distance of a place of the source from the spline.</summary>
+    /// <summary>Largest distance of a point of the source from the spline.</summary>
     public double ToSource(IReadOnlyList<Segment> source, int steps = 200)
     {
         var largest = 0.0;
@@ -41,7 +41,7 @@ internal sealed class SplineRun
         return largest;
     }
 
-    /// <summary>The nearest of the places, then the nearest of the curve around it; beside the end of a closed curve that may lie before its start.</summary>
+    /// <summary>The nearest of the points, then the nearest of the curve around it; near the end of a closed curve that may be before its start.</summary>
     private double Nearest(double x, double y)
     {
         double From((double X, double Y) place) => double.Hypot(place.X - x, place.Y - y);
@@ -68,7 +68,7 @@ internal sealed class SplineRun
         return from(PlaceAt((low + high) / 2.0));
     }
 
-    /// <summary>The place at a number of steps from the start.</summary>
+    /// <summary>The point at a number of steps from the start.</summary>
     private (double X, double Y) PlaceAt(double steps)
     {
         var segment = Math.Min((int)(steps / _stepsOfSegment), _lines.Count - 4);

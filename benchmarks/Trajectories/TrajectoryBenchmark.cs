@@ -4,8 +4,8 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>Points, proven bounds and measured errors of trajectories on the shapes of sace-xps-agie.md 3.4, beside the plug-in's generator, and of seeded
-/// random curves.</summary>
+/// <summary>Points, proven bounds and measured errors of trajectories on the shapes of sace-xps-agie.md 3.4, compared with the plug-in's generator, and of
+/// seeded random curves.</summary>
 internal static class TrajectoryBenchmark
 {
     private const int Repetitions = 5;
@@ -24,7 +24,7 @@ internal static class TrajectoryBenchmark
         ("ellipse, semi-axes 10 and 2.5", Shapes.Ellipse(10.0, 2.5), true), ("rounded rectangle 40 x 20, r 4", Shapes.RoundedRectangle(40.0, 20.0, 4.0), true), ("polyline of four edges, run through", Shapes.Polyline, false),
     ];
 
-    /// <summary>Plans every shape a few times, so that the rows do not pay for the just-in-time compiler.</summary>
+    /// <summary>Plans every shape a few times, so that the rows do not include the just-in-time compiler.</summary>
     public static void WarmUp(CancellationToken stop)
     {
         for (var i = 0; i < Repetitions; i++)
@@ -94,7 +94,7 @@ internal static class TrajectoryBenchmark
         return (made!, times[repetitions / 2]);
     }
 
-    /// <summary>Both ways, at samples, evaluated without the generator's code.</summary>
+    /// <summary>In both directions, at samples, evaluated without the generator's code.</summary>
     private static double Deviation(Trajectory trajectory)
     {
         var run = new SplineRun(trajectory.Lines);
