@@ -2,8 +2,8 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Tools;
 
-/// <summary>Every text of the engines in tools that people read, from their <c>Texts.resx</c>, in the language of now. Each program that compiles the
-/// engines embeds the file.</summary>
+/// <summary>Every text of the tools that people read, from their <c>Texts.resx</c>, in the current language. Each program that compiles the tools embeds
+/// the file.</summary>
 internal static class Wording
 {
     private static readonly TextCatalogue s_texts = new(typeof(Wording).Assembly, "Engraver.Tools.Texts");

@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>A second reading of a DXF file by code that is as simple as possible, to compare with that of the reader: number of curves by type, total
-/// length, box. It shares no code with the reader.</summary>
+/// <summary>A second reading of a DXF file by the simplest possible code, to be compared with that of the reader: number of curves by type, total length,
+/// box. It shares no code with the reader.</summary>
 /// <param name="Counts">Curves after block expansion by the type they were written as.</param>
 /// <param name="Length">Along the curves in space, drawing units.</param>
 /// <param name="Bounds">In plan; null when there is no curve with an extent.</param>
@@ -12,10 +12,10 @@ public sealed record CrossCheck(IReadOnlyDictionary<string, int> Counts, double 
 {
     private const double Tolerance = 1e-6;
 
-    /// <summary>Where records may have been lost, so that the figures are not to be believed; null when the file has no such place.</summary>
+    /// <summary>Where records may have been lost, so that the figures are unreliable; null if there is no such place.</summary>
     public string? Damage { get; private init; }
 
-    /// <exception cref="CrossCheckException">The drawing is too large for it, or a block contains itself.</exception>
+    /// <exception cref="CrossCheckException">The drawing is too large, or a block contains itself.</exception>
     public static CrossCheck Read(byte[] file)
     {
         var tally = CrossCheckReading.Read(file);
@@ -23,7 +23,7 @@ public sealed record CrossCheck(IReadOnlyDictionary<string, int> Counts, double 
         return new CrossCheck(tally.Counts, tally.Length, bounds) { Damage = CrossCheckDamage.In(new CrossCheckFile(file)) };
     }
 
-    /// <summary>A sentence for each figure in which the two readings differ, and one for damage; empty when they agree.</summary>
+    /// <summary>A sentence for each figure in which the two readings differ, and one for damage; empty if they agree.</summary>
     public IReadOnlyList<string> DifferencesFrom(DrawingSummary first)
     {
         var differences = new List<string>();

@@ -30,7 +30,8 @@ internal static class CrossCheckBinary
         _ => file[tag.Start],
     };
 
-    /// <summary>Number of bytes of a value by its group code; 0 for a text that ends with a zero byte, -1 for a chunk that begins with its length.</summary>
+    /// <summary>Number of bytes of a value by its group code; 0 for a text that ends with a zero byte, -1 for a chunk that starts with its
+    /// length.</summary>
     public static int SizeOf(int code) => code switch
     {
         >= 10 and < 60 or >= 110 and < 150 or >= 160 and < 170 or >= 210 and < 240 or >= 460 and < 470 or >= 1010 and < 1060 => 8,

@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Turns a record into smooth pieces of curves; null when it is no curve.</summary>
+/// <summary>Converts a record to smooth pieces of curves; null if it is not a curve.</summary>
 internal static class CrossCheckCurves
 {
     public static List<CrossCheckPiece>? Read(CrossCheckRecord record) => record.Type switch
@@ -26,7 +26,7 @@ internal static class CrossCheckCurves
         return lines;
     }
 
-    /// <summary>Modulo a turn; but whole turns, and up to 0.001 rad beyond them, are one turn: programs round 2 pi up.</summary>
+    /// <summary>Modulo a turn; whole turns, and up to 0.001 rad beyond them, are one turn, because programs round 2 pi up.</summary>
     private static double Sweep(double start, double end, double turn)
     {
         var written = end - start;
@@ -101,7 +101,7 @@ internal static class CrossCheckCurves
         return pieces;
     }
 
-    /// <summary>The arc of a bulge b: its centre lies on the perpendicular bisector of the chord, (1/b - b)/2 half chords to the left.</summary>
+    /// <summary>The arc of a bulge b: its centre is on the perpendicular bisector of the chord, (1/b - b)/2 half chords to the left.</summary>
     private static List<CrossCheckPiece> Bulge(CrossCheckFrame frame, CrossCheckPoint a, CrossCheckPoint b, double bulge)
     {
         var (half, lift) = (0.5 * (b - a), ((1.0 / bulge) - bulge) / 2.0);

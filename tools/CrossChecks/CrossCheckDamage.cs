@@ -1,7 +1,7 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Finds places of a file where a record of the drawing may have been lost, which the figures cannot show when both readings pass over it. Its
-/// rules are its own, not the reader's.</summary>
+/// <summary>Finds places of a file where a record of the drawing may have been lost, which the figures cannot show if both readings skip it. Its rules are
+/// independent of the reader's.</summary>
 internal sealed class CrossCheckDamage(CrossCheckFile file)
 {
     private const string Unknown = "?";
@@ -25,7 +25,7 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
     private int _count;
     private string _first = "";
 
-    /// <summary>A phrase with the number of such places and the first of them; null when there is none.</summary>
+    /// <summary>A phrase with the number of such places and the first of them; null for none.</summary>
     public static string? In(CrossCheckFile file)
     {
         var damage = new CrossCheckDamage(file);
@@ -111,7 +111,7 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
         _ => false,
     };
 
-    /// <summary>Counts a place; only the first is put into words.</summary>
+    /// <summary>Counts a place; only the first is described.</summary>
     private void Add(CrossCheckTag tag, Func<string, string> name)
     {
         if (_count++ == 0) _first = name(file.Place(tag));

@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>The drawing is beyond what the second reading can judge; the message is a noun phrase that says why.</summary>
+/// <summary>The second reading cannot handle the drawing; the message is a noun phrase with the reason.</summary>
 public sealed class CrossCheckException : Exception
 {
     public CrossCheckException()

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>A DXF file cut into tags: two lines at a time, or in a binary file a code and its bytes. Of a tag only its place is kept. Shares no code with
+/// <summary>A DXF file divided into tags: two lines each, or in a binary file a code and its bytes. Only the position of a tag is kept. Shares no code with
 /// the reader that it checks.</summary>
 internal sealed class CrossCheckFile
 {
@@ -20,18 +20,18 @@ internal sealed class CrossCheckFile
         _bytes = wide is null ? file : Encoding.Latin1.GetBytes(wide.GetString(file).TrimStart('\uFEFF'));
     }
 
-    /// <summary>Code of the tag that stands for a line which should be a group code and is none.</summary>
+    /// <summary>Code of the tag for a line that should be a group code but is not.</summary>
     public const int Damaged = int.MinValue;
 
     public IEnumerable<CrossCheckTag> Tags => TagsAndDamage.Where(tag => tag.Code != Damaged);
 
-    /// <summary>The tags, and between them the lines that are skipped because they are no group codes (<see cref="Damaged"/>).</summary>
+    /// <summary>The tags, and between them the skipped lines that are not group codes (<see cref="Damaged"/>).</summary>
     public IEnumerable<CrossCheckTag> TagsAndDamage => _binary ? CrossCheckBinary.Tags(_bytes, BinaryMark.Length) : Ascii();
 
-    /// <summary>True when a line of text has zero bytes in it: that part of the file was never written.</summary>
+    /// <summary>True if a line of text contains zero bytes: that part of the file was never written.</summary>
     public bool HasZero(CrossCheckTag tag) => !_binary && _bytes.AsSpan(tag.Start, tag.Length).Contains((byte)0);
 
-    /// <summary>A phrase for the place of a tag's value: its line, in a binary file its byte.</summary>
+    /// <summary>A phrase for the position of a tag's value: its line, in a binary file its byte.</summary>
     public string Place(CrossCheckTag tag)
     {
         if (_binary) return Wording.Get("CrossCheckFile.Byte", tag.Start);
@@ -39,21 +39,21 @@ internal sealed class CrossCheckFile
         return Wording.Get("CrossCheckFile.Line", Math.Max(before.Count((byte)'\n'), before.Count((byte)'\r')) + 1);
     }
 
-    /// <summary>The value as a line of an ASCII file would have it.</summary>
+    /// <summary>The value as a line of an ASCII file would contain it.</summary>
     public string Line(CrossCheckTag tag) => _binary && CrossCheckBinary.SizeOf(tag.Code) > 0
         ? CrossCheckBinary.Number(_bytes, tag).ToString("R", CultureInfo.InvariantCulture)
         : Encoding.Latin1.GetString(_bytes, tag.Start, tag.Length);
 
     public string Text(CrossCheckTag tag) => Encoding.Latin1.GetString(_bytes, tag.Start, tag.Length).Trim();
 
-    /// <summary>The value as a number, NaN when it is none: nothing is repaired, so that every repair of the reader shows as a difference.</summary>
+    /// <summary>The value as a number, NaN if it is not one: nothing is repaired, so that every repair of the reader appears as a difference.</summary>
     public double Number(CrossCheckTag tag)
     {
         if (_binary && CrossCheckBinary.SizeOf(tag.Code) > 0) return CrossCheckBinary.Number(_bytes, tag);
         return double.TryParse(_bytes.AsSpan(tag.Start, tag.Length), NumberStyles.Float, CultureInfo.InvariantCulture, out var number) ? number : double.NaN;
     }
 
-    /// <summary>The tags of a text file. A line that should be a code and is none is skipped alone, because the next may be one.</summary>
+    /// <summary>The tags of a text file. A line that should be a code but is not is skipped alone, because the next may be one.</summary>
     private IEnumerable<CrossCheckTag> Ascii()
     {
         for (var at = 0; at < _bytes.Length;)
@@ -80,7 +80,7 @@ internal sealed class CrossCheckFile
         return int.TryParse(line, NumberStyles.Integer, CultureInfo.InvariantCulture, out var code) ? code : null;
     }
 
-    /// <summary>Where a line ends and where the next begins; -1 when it is the last. LF, CR, CR LF, CR CR LF and LF CR end a line.</summary>
+    /// <summary>The end of a line and the start of the next; -1 for the last one. LF, CR, CR LF, CR CR LF and LF CR end a line.</summary>
     private (int End, int Next) LineFrom(int start)
     {
         var length = _bytes.AsSpan(start).IndexOfAny((byte)'\r', (byte)'\n');
@@ -95,5 +95,5 @@ internal sealed class CrossCheckFile
     }
 }
 
-/// <summary>A group code, and where in the file its value stands.</summary>
+/// <summary>A group code, and the position of its value in the file.</summary>
 internal readonly record struct CrossCheckTag(int Code, int Start, int Length);

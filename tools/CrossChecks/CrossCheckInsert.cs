@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>An INSERT being drawn: the copy of its block under way, and the next record of it.</summary>
+/// <summary>An INSERT that is being drawn: the current copy of its block, and its next record.</summary>
 internal sealed class CrossCheckInsert
 {
     private const int MostOneWay = short.MaxValue;
@@ -30,10 +30,10 @@ internal sealed class CrossCheckInsert
 
     public long Copies { get; }
 
-    /// <summary>The coordinate system of the copy under way.</summary>
+    /// <summary>The coordinate system of the current copy.</summary>
     public CrossCheckFrame Frame { get; private set; }
 
-    /// <summary>The next thing to draw; null when the last copy is complete.</summary>
+    /// <summary>The next record to draw; null after the last copy.</summary>
     public CrossCheckRecord? Next()
     {
         if (_next == Block.Content.Count)

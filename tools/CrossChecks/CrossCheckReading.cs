@@ -1,6 +1,7 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Keeps the blocks of a file, then goes through its entities and measures each at once, so that model space is never in memory as a whole.</summary>
+/// <summary>Keeps the blocks of a file, then iterates over its entities and measures each immediately, so that model space is never in memory as a
+/// whole.</summary>
 internal sealed class CrossCheckReading
 {
     private const int MostCurves = 10_000_000;
@@ -33,7 +34,7 @@ internal sealed class CrossCheckReading
 
     private void DrawEntities(CrossCheckFile file)
     {
-        CrossCheckRecord? waiting = null; // the entity before, which is drawn when the next begins: a POLYLINE then has all its vertices
+        CrossCheckRecord? waiting = null; // the previous entity, which is drawn when the next one starts: a POLYLINE then has all its vertices
         foreach (var record in CrossCheckRecords.In(file, "ENTITIES"))
         {
             if (record.Type == "VERTEX")
@@ -92,7 +93,7 @@ internal sealed class CrossCheckReading
     }
 }
 
-/// <summary>A block as it stands in the file.</summary>
+/// <summary>A block as in the file.</summary>
 internal sealed class CrossCheckBlock(CrossCheckPoint origin)
 {
     public CrossCheckPoint Base { get; } = origin;

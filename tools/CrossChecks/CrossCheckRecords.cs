@@ -1,16 +1,16 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>The records of a file's BLOCKS and ENTITIES sections, one after the other; only the one under way is in memory. What stands outside of every
-/// section goes with ENTITIES.</summary>
+/// <summary>The records of a file's BLOCKS and ENTITIES sections in sequence; only the current one is in memory. Records outside every section belong to
+/// ENTITIES.</summary>
 internal static class CrossCheckRecords
 {
-    /// <param name="file">Gone through once for each enumeration.</param>
-    /// <param name="wanted">Name of the section. Its end comes as a record ENDSEC.</param>
+    /// <param name="file">Read once for each enumeration.</param>
+    /// <param name="wanted">Name of the section. Its end is returned as a record ENDSEC.</param>
     public static IEnumerable<CrossCheckRecord> In(CrossCheckFile file, string wanted)
     {
         var record = new CrossCheckRecord(file, "");
         var inside = false;
-        var loose = wanted == "ENTITIES"; // no section has begun, or the last one has ended
+        var loose = wanted == "ENTITIES"; // no section has started, or the last one has ended
         foreach (var tag in file.Tags)
         {
             if (tag.Code != 0)

@@ -1,11 +1,11 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Splines by the textbook: de Boor for control points, a full linear system for fit points.</summary>
+/// <summary>Splines by textbook algorithms: de Boor for control points, a full linear system for fit points.</summary>
 internal static class CrossCheckSplines
 {
     private const int LargestSystem = 3000;
 
-    /// <summary>The pieces of a spline; null when its data give no curve.</summary>
+    /// <summary>The pieces of a spline; null if its data give no curve.</summary>
     public static List<CrossCheckPiece>? Read(CrossCheckRecord record)
     {
         var (controls, fits) = (Points(record, 10), Points(record, 11));
@@ -32,7 +32,7 @@ internal static class CrossCheckSplines
         var (knots, weights) = (record.Numbers(40), record.Numbers(41));
         Climb(knots);
         var isTwoShort = knots.Length >= 2 * degree && knots.Length == controls.Count + degree - 1 && knots[degree - 1] <= knots[0] && knots[^1] <= knots[^degree];
-        if (isTwoShort) knots = [knots[0], .. knots, knots[^1]]; // as OpenNURBS writes clamped ones
+        if (isTwoShort) knots = [knots[0], .. knots, knots[^1]]; // as OpenNURBS writes clamped splines
         var usable = knots.Length == controls.Count + degree + 1 && !knots.Zip(knots.Skip(1)).Any(pair => !(pair.First <= pair.Second)) && knots[degree] < knots[controls.Count];
         if (!usable) knots = [.. Enumerable.Range(0, controls.Count + degree + 1).Select(i => (double)Math.Clamp(i - degree, 0, controls.Count - degree))];
         if (weights.Length != controls.Count || !weights.All(weight => weight > 0.0)) weights = [.. controls.Select(_ => 1.0)];
@@ -46,7 +46,7 @@ internal static class CrossCheckSplines
         return pieces;
     }
 
-    /// <summary>Lifts a knot that lies below the one before it by at most 1e-9 of their range: it was rounded.</summary>
+    /// <summary>Raises a knot that is below its predecessor by at most 1e-9 of their range: it was rounded.</summary>
     private static void Climb(double[] knots)
     {
         for (var i = 1; i < knots.Length; i++)
@@ -101,8 +101,8 @@ internal static class CrossCheckSplines
         return vector.To(default) is > 0.0 and var length ? (1.0 / length) * vector : null;
     }
 
-    /// <summary>The slopes at the fit points for which second derivatives are equal on both sides of inner points. At an end the second derivative is 0, or
-    /// the slope is the given one; a closed spline has its ends joined like an inner point.</summary>
+    /// <summary>The slopes at the fit points for which the second derivatives are equal on both sides of inner points. At an end the second derivative is
+    /// 0, or the slope is given; the ends of a closed spline are joined like an inner point.</summary>
     private static CrossCheckPoint[] Slopes(List<CrossCheckPoint> points, double[] h, bool closed, CrossCheckPoint? start, CrossCheckPoint? end)
     {
         var n = points.Count;

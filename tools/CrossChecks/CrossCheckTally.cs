@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Counts, lengths and the box of the curves, by sampling: no formula of a curve but that of the straight line.</summary>
+/// <summary>Counts, lengths and the box of the curves, by sampling: the only formula is that of the straight line.</summary>
 internal sealed class CrossCheckTally
 {
     private const int Samples = 48;
@@ -8,14 +8,14 @@ internal sealed class CrossCheckTally
     private const int DeepestHalving = 14;
     private const double EnoughAgreement = 1e-5;
 
-    /// <summary>Rounding error of a sum of chords, as a part of the distance from the origin.</summary>
+    /// <summary>Rounding error of a sum of chords, as a fraction of the distance from the origin.</summary>
     private const double Rounding = 1e-14;
 
     /// <summary>The two numbers of chords; neither is a multiple of the other, so that they do not miss a sharp turn by the same amount.</summary>
     private const int Coarse = 7;
     private const int Fine = 16;
 
-    /// <summary>Ratio of the two errors: that of a sum of chords falls with the square of their number.</summary>
+    /// <summary>Ratio of the two errors: the error of a sum of chords decreases with the square of their number.</summary>
     private const double Gain = (double)(Fine * Fine) / (Coarse * Coarse);
 
     public Dictionary<string, int> Counts { get; } = new(StringComparer.Ordinal);
@@ -50,7 +50,7 @@ internal sealed class CrossCheckTally
         Y = Widened(Y, t => placed(t).Y);
     }
 
-    /// <summary>Length by a coarse and a fine sum of chords, whose difference gives the error; the piece is halved where they disagree.</summary>
+    /// <summary>Length by a coarse and a fine sum of chords, whose difference estimates the error; the piece is halved if they disagree.</summary>
     private static double LengthOf(Func<double, CrossCheckPoint> curve, double from, double to, int depth)
     {
         var (coarse, fine) = (Chords(curve, from, to, Coarse), Chords(curve, from, to, Fine));
@@ -75,7 +75,7 @@ internal sealed class CrossCheckTally
     private static (double Min, double Max) Widened((double Min, double Max) range, Func<double, double> value) =>
         (Math.Min(range.Min, -Highest(t => -value(t))), Math.Max(range.Max, Highest(value)));
 
-    /// <summary>The largest value of a function on 0 to 1: the largest sample, then a search by thirds of its neighbourhood.</summary>
+    /// <summary>The largest value of a function on 0 to 1: the largest sample, then a ternary search around it.</summary>
     private static double Highest(Func<double, double> value)
     {
         var (best, most) = (0, double.NegativeInfinity);

@@ -3,19 +3,19 @@ using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Tools.Minimising;
 
-/// <summary>Shrinks a drawing that shows a fault: first whole records, then pairs, then single lines, then values. What is left is for a person to
-/// read.</summary>
+/// <summary>Shrinks a drawing that shows a fault: first whole records, then pairs, then single lines, then values. The result is small enough to be read by
+/// a person.</summary>
 public static class DrawingMinimiser
 {
-    /// <summary>Most trials: enough for a drawing of some thousand records; a fault in one record takes some hundred.</summary>
+    /// <summary>Maximum number of trials: enough for a drawing of some thousand records; a fault in one record takes some hundred.</summary>
     public const int MostTrials = 20_000;
 
     private static readonly string[] SimplerValues = ["", "0", "1", "A"];
 
-    /// <summary>A small file that still shows the fault; the file itself when nothing could be left out.</summary>
-    /// <param name="file">For which <paramref name="shows"/> is true. A binary DXF becomes text where the fault survives that.</param>
-    /// <param name="shows">Whether a file shows the fault; must answer the same for the same bytes.</param>
-    /// <param name="cancellation">Ends the search with an <see cref="OperationCanceledException"/>.</param>
+    /// <summary>A small file that still shows the fault; the file itself if nothing could be removed.</summary>
+    /// <param name="file">A file for which <paramref name="shows"/> is true. A binary DXF becomes text if the fault remains.</param>
+    /// <param name="shows">Whether a file shows the fault; must be deterministic.</param>
+    /// <param name="cancellation">Cancels the search with an <see cref="OperationCanceledException"/>.</param>
     public static byte[] Minimise(byte[] file, Predicate<byte[]> shows, CancellationToken cancellation)
     {
         var reduction = new Reduction(MostTrials, cancellation);
@@ -38,7 +38,7 @@ public static class DrawingMinimiser
         return Encoding.Latin1.GetBytes(string.Concat(binary.Tags.Select(tag => $"{tag.Code}\n{binary.Line(tag)}\n")));
     }
 
-    /// <summary>Shrinks a file whose fault is in its binary form, by leaving out runs of bytes.</summary>
+    /// <summary>Shrinks a file whose fault is in its binary form, by removing runs of bytes.</summary>
     private static byte[] OfBlocks(byte[] file, Predicate<byte[]> shows, Reduction reduction) =>
         [.. reduction.Reduce(file.ToList(), kept => shows([.. kept]))];
 

@@ -1,14 +1,14 @@
 namespace Engraver.Tools.Minimising;
 
-/// <summary>Delta debugging (Zeller, Hildebrandt 2002): leaves out ever smaller runs of items as long as the fault still shows.</summary>
-/// <param name="mostTrials">Most trials in all.</param>
+/// <summary>Delta debugging (Zeller, Hildebrandt 2002): removes ever smaller runs of items as long as the fault still shows.</summary>
+/// <param name="mostTrials">Maximum number of trials in total.</param>
 internal sealed class Reduction(int mostTrials, CancellationToken cancellation)
 {
     public int Trials { get; private set; }
 
     public bool IsExhausted => Trials >= mostTrials;
 
-    /// <summary>A list that still shows the fault and from which no single item can be left out, unless the trials are used up; the order stays.
+    /// <summary>A list that still shows the fault and from which no single item can be removed, unless the trials are used up; the order is kept.
     /// Deterministic.</summary>
     public List<T> Reduce<T>(List<T> items, Func<IReadOnlyList<T>, bool> shows)
     {
@@ -23,7 +23,7 @@ internal sealed class Reduction(int mostTrials, CancellationToken cancellation)
         return items;
     }
 
-    /// <summary>Runs one counted trial; false when the fault does not show, or the trials are used up.</summary>
+    /// <summary>Runs one counted trial; false if the fault does not show, or the trials are used up.</summary>
     public bool Try(Func<bool> shows)
     {
         cancellation.ThrowIfCancellationRequested();
