@@ -6,7 +6,7 @@ namespace Engraver.SoftwarePlatform;
 
 /// <summary>The rectangles that handle a press on the input thread: an on-screen stop works while the user interface is busy, covered by a menu or behind a
 /// dialog.</summary>
-/// <remarks>Thread-safe. The newest region is asked first.</remarks>
+/// <remarks>Thread-safe. The newest region has precedence.</remarks>
 public sealed class InputRegions
 {
     private readonly Lock _gate = new();
@@ -35,7 +35,7 @@ public sealed class InputRegions
         lock (_gate) _regions.Remove(region);
     }
 
-    /// <summary>True when a region took the press.</summary>
+    /// <summary>True if a region handled the press.</summary>
     internal bool Press(nint window, Point at, MouseButton button)
     {
         InputRegion? hit;

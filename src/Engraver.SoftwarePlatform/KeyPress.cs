@@ -6,5 +6,5 @@ namespace Engraver.SoftwarePlatform;
 /// <param name="Key">The key in the present keyboard layout.</param>
 /// <param name="Modifiers">The modifiers held before this event.</param>
 /// <param name="IsDown">False for a release.</param>
-/// <param name="IsRepeat">True for a press that the keyboard repeats while the key is held.</param>
+/// <param name="IsRepeat">True for an automatic repeat while the key is held.</param>
 public readonly record struct KeyPress(Key Key, KeyModifiers Modifiers, bool IsDown, bool IsRepeat);

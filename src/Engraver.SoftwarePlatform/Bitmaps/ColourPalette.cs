@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Chooses at most 256 colours for a picture: first the frequent ones, then those farthest from the chosen ones, so that no colour is far from its
+/// <summary>Chooses at most 256 colours for a picture: first the frequent ones, then those farthest from the chosen ones, so that each colour is close to its
 /// substitute.</summary>
 internal sealed class ColourPalette
 {

@@ -61,7 +61,7 @@ internal class SoftwareGeometry : IGeometryImpl
         return segmentGeometry is not null;
     }
 
-    /// <summary>Call when the paths were written anew.</summary>
+    /// <summary>To be called after the paths were rewritten.</summary>
     protected void Rewritten(VectorPath fillPath)
     {
         FillPath = fillPath;

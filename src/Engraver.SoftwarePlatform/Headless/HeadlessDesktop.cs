@@ -42,9 +42,9 @@ public sealed class HeadlessDesktop
 
     private SoftwareDispatcher Loop => _dispatcher ?? throw new InvalidOperationException("The desktop is not in use yet: set the application up first.");
 
-    /// <summary>Does all work that is due, draws it, and does the work that follows from it: afterwards the windows show everything requested before.</summary>
-    /// <remarks>Avalonia passes its changes to the renderer in one batch at a time, and an earlier batch may still wait: then the new changes come with the
-    /// second frame.</remarks>
+    /// <summary>Does all work that is due, draws it, and does the resulting work: afterwards the windows show everything requested before.</summary>
+    /// <remarks>Avalonia passes its changes to the renderer in one batch at a time, and an earlier batch may still be pending: then the new changes are
+    /// drawn with the second frame.</remarks>
     public void Step()
     {
         Dispatcher.UIThread.VerifyAccess();
@@ -54,9 +54,9 @@ public sealed class HeadlessDesktop
         if (_frames!.IsWanted) Draw();
     }
 
-    /// <summary>Steps until the condition holds; between steps it waits for what the dispatcher waits for, and draws 60 frames a second while something is
-    /// animated.</summary>
-    /// <exception cref="TimeoutException">The condition did not hold within the timeout (by the computer's clock).</exception>
+    /// <summary>Steps until the condition is true; between steps it waits for what the dispatcher waits for, and draws 60 frames a second during an
+    /// animation.</summary>
+    /// <exception cref="TimeoutException">The condition did not become true within the timeout (by the computer's clock).</exception>
     public void StepUntil(Func<bool> condition, TimeSpan timeout)
     {
         ArgumentNullException.ThrowIfNull(condition);

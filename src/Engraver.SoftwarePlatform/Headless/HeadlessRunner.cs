@@ -49,7 +49,7 @@ public sealed class HeadlessRunner : IDisposable
             _dispatcher = Dispatcher.UIThread;
             Desktop.Step();
         }
-        catch (Exception e) // any exception belongs to the caller that asked for the application
+        catch (Exception e) // any exception is passed to the caller that requested the application
         {
             _ready.SetException(e);
             return;

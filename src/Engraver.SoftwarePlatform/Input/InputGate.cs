@@ -4,7 +4,7 @@ using Avalonia.Logging;
 
 namespace Engraver.SoftwarePlatform.Input;
 
-/// <summary>Every key and button passes through this on the input thread before it is queued for the user interface, in each front end.</summary>
+/// <summary>Every key and button press passes through this on the input thread before it is queued for the user interface, in each front end.</summary>
 /// <remarks>An exception in a filter is logged and the input passed on: the input thread must not end.</remarks>
 internal sealed class InputGate(KeyFilter? filter, InputRegions regions)
 {
@@ -12,7 +12,7 @@ internal sealed class InputGate(KeyFilter? filter, InputRegions regions)
     private readonly HashSet<Key> _held = [];
     private readonly HashSet<(nint Window, MouseButton Button)> _swallowed = [];
 
-    /// <summary>True when the key may go on to the window.</summary>
+    /// <summary>True if the key is passed on to the window.</summary>
     public bool Admits(Key key, KeyModifiers modifiers, bool isDown)
     {
         bool repeat;
@@ -29,7 +29,7 @@ internal sealed class InputGate(KeyFilter? filter, InputRegions regions)
         return false;
     }
 
-    /// <summary>True when the press may go on to the window.</summary>
+    /// <summary>True if the press is passed on to the window.</summary>
     public bool AdmitsPress(nint window, Point at, MouseButton button)
     {
         if (!Guarded(() => regions.Press(window, at, button))) return true;
@@ -55,7 +55,7 @@ internal sealed class InputGate(KeyFilter? filter, InputRegions regions)
         {
             return asked();
         }
-        catch (Exception e) // the input thread must not end: it logs exceptions of callbacks and goes on
+        catch (Exception e) // the input thread must not end: it logs exceptions of callbacks and continues
         {
             Logger.TryGet(LogEventLevel.Error, LogArea.Platform)?.Log(this, "A callback on the input thread failed: {Exception}", e);
             return false;

@@ -24,7 +24,7 @@ internal static class MouseButtons
         _ => RawPointerEventType.LeftButtonUp,
     };
 
-    /// <summary>The bit that says that the button is held.</summary>
+    /// <summary>The bit for the held button.</summary>
     public static RawInputModifiers HeldBit(MouseButton button) => button switch
     {
         MouseButton.Right => RawInputModifiers.RightMouseButton,

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>A font file on disk. It is opened for each read, so that thousands of installed fonts hold no resources.</summary>
+/// <summary>A font file on disk. It is opened for each read, so that thousands of installed fonts use no resources.</summary>
 internal sealed class DiskFontSource(string path) : IFontSource
 {
     public long Length { get; } = LengthOf(path);

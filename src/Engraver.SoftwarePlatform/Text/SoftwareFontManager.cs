@@ -67,7 +67,7 @@ public sealed class SoftwareFontManager : IFontManagerImpl
         return familyTypefaces.Count > 0;
     }
 
-    /// <summary>Copied once where its length is known, as that of a font in an assembly is: the fonts of the window are read at each start.</summary>
+    /// <summary>Copied only once if its length is known, as for a font in an assembly, because the fonts of the window are read at each start.</summary>
     private static byte[] Whole(Stream stream)
     {
         if (!stream.CanSeek)

@@ -119,7 +119,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     {
     }
 
-    /// <summary>Reads some characters and widths at once, because Avalonia's reader notices broken tables only then, and while text is drawn would be too
+    /// <summary>Reads some characters and widths immediately, because Avalonia's reader detects broken tables only then, and during drawing it would be too
     /// late.</summary>
     private static void TryOut(GlyphTypeface typeface, FontFile file)
     {

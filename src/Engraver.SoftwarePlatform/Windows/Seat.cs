@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Input;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>What the windows of one application share: keyboard, input filter, screen, clock and stacking order.</summary>
+/// <summary>Shared by the windows of one application: keyboard, input filter, screen, clock and stacking order.</summary>
 internal sealed class Seat(InputGate gate, IScreenImpl screens, TimeProvider time)
 {
     private readonly long _start = time.GetTimestamp();

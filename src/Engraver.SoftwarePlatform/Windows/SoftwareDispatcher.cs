@@ -2,8 +2,8 @@ using Avalonia.Threading;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>The loop of the user interface thread: signalled work, then the timer, then background work, then a wait without processor time until one of
-/// them comes.</summary>
+/// <summary>The loop of the user interface thread: signalled work, then the timer, then background work, then a wait without processor time for any of
+/// them.</summary>
 /// <remarks>Input is posted to the dispatcher like other work, so that nothing here depends on X. Time is the provider's: with a fake clock, timers are due
 /// when the clock is advanced.</remarks>
 internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatcherImplWithExplicitBackgroundProcessing, IDisposable
@@ -12,7 +12,7 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
     private readonly object _gate = new();
     private readonly TimeProvider _time;
     private readonly long _start;
-    private readonly ITimer? _alarm; // only for a clock that the wait below does not know
+    private readonly ITimer? _alarm; // only for a clock other than that of the wait below
     private bool _signalled;
     private bool _background;
     private long? _due;
@@ -93,7 +93,7 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
         if (TakeCall(ref _background)) ReadyForBackgroundProcessing?.Invoke();
     }
 
-    /// <summary>Blocks until there is something to do, the token is cancelled or the timeout is over.</summary>
+    /// <summary>Blocks until there is something to do, the token is cancelled or the timeout has elapsed.</summary>
     public void WaitForWork(TimeSpan atMost, CancellationToken token)
     {
         lock (_gate)

@@ -75,7 +75,7 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
         Connection.SetLongs(window, Atoms.NetWmState, XAtoms.Atom, [.. _firstStates]);
     }
 
-    /// <summary>Asks the window manager for the focus; without a window manager, takes it.</summary>
+    /// <summary>Requests the focus from the window manager; without a window manager, takes it.</summary>
     public void AskForFocus()
     {
         const nint fromApplication = 1;

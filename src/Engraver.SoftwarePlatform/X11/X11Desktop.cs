@@ -5,10 +5,9 @@ using Engraver.SoftwarePlatform.X11.Selections;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>What the windows of one application share on an X server.</summary>
-/// <remarks>Two connections: the input connection makes the windows and receives their events, used by the event thread only; the drawing connection
-/// decorates and paints them, used by the user
-/// interface thread only. So a key reaches its filter even while the user interface is busy.</remarks>
+/// <summary>Shared by the windows of one application on an X server.</summary>
+/// <remarks>Two connections: the input connection creates the windows and receives their events, used by the event thread only; the drawing connection
+/// decorates and paints them, used by the user interface thread only. So a key reaches its filter even while the user interface is busy.</remarks>
 internal sealed unsafe class X11Desktop
 {
     private const int InputOnly = 2;
@@ -106,7 +105,8 @@ internal sealed unsafe class X11Desktop
         return helper;
     }
 
-    /// <summary>On the event thread. Keys go through the input filter before the input method, which may be another program that hangs.</summary>
+    /// <summary>On the event thread. Keys go through the input filter before the input method, which may be another program that does not
+    /// respond.</summary>
     private void Handle(ref XEvent received)
     {
         if (received.Type is >= XEventType.KeyPress and <= XEventType.LeaveNotify) LastEventTime = received.Time;

@@ -63,7 +63,7 @@ internal sealed unsafe class X11Keyboard
 
     private Key At(in XEvent press, int group, int level) => Keysyms.KeyOf(Xlib.XkbKeycodeToKeysym(_connection.Display, (byte)press.Detail, group, level));
 
-    /// <summary>Uses Xlib's own composing when the input method named by the environment does not answer.</summary>
+    /// <summary>Uses Xlib's own composing if the input method named by the environment does not respond.</summary>
     private nint OpenBuiltIn()
     {
         Xlib.XSetLocaleModifiers("@im=none");

@@ -40,7 +40,7 @@ internal sealed unsafe class X11Presenter(XConnection connection, nint window) :
             Xlib.XPutImage(connection.Display, window, _context, image, area.X, area.Y, area.X, area.Y, (uint)area.Width, (uint)area.Height);
         }
 
-        Xlib.XFree((void*)image); // frees the description only: the pixels are ours
+        Xlib.XFree((void*)image); // frees only the description: the pixels belong to the frame
         connection.Flush();
     }
 }

@@ -162,7 +162,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
         _bounds.Put((new PixelSize(received.Width, received.Height), new PixelPoint(x, y)));
     }
 
-    /// <summary>Answers a ping here: while this thread runs, the window does not count as hung, and stopping still works.</summary>
+    /// <summary>Replies to a ping here: while this thread runs, the window does not count as hung, and stopping still works.</summary>
     private void OnProtocol(ref XEvent received)
     {
         var protocol = (nint)received.Data[0];

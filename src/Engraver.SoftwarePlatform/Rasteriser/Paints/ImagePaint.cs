@@ -9,7 +9,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
 /// <param name="opacity">0 to 255.</param>
 internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds domain, ImageWrap wrapX, ImageWrap wrapY, bool isSmooth, uint opacity) : Paint
 {
-    /// <summary>Without a wrap, a pixel whose centre lies almost half a device pixel outside still gets the border's colour: the edge of the filled shape
+    /// <summary>Without a wrap, a pixel whose centre is almost half a device pixel outside still gets the border's colour: the edge of the filled shape
     /// softens it.</summary>
     private const double Tolerance = 0.499;
 

@@ -72,7 +72,7 @@ internal static class SimpleGlyph
         return values;
     }
 
-    /// <summary>Between two control points lies a point on the curve, halfway.</summary>
+    /// <summary>A point on the curve is implied halfway between two consecutive control points.</summary>
     private static void AddContour(VectorPath path, ReadOnlySpan<Point> points, ReadOnlySpan<byte> flags)
     {
         if (points.Length < 2)

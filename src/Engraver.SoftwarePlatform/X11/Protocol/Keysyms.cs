@@ -6,7 +6,7 @@ namespace Engraver.SoftwarePlatform.X11.Protocol;
 /// <summary>Avalonia's key for an X key symbol (values of X11/keysymdef.h).</summary>
 internal static class Keysyms
 {
-    /// <returns><see cref="Key.None"/> for a symbol that is no key of its own, such as an accented letter.</returns>
+    /// <returns><see cref="Key.None"/> for a symbol without its own key, such as an accented letter.</returns>
     public static Key KeyOf(nint keysym) => keysym switch
     {
         >= 0x20 and <= 0x7E => CharacterKeys.KeyOf((int)keysym),
@@ -19,7 +19,7 @@ internal static class Keysyms
     private static Key Editing(nint keysym) => keysym switch
     {
         0xFF08 => Key.Back,
-        0xFF09 or 0xFE20 => Key.Tab, // Tab, and what Shift+Tab sends
+        0xFF09 or 0xFE20 => Key.Tab, // Tab, and ISO_Left_Tab (Shift+Tab)
         0xFF0A => Key.LineFeed,
         0xFF0B => Key.Clear,
         0xFF0D or 0xFF8D => Key.Enter, // the main one and the keypad's
@@ -59,7 +59,7 @@ internal static class Keysyms
         0xFFE3 => Key.LeftCtrl,
         0xFFE4 => Key.RightCtrl,
         0xFFE5 => Key.CapsLock,
-        0xFFE7 or 0xFFE9 => Key.LeftAlt, // Meta_L is what Shift+Alt sends
+        0xFFE7 or 0xFFE9 => Key.LeftAlt, // Meta_L is Shift+Alt
         0xFFE8 or 0xFFEA or 0xFE03 => Key.RightAlt, // and AltGr
         0xFFEB => Key.LWin,
         0xFFEC => Key.RWin,

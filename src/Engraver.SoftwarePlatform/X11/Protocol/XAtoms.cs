@@ -32,7 +32,7 @@ internal sealed class XAtoms(nint display)
 
     public nint UriList { get; } = Intern(display, "text/uri-list");
 
-    /// <summary>The property of our helper window that selections are delivered to.</summary>
+    /// <summary>The property of the helper window that selections are delivered to.</summary>
     public nint Delivery { get; } = Intern(display, "SOFTWARE_PLATFORM_SELECTION");
 
     /// <summary>The same for dragged data.</summary>

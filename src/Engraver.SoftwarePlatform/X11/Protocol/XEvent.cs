@@ -46,7 +46,7 @@ internal unsafe struct XEvent
     [FieldOffset(48)] public nint PropertyTime;
     [FieldOffset(56)] public int PropertyState; // 0 new value, 1 deleted
 
-    // selection request (we own it): Window is the owner
+    // selection request (this program owns the selection): Window is the owner
     [FieldOffset(40)] public nint Requestor;
     [FieldOffset(48)] public nint RequestSelection;
     [FieldOffset(56)] public nint RequestTarget;

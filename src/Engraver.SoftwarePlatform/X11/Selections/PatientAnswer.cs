@@ -1,24 +1,24 @@
 namespace Engraver.SoftwarePlatform.X11.Selections;
 
-/// <summary>Waits for an answer as long as pieces of it arrive: only silence ends the wait, however large the answer is and however busy the
-/// computer.</summary>
+/// <summary>Waits for a reply as long as pieces of it arrive: the timeout restarts with each piece, so that neither the size of the reply nor the load of
+/// the computer ends the wait.</summary>
 internal sealed class PatientAnswer : IDisposable
 {
     private readonly TaskCompletionSource<byte[]?> _whole = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly ITimer _silence;
     private readonly TimeSpan _patience;
 
-    /// <param name="patience">The longest silence.</param>
+    /// <param name="patience">The longest time without a piece.</param>
     public PatientAnswer(TimeSpan patience, TimeProvider time)
     {
         _patience = patience;
         _silence = time.CreateTimer(_ => GiveUp(), null, patience, Timeout.InfiniteTimeSpan);
     }
 
-    /// <summary>The complete answer; null when there was none, or it was never completed.</summary>
+    /// <summary>The complete reply; null if there was none, or if it was not completed.</summary>
     public Task<byte[]?> Whole => _whole.Task;
 
-    /// <summary>Called when the silence has lasted too long.</summary>
+    /// <summary>Called when the timeout has elapsed.</summary>
     public bool GaveUp { get; private set; }
 
     /// <summary>Called when a piece has arrived.</summary>

@@ -3,7 +3,7 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11.Selections;
 
-/// <summary>Our text on the clipboard: answers other programs, on the event thread, also while the user interface is busy.</summary>
+/// <summary>This program's text on the clipboard: replies to other programs on the event thread, also while the user interface is busy.</summary>
 internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms, nint helper)
 {
     /// <summary>Larger texts are sent in pieces, bytes. Well below the server's longest request (256 KiB at least).</summary>
@@ -30,11 +30,11 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
         OnCleared();
     }
 
-    /// <summary>Asks the server whether we own the clipboard, because the event that another program took it may still be on its way. On the event
+    /// <summary>Queries the server whether this program owns the clipboard, because the event that another program took it may be pending. On the event
     /// thread.</summary>
     public bool StillOwns() => _owns && Xlib.XGetSelectionOwner(connection.Display, atoms.Clipboard) == helper;
 
-    /// <summary>Another program took the clipboard; meanwhile it may be ours again.</summary>
+    /// <summary>Another program took the clipboard; this program may have taken it back meanwhile.</summary>
     public void OnCleared()
     {
         if (StillOwns()) return;
@@ -62,7 +62,7 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
         if (transfer.Send.IsDone) OnGone(window);
     }
 
-    /// <summary>The reader's window has gone, or it has everything.</summary>
+    /// <summary>The reader's window was destroyed, or the transfer is complete.</summary>
     public void OnGone(nint window)
     {
         foreach (var transfer in _sending.Keys.Where(key => key.Window == window).ToList()) _sending.Remove(transfer);

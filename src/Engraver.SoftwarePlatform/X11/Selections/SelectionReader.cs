@@ -10,8 +10,8 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
     private IncrReceive? _pieces;
     private nint _target;
 
-    /// <summary>Requests the data from the owner. The answer is null when it has none of the kind. A newer request ends an older one with null.</summary>
-    /// <param name="heard">Called when a piece of a long answer has arrived.</param>
+    /// <summary>Requests the data from the owner. The reply is null if it has none of the kind. A newer request ends an older one with null.</summary>
+    /// <param name="heard">Called when a piece of a long reply has arrived.</param>
     public void Ask(nint target, nint time, Action<byte[]?> done, Action? heard = null)
     {
         Finish(null);
@@ -21,7 +21,7 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
 
     public void OnNotify(ref XEvent notice)
     {
-        if (notice.Selection != selection || _done is null || notice.Target != _target) return; // an answer to an older question comes too late
+        if (notice.Selection != selection || _done is null || notice.Target != _target) return; // a reply to an older request, which comes too late
         if (notice.AnswerProperty == XAtoms.None)
         {
             Finish(null);

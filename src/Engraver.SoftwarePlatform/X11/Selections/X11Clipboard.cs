@@ -46,7 +46,7 @@ internal sealed class X11Clipboard(X11Desktop desktop) : IOwnedClipboardImpl
     {
         var (utf8, silent) = await AskAsync(desktop.Atoms.Utf8String).ConfigureAwait(true);
         if (utf8 is not null) return Encoding.UTF8.GetString(utf8);
-        if (silent) return null; // an owner that did not answer at all is not asked again
+        if (silent) return null; // an owner that did not reply at all is not queried again
         var (latin, _) = await AskAsync(XAtoms.String).ConfigureAwait(true);
         return latin is null ? null : Encoding.Latin1.GetString(latin);
     }

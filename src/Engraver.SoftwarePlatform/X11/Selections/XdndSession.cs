@@ -62,7 +62,7 @@ internal sealed class XdndSession(IXdndPartner partner)
         else EnterWindow();
     }
 
-    /// <summary>The window's answer to what it was told.</summary>
+    /// <summary>The window's reply to an event that was sent to it.</summary>
     public void Answer(RawDragEventType to, bool accepted)
     {
         if (_stage != Stage.Inside) return;
