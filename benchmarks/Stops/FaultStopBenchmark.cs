@@ -24,7 +24,7 @@ internal sealed class FaultStopBenchmark
         _press = new FaultStopPress(folder, baud, job);
     }
 
-    /// <summary>The faults of <c>simulate --faults</c>, each with its text in the file beside its time; the first is none.</summary>
+    /// <summary>The faults of <c>simulate --faults</c>, each with its text in the file beside its time; the first row is without a fault.</summary>
     public static IReadOnlyList<(string Name, string? Fault)> Faults { get; } =
     [
         ("none", null),

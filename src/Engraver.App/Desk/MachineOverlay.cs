@@ -32,7 +32,7 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
         var unit = (Job.Settings.Unit ?? Job.Drawing.Unit).ToMillimetres;
         return inputs with
         {
-            WorkOrigin = Zero is null ? null : default(Point2D), // the origin is where the drawing's zero lies
+            WorkOrigin = Zero is null ? null : default(Point2D), // the work origin is the zero of the drawing
             MachineEnvelope = EnvelopeOf(Job, unit),
             Finish = FinishOf(Job) is { } finish ? new Point2D(finish.X / unit, finish.Y / unit) : null,
             Recorded = Run is null ? [] : PlacesOf(Run, unit),

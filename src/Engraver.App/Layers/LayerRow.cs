@@ -9,7 +9,7 @@ namespace Engraver.App.Layers;
 /// <summary>A layer with its switches and its colour; each runs the LAYER command.</summary>
 public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
 {
-    /// <summary>Index of the last of the standard colours: red to white, dark and light grey.</summary>
+    /// <summary>The first nine colours of the colour index: red to white, dark and light grey.</summary>
     private const int StandardColours = 9;
 
     public string Name => layer.Name;

@@ -7,7 +7,7 @@ namespace Engraver.App.MachineStrip;
 /// with what to do. Null: it is enabled.</summary>
 internal static class KeyReasons
 {
-    /// <summary>ARM is also enabled where it only reports what is missing and what to do.</summary>
+    /// <summary>ARM is also enabled where it only reports a missing condition and what to do.</summary>
     public static string? Arm(MachineStatus status) => status.State switch
     {
         MachineState.Armed => "Armed",

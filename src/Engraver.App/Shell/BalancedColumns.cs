@@ -3,8 +3,8 @@ using Avalonia.Controls;
 
 namespace Engraver.App.Shell;
 
-/// <summary>A vertical stack. If the height is not sufficient, the children are distributed over as few columns as fit, of about equal number, so that no
-/// column has a single child.</summary>
+/// <summary>A vertical stack. If the height is not sufficient, the children are distributed over as few columns as fit, of about equal number, to avoid a
+/// column with a single child.</summary>
 public sealed class BalancedColumns : Panel
 {
     protected override Size MeasureOverride(Size availableSize)

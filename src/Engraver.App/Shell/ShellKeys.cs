@@ -16,7 +16,7 @@ public static class ShellKeys
         (KeyModifiers.None, Key.F9) => "Switch.SNAP",
         (KeyModifiers.None, Key.F10) => "Switch.POLAR",
         (KeyModifiers.None, Key.F12) => "Switch.DYNAMICINPUT",
-        (KeyModifiers.Control or (KeyModifiers.Control | KeyModifiers.Shift), Key.OemPlus or Key.Add) => "Override.FeedFaster", // + stands with Shift on some keyboards
+        (KeyModifiers.Control or (KeyModifiers.Control | KeyModifiers.Shift), Key.OemPlus or Key.Add) => "Override.FeedFaster", // + needs Shift on some keyboards
         (KeyModifiers.Control, Key.OemMinus or Key.Subtract) => "Override.FeedSlower",
         (KeyModifiers.Control, Key.OemPeriod) => "Override.RapidsFaster",
         (KeyModifiers.Control, Key.OemComma) => "Override.RapidsSlower",

@@ -98,7 +98,7 @@ public partial class ShellWindow : Window
     /// <summary>The command of an entry in menus and tools.</summary>
     private Act ActOf(string name) => name switch
     {
-        "QUIT" => new Act(() => Close()), // also while a script runs or something asks, which goes on when the window stays
+        "QUIT" => new Act(() => Close()), // also during a script or a prompt, which continues if the window stays open
         "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
         "Window.Pages" => new Act(() => _panels.FoldPages()),
         "Window.Clean" => new Act(() => _panels.FoldAll()),

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 
 namespace Engraver.App.StatusBar;
 
-/// <summary>A right-aligned row. If it is too narrow for all its children, the first ones are hidden completely, so that no text is cut off: the most
+/// <summary>A right-aligned row. If it is too narrow for all its children, the first ones are hidden completely, so that text is never cut off: the most
 /// important child is the last.</summary>
 public sealed class FittingRow : Panel
 {
