@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests;
 
-/// <summary>The one application of this test process: the real one, on a desktop in memory.</summary>
+/// <summary>The application of this test process: the real one, on a desktop in memory.</summary>
 public sealed class DesktopFixture : IDisposable
 {
     public DesktopFixture()
@@ -25,12 +25,12 @@ public sealed class DesktopFixture : IDisposable
 
     public void Dispose() => Runner.Dispose();
 
-    /// <summary>Puts an operator before a new window, on the user interface thread, and closes everything when the test ends.</summary>
-    /// <param name="test">What the operator does.</param>
-    /// <param name="folder">Where settings and journals are kept; null is a folder that is gone afterwards.</param>
-    /// <param name="language">In which the window speaks; null is English.</param>
-    /// <param name="clock">By which machine and session go; it moves while the operator waits. Null is the wall's.</param>
-    /// <param name="workFolder">Where the operator's drawings are; null is the samples.</param>
+    /// <summary>Creates an operator with a new window, on the user interface thread, and closes everything when the test ends.</summary>
+    /// <param name="test">The actions of the operator.</param>
+    /// <param name="folder">The folder of settings and journals; null is a folder that is deleted afterwards.</param>
+    /// <param name="language">The language of the window; null is English.</param>
+    /// <param name="clock">The clock of machine and session; it advances while the operator waits. Null is the system clock.</param>
+    /// <param name="workFolder">The folder of the operator's drawings; null is the samples.</param>
     internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null, ManualTimeProvider? clock = null, string? workFolder = null) => Runner.RunAsync(() =>
     {
         var spoken = CultureInfo.CurrentUICulture;
@@ -54,7 +54,7 @@ public sealed class DesktopFixture : IDisposable
         return Task.CompletedTask;
     });
 
-    /// <param name="failed">The test's own failure is on its way and tells more than a window that does not close behind it.</param>
+    /// <param name="failed">The test has failed with its own exception, which is more useful than a window that does not close.</param>
     private static void Leave(Operator here, bool failed)
     {
         try
@@ -63,7 +63,7 @@ public sealed class DesktopFixture : IDisposable
         }
         catch (TimeoutException) when (failed)
         {
-            // What was at work when the test failed still is.
+            // Whatever was running when the test failed may still run.
         }
     }
 

@@ -14,15 +14,15 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Tests;
 
-/// <summary>A person before the desktop: hands, eyes and patience. On the user interface thread.</summary>
+/// <summary>A simulated operator of the desktop: input, checks and waits. On the user interface thread.</summary>
 internal sealed class Operator
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
     private readonly DesktopFixture _fixture;
     private readonly PassingTime? _passing;
 
-    /// <param name="clock">By which machine and session go, while the operator waits or steps; null is the wall's.</param>
-    /// <param name="workFolder">Where the drawings are; null is the samples.</param>
+    /// <param name="clock">The clock of machine and session, which advances while the operator waits or steps; null is the system clock.</param>
+    /// <param name="workFolder">The folder of the drawings; null is the samples.</param>
     public Operator(DesktopFixture fixture, string folder, ManualTimeProvider? clock = null, string? workFolder = null)
     {
         _fixture = fixture;
@@ -62,7 +62,7 @@ internal sealed class Operator
         }
     }
 
-    /// <summary>Types words with Enter after each, and waits until all is worked on.</summary>
+    /// <summary>Types words with Enter after each, and waits until all are processed.</summary>
     public void Enter(params ReadOnlySpan<string> words)
     {
         foreach (var word in words)
@@ -73,7 +73,7 @@ internal sealed class Operator
         }
     }
 
-    /// <summary>Waits until every input is worked on and everything that follows is shown.</summary>
+    /// <summary>Waits until every input is processed and all results are shown.</summary>
     public void Rest()
     {
         Until(() => !Desk.IsBusy && Desk.Idle.IsCompleted && Window.Model.Files.IsAtRest);
@@ -99,7 +99,7 @@ internal sealed class Operator
         Step();
     }
 
-    /// <summary>Brings a page or a palette to the front; a panel that is folded is opened.</summary>
+    /// <summary>Brings a page or a palette to the front; a folded panel is opened.</summary>
     public void Show(string key)
     {
         var tabs = Window.GetVisualDescendants().OfType<PageTabs>().First(tabs => tabs.Pages.Any(page => page.Key == key));
@@ -111,7 +111,7 @@ internal sealed class Operator
     public void Leave()
     {
         Window.Close();
-        if (Window.IsVisible && !Window.Model.Files.Question.IsOpen) Window.Close(); // a job runs: the second one is meant
+        if (Window.IsVisible && !Window.Model.Files.Question.IsOpen) Window.Close(); // a job runs: the second request closes
         if (Window.Model.Files.Question.IsOpen) Window.Model.Files.Question.Answers.Single(answer => answer.Name == "Files.DoNotSave").Choose.Execute(null);
         Step();
         var leaving = Session.DisposeAsync().AsTask();
@@ -120,13 +120,13 @@ internal sealed class Operator
     }
 }
 
-/// <summary>Lets a clock of the test go on, twice as fast as the wall while the window's thread and the pool have time for it: it does not run away from a
-/// program that its computer holds up.</summary>
+/// <summary>Advances the clock of a test at twice real time while the window's thread and the pool have time for it, so that the clock does not run ahead
+/// of a program on a busy computer.</summary>
 internal sealed class PassingTime : IDisposable
 {
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
 
-    /// <summary>Less than any wait of the program.</summary>
+    /// <summary>Shorter than any wait of the program.</summary>
     private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(10);
 
     private readonly Timer _timer;

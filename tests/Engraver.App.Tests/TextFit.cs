@@ -8,22 +8,21 @@ using Avalonia.VisualTree;
 
 namespace Engraver.App.Tests;
 
-/// <summary>Finds texts that are not shown whole: cut off at their own bounds, shortened with dots, or beyond an edge of something around them.</summary>
-/// <remarks>What is out of view in a list that scrolls that way is not cut off. A text that is shortened with dots and has itself as its tip is shown whole
-/// by the tip (names of files, layers, profiles).
-/// What has no room at all was left out by the panel around it (FittingRow) and is not cut off. Use it in any language: the texts are taken as they are
-/// shown.</remarks>
+/// <summary>Finds texts that are not completely visible: cut off at their own bounds, shortened with dots, or beyond an edge of a container.</summary>
+/// <remarks>Text that is scrolled out of view in a list is not cut off. A text that is shortened with dots and has itself as its tip is shown completely by
+/// the tip (names of files, layers, profiles). A control without any room was hidden by its panel (FittingRow) and is not cut off. Works in any language:
+/// the texts are taken as shown.</remarks>
 internal static class TextFit
 {
     /// <summary>Shaped glyphs and rounded pixels may differ by this much, units of 1/96 inch.</summary>
     private const double Tolerance = 1.0;
 
-    /// <summary>One line for each text under <paramref name="root"/> that is visible and not shown whole; empty when all are.</summary>
+    /// <summary>One line for each visible text under <paramref name="root"/> that is not shown completely; empty if all are.</summary>
     /// <param name="root">A window, or a part of one.</param>
     public static IReadOnlyList<string> CutOff(Visual root) =>
         [.. root.GetVisualDescendants().OfType<TextBlock>().Where(IsShown).Select(Complaint).OfType<string>().Distinct()];
 
-    /// <summary>One line for each two texts under <paramref name="root"/> that are drawn over each other, and for each text that a button covers.</summary>
+    /// <summary>One line for each pair of texts under <paramref name="root"/> that overlap, and for each text that a button covers.</summary>
     public static IReadOnlyList<string> Overlapping(Visual root)
     {
         var texts = root.GetVisualDescendants().OfType<TextBlock>().Where(IsShown).Select(block => (Block: block, Box: BoxIn(root, block, DrawnIn(block)))).Where(text => !IsScrolledAway(text.Block)).ToList();
@@ -37,14 +36,14 @@ internal static class TextFit
 
     private static Rect BoxIn(Visual root, Visual control, Rect box) => box.TransformToAABB(control.TransformToVisual(root) ?? default);
 
-    /// <summary>Where the letters are.</summary>
+    /// <summary>The bounds of the letters.</summary>
     private static Rect DrawnIn(TextBlock block)
     {
         var drawn = new Size(Math.Min(block.TextLayout.Width, block.Bounds.Width), Math.Min(block.TextLayout.Height, block.Bounds.Height));
         return new Rect(drawn).Translate(AlignedIn(block, drawn));
     }
 
-    /// <summary>Nothing of it is in view.</summary>
+    /// <summary>It is completely out of view.</summary>
     private static bool IsScrolledAway(TextBlock block) => block.GetVisualAncestors().OfType<ScrollContentPresenter>().Any(scroller => !new Rect(scroller.Bounds.Size).Contains(BoxIn(scroller, block, DrawnIn(block))));
 
     private static bool IsShown(TextBlock block) => block.IsEffectivelyVisible && block.Bounds.Size != default && WordsOf(block).Trim().Length > 0;
@@ -64,7 +63,7 @@ internal static class TextFit
 
     private static string NameOf(Control control) => control is UserControl ? control.GetType().Name : control.Name is { Length: > 0 } name && !name.StartsWith("PART_", StringComparison.Ordinal) ? name : "";
 
-    /// <summary>True for a text that may be shortened with dots because its tip, or that of something around it, says all of it.</summary>
+    /// <summary>True for a text that may be shortened with dots because its tip, or that of a container, contains it completely.</summary>
     private static bool IsTold(TextBlock block) => block.TextTrimming != TextTrimming.None
         && block.GetSelfAndVisualAncestors().OfType<Control>().Any(control => ToolTip.GetTip(control) is string tip && tip.Contains(WordsOf(block), StringComparison.Ordinal));
 
@@ -74,7 +73,7 @@ internal static class TextFit
         return block is AccessText ? text.Replace("_", "", StringComparison.Ordinal) : text;
     }
 
-    /// <summary>The room that the whole text takes: unwrapped, or wrapped at the width it has, where a word may still be wider than that.</summary>
+    /// <summary>The room that the complete text needs: unwrapped, or wrapped at its width, where a word may still be wider than that.</summary>
     private static Size NeededBy(TextBlock block)
     {
         var natural = Laid(block, WordsOf(block), double.PositiveInfinity);
@@ -87,14 +86,14 @@ internal static class TextFit
 
     private static int LinesOf(TextBlock block) => Laid(block, WordsOf(block), Math.Max(1, block.Bounds.Width - block.Padding.Left - block.Padding.Right) + Tolerance).TextLines.Count;
 
-    /// <summary>A path or another text without a space has no place to wrap but in the middle of a word.</summary>
+    /// <summary>A path or another text without a space can only be wrapped inside a word.</summary>
     private static bool IsOneWord(TextBlock block) => !WordsOf(block).Contains(' ', StringComparison.Ordinal);
 
     private static TextLayout Laid(TextBlock block, string text, double width) =>
         new(text, new Typeface(block.FontFamily, block.FontStyle, block.FontWeight, block.FontStretch), block.FontSize, null, textWrapping: double.IsInfinity(width) ? TextWrapping.NoWrap : block.TextWrapping, maxWidth: width,
             lineHeight: block.LineHeight, letterSpacing: block.LetterSpacing);
 
-    /// <summary>Goes up from the text to the window. Where something scrolls, only what can be scrolled into view counts from there on.</summary>
+    /// <summary>Walks from the text up to the window. Above a scrolling container only what can be scrolled into view counts.</summary>
     private static string? EdgeThatCuts(TextBlock block, Rect text)
     {
         var box = text.Translate(AlignedIn(block, text.Size));
@@ -111,7 +110,7 @@ internal static class TextFit
         return null;
     }
 
-    /// <summary>Where the text starts in its block.</summary>
+    /// <summary>The start of the text in its block.</summary>
     private static Vector AlignedIn(TextBlock block, Size text)
     {
         var spare = Math.Max(0, block.Bounds.Width - block.Padding.Left - block.Padding.Right - text.Width);

@@ -4,7 +4,7 @@ using Avalonia.Media;
 
 namespace Engraver.App.Tests;
 
-/// <summary>The check of texts is itself checked: it must see each way in which a text is cut off, and nothing else.</summary>
+/// <summary>Tests the check of texts itself: it must find each way in which a text is cut off, and nothing else.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class TextFitTests(DesktopFixture fixture)
 {

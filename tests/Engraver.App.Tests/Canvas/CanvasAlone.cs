@@ -9,7 +9,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Tests.Canvas;
 
-/// <summary>A canvas in a window of 400 x 300 with nothing else: 300 drawing units high, the origin in its middle.</summary>
+/// <summary>A canvas alone in a window of 400 x 300: 300 drawing units high, the origin in its middle.</summary>
 internal static class CanvasAlone
 {
     public static Task WithAsync(DesktopFixture fixture, Drawing drawing, Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => fixture.Runner.RunAsync(() =>

@@ -14,7 +14,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Tests.Canvas;
 
-/// <summary>The control in a window, with hands. The window is 400 by 300 and shows one unit to a pixel, the origin in the middle.</summary>
+/// <summary>The control in a window, with simulated input. The window is 400 by 300 and shows one unit per pixel, the origin in the middle.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class DrawingCanvasTests(DesktopFixture fixture)
 {
@@ -52,7 +52,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         canvas.RefineNow();
         var stillness = canvas.Stillness;
-        canvas.Stillness = TimeSpan.FromHours(1); // however long the steps take
+        canvas.Stillness = TimeSpan.FromHours(1); // independent of the duration of the steps
         hands.Wheel(new Point(200, 100), new Vector(0, 6));
         Draw();
         Assert.Equal(Colors.White, hands.PixelAt(20, 100));
@@ -153,7 +153,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         hands.SetScale(1.0);
     });
 
-    /// <summary>ORTHO makes way for an object snap, and needs a point before.</summary>
+    /// <summary>An object snap overrides ORTHO, which needs a previous point.</summary>
     [Fact]
     public Task With_ortho_a_point_goes_straight_across_or_up_from_the_one_before() => With((_, view, hands, heard) =>
     {
@@ -252,7 +252,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         Assert.Equal("", canvas.Tip);
     });
 
-    /// <summary>What a click would give comes from another thread and is drawn; it goes with the question.</summary>
+    /// <summary>The preview of a click is computed on another thread and drawn; it disappears with the prompt.</summary>
     [Fact]
     public Task What_a_click_would_give_is_seen_while_the_cursor_moves() => With((canvas, _, hands, heard) =>
     {
@@ -269,7 +269,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         Assert.Empty(canvas.Ghost);
     });
 
-    /// <summary>What Enter would lead to is drawn wherever the cursor is, and goes with the question.</summary>
+    /// <summary>The preview of Enter is drawn wherever the cursor is, and disappears with the prompt.</summary>
     [Fact]
     public Task What_Enter_would_give_is_seen_without_the_cursor() => With((canvas, _, hands, heard) =>
     {

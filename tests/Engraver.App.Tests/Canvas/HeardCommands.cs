@@ -5,7 +5,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Tests.Canvas;
 
-/// <summary>Writes down what the canvas asked for.</summary>
+/// <summary>Records the calls of the canvas.</summary>
 internal sealed class HeardCommands : ICanvasCommands
 {
     public List<string> Heard { get; } = [];

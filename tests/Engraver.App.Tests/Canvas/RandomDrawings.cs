@@ -3,13 +3,13 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Canvas;
 
-/// <summary>Seeded drawings of every kind of curve, some large, some small, one stray far away, some hidden.</summary>
+/// <summary>Seeded drawings of every kind of curve, some large, some small, one stray line far away, some hidden.</summary>
 internal static class RandomDrawings
 {
     public static Drawing Of(int seed, int count)
     {
         var random = new Random(seed);
-        var drawing = new DrawingBuilder().Line(1e5, 1e5, 1e5 + 1.0, 1e5); // the stray
+        var drawing = new DrawingBuilder().Line(1e5, 1e5, 1e5 + 1.0, 1e5); // the stray line
         for (var i = 0; i < count; i++) Add(drawing, random, i);
         drawing.OnLayer(new Layer("frozen", On: true, Frozen: true, Plot: true)).Line(-50.0, -50.0, 150.0, 150.0);
         return drawing.Build();

@@ -7,7 +7,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.App.Tests.Canvas;
 
-/// <summary>The marks of machine and playback as they are drawn. The place is 50 pixels right of the middle and 30 above it.</summary>
+/// <summary>The drawn marks of machine and playback. The position is 50 pixels right of the middle and 30 above it.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class ToolMarksTests(DesktopFixture fixture)
 {
@@ -38,7 +38,7 @@ public sealed class ToolMarksTests(DesktopFixture fixture)
 
         canvas.Machine = Mark("");
         fixture.Desktop.Step();
-        Assert.Equal(Color.FromUInt32(colours.Tool), hands.PixelAt(X, Y)); // both are seen where they are at one place
+        Assert.Equal(Color.FromUInt32(colours.Tool), hands.PixelAt(X, Y)); // both are visible at the same position
         Assert.Equal(Color.FromUInt32(colours.Playback), hands.PixelAt(X + 17, Y));
     });
 

@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.CommandWindow;
 
-/// <summary>What the operator can do while a job runs: everything that only looks, and nothing that changes the drawing or the machine.</summary>
+/// <summary>What the operator can do while a job runs: everything that only displays, and nothing that changes the drawing or the machine.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class BesideTests(DesktopFixture fixture)
 {
@@ -119,7 +119,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         Assert.Null(here.Desk.Prompt.Command);
     });
 
-    /// <summary>Esc holds the job, as it always does; what asks beside it ends, and the job goes on with START.</summary>
+    /// <summary>Esc holds the job, as always; a prompt of a concurrent command ends, and START continues the job.</summary>
     [Fact]
     public Task Escape_holds_the_job_and_ends_what_asks_beside_it() => fixture.WithOperator(here =>
     {
@@ -129,19 +129,19 @@ public sealed class BesideTests(DesktopFixture fixture)
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Held && here.Desk.Prompt.Command is null);
         Assert.True(here.Commands.IsBusy);
-        here.Until(() => here.Window.Model.Command.Instruction == "Job held (RESUME continues, STOP ends it)"); // and not that Esc ends it, which it does not
+        here.Until(() => here.Window.Model.Command.Instruction == "Job held (RESUME continues, STOP ends it)"); // and not that Esc ends the job, which it does not
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
         End(here);
     });
 
-    /// <summary>Esc behind quick typing, wherever the typed words are just then: none of them opens a question or is kept until the job has ended. What is
-    /// typed behind Esc is taken.</summary>
+    /// <summary>Esc after quick typing, at any stage of processing the typed words: none of them opens a prompt or is kept until the job has ended. Input
+    /// typed after Esc is accepted.</summary>
     [Fact]
     public Task Escape_ends_what_was_typed_before_it_however_far_that_has_come() => fixture.WithOperator(here =>
     {
         Start(here);
-        foreach (var word in (string[])["list", "all", "", "dist", "0,0"]) _ = here.Desk.TypeAsync(word); // nothing of it is worked on before Esc
+        foreach (var word in (string[])["list", "all", "", "dist", "0,0"]) _ = here.Desk.TypeAsync(word); // nothing of this is processed before Esc
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Desk.Cancelled.IsCompleted && here.Commands.Machine.Status.State == MachineState.Held);
         Type(here, "id", "1,2");
@@ -152,7 +152,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         End(here);
     });
 
-    /// <summary>A question that is open when the job ends stays and is answered as any other.</summary>
+    /// <summary>A prompt that is open when the job ends stays open and is answered as any other.</summary>
     [Fact]
     public Task A_question_outlives_the_job_beside_which_it_was_asked() => fixture.WithOperator(here =>
     {
@@ -177,7 +177,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Progress is { SegmentsSent: > 0 });
     }
 
-    /// <summary>Types quickly: nothing is waited for between two words.</summary>
+    /// <summary>Types quickly, without waiting between two words.</summary>
     private static void Type(Operator here, params string[] words)
     {
         foreach (var word in words)

@@ -16,7 +16,7 @@ public sealed class ColumnTextTests(DesktopFixture fixture)
         Assert.Equal([(0, "")], ColumnText.PartsOf("   "));
     }
 
-    /// <summary>What stands in one column begins at one place.</summary>
+    /// <summary>The texts of one column start at the same position.</summary>
     [Theory]
     [InlineData("HELP")]
     [InlineData("CNCSTATUS")]

@@ -25,7 +25,7 @@ public sealed class DirectDistanceTests(DesktopFixture fixture)
         Assert.Equal("5", DirectDistance.Read("5", new Point2D(1, 1), new Point2D(1, 1)));
     }
 
-    /// <summary>In an empty desktop: LINE begins a drawing; with ORTHO the cursor right of and above the last point means right, then up. The radius of
+    /// <summary>In an empty desktop: LINE creates a drawing; with ORTHO the cursor right of and above the last point means right, then up. The radius of
     /// CIRCLE stays the number that was typed.</summary>
     [Fact]
     public Task A_line_is_drawn_by_pointing_and_typing_lengths() => fixture.WithOperator(here =>
@@ -44,7 +44,7 @@ public sealed class DirectDistanceTests(DesktopFixture fixture)
         Assert.Equal(3.0, ends[2].Arc.Radius);
     });
 
-    /// <summary>The mouse goes to a place of the drawing.</summary>
+    /// <summary>Moves the mouse to a point of the drawing.</summary>
     private static void Point(Operator here, double x, double y)
     {
         var canvas = here.Window.Canvas;

@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.CommandWindow;
 
-/// <summary>What is typed while a command works; it works as long as nobody gives it the drawing that it reads from a pipe.</summary>
+/// <summary>Input typed while a command runs; the command runs until the test writes the drawing to the pipe that it reads.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class TypedAheadTests(DesktopFixture fixture)
 {
@@ -56,7 +56,7 @@ public sealed class TypedAheadTests(DesktopFixture fixture)
         }
     }
 
-    /// <summary>OPEN is at work until it is given its drawing.</summary>
+    /// <summary>Keeps OPEN running until the test writes its drawing.</summary>
     private sealed class SlowDrawing : IDisposable
     {
         private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory();

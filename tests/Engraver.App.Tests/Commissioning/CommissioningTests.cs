@@ -5,7 +5,7 @@ using Engraver.App.Commissioning;
 
 namespace Engraver.App.Tests.Commissioning;
 
-/// <summary>The page of commissioning: the same conversation as CNCCOMMISSION, with its steps and buttons for its answers.</summary>
+/// <summary>The commissioning page: the same conversation as CNCCOMMISSION, with its steps and buttons for its answers.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class CommissioningTests(DesktopFixture fixture)
 {

@@ -45,7 +45,7 @@ public sealed class FirstPictureTests
         Assert.False(other.IsCompleted);
     }
 
-    /// <summary>Closed, or another drawing opened, before its picture was there.</summary>
+    /// <summary>The drawing is closed, or another one opened, before its picture exists.</summary>
     [Fact]
     public async Task A_drawing_that_is_gone_is_let_go()
     {

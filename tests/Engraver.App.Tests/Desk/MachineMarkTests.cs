@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Desk;
 
-/// <summary>The canvas shows where the machine is, whatever moves it.</summary>
+/// <summary>The canvas shows the position of the machine, whatever moves it.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class MachineMarkTests(DesktopFixture fixture)
 {
@@ -31,7 +31,7 @@ public sealed class MachineMarkTests(DesktopFixture fixture)
         Assert.Null(here.Window.Canvas.Machine);
     });
 
-    /// <summary>Without an origin nobody knows where the drawing lies: the mark moves with the machine, by the machine's own zero, and says so.</summary>
+    /// <summary>Without an origin the position in the drawing is unknown: the mark moves with the machine in machine coordinates, with a note.</summary>
     [Fact]
     public Task Without_an_origin_the_mark_is_not_certain_until_zero_is_set() => fixture.WithOperator(here =>
     {
@@ -56,7 +56,7 @@ public sealed class MachineMarkTests(DesktopFixture fixture)
         Comes(here, 1, 2);
     });
 
-    /// <summary>The zero moves while the machine homes: places before and behind it are not joined.</summary>
+    /// <summary>The zero moves during homing: positions before and after it are not joined.</summary>
     [Fact]
     public Task Homing_is_shown_and_begins_a_new_trail() => fixture.WithOperator(here =>
     {

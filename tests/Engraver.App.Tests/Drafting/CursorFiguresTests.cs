@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Tests.Drafting;
 
-/// <summary>Precision and reach under the hand in the whole window: a line from 0,0 to 100,0.</summary>
+/// <summary>Precision and reach at the cursor in the whole window: a line from 0,0 to 100,0.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class CursorFiguresTests(DesktopFixture fixture)
 {
@@ -18,7 +18,7 @@ public sealed class CursorFiguresTests(DesktopFixture fixture)
         here.Step();
         Assert.Matches(@"^-?\d+\.\d, -?\d+\.\d$", here.Window.Model.Status.Coordinates);
         here.Enter("LUPREC", "0");
-        Assert.Matches(@"^-?\d+, -?\d+$", here.Window.Model.Status.Coordinates); // though the mouse rests
+        Assert.Matches(@"^-?\d+, -?\d+$", here.Window.Model.Status.Coordinates); // although the mouse is at rest
 
         here.Enter("LUPREC", "3", "LINE", "0,0");
         here.Hands.MovePointer(At(here, 40, 30));
@@ -34,7 +34,7 @@ public sealed class CursorFiguresTests(DesktopFixture fixture)
         here.Enter("ERASE");
         here.Hands.Click(near);
         here.Rest();
-        Assert.StartsWith("Specify opposite corner", here.Commands.Prompt.Text, StringComparison.Ordinal); // a box begins: 8 is more than 5
+        Assert.StartsWith("Specify opposite corner", here.Commands.Prompt.Text, StringComparison.Ordinal); // a box starts: 8 is more than 5
         here.Commands.CancelAsync().Wait(TimeSpan.FromSeconds(60));
         here.Rest();
 

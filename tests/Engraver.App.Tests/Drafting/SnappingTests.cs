@@ -12,8 +12,8 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Tests.Drafting;
 
-/// <summary>Snaps and polar tracking under the hand. The window is 400 by 300 and shows one unit to a pixel, the origin in the middle; a line lies at y =
-/// 50, a circle of radius 40 about 0,-50.</summary>
+/// <summary>Snaps and polar tracking at the cursor. The window is 400 by 300 and shows one unit per pixel, the origin in the middle; a line is at y = 50, a
+/// circle of radius 40 around 0,-50.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class SnappingTests(DesktopFixture fixture)
 {
@@ -64,14 +64,14 @@ public sealed class SnappingTests(DesktopFixture fixture)
     {
         canvas.RefineNow();
         fixture.Desktop.Step();
-        Assert.Equal(Avalonia.Media.Colors.Lime, hands.PixelAt(262, 132)); // an arm of the cross about 260,130
+        Assert.Equal(Avalonia.Media.Colors.Lime, hands.PixelAt(262, 132)); // an arm of the cross around 260,130
         Assert.Equal(hands.PixelAt(300, 250), hands.PixelAt(262, 172));
         heard.Aim = PointAim.Place;
         view.Change(state => state with { ObjectSnap = false, OneTimeSnap = 8 });
         hands.Click(new Point(264, 125));
         Assert.Equal([new Point2D(60.0, 20.0)], heard.Points);
         hands.Click(new Point(262, 172));
-        Assert.Single(heard.Points); // what cannot be seen is not snapped to
+        Assert.Single(heard.Points); // invisible objects offer no snap
         view.Change(state => state with { ObjectSnap = true, ObjectSnapModes = 1 + 8, OneTimeSnap = null });
         hands.Click(new Point(264, 125));
         Assert.Equal(new Point2D(60.0, 20.0), heard.Points[1]);
@@ -100,7 +100,8 @@ public sealed class SnappingTests(DesktopFixture fixture)
         Assert.Equal(["point with shift"], heard.Heard);
     });
 
-    /// <summary>By hand in the whole window: a click trims, a click with Shift extends, one U takes both back; F10 switches polar tracking.</summary>
+    /// <summary>With mouse and keys in the whole window: a click trims, a click with Shift extends, one U undoes both; F10 switches polar
+    /// tracking.</summary>
     [Fact]
     public Task Trim_with_the_mouse_and_Shift_and_F10() => fixture.WithOperator(here =>
     {

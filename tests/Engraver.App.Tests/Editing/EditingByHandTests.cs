@@ -9,7 +9,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Tests.Editing;
 
-/// <summary>Selecting and editing with the mouse in the real window: a line (A1, 0,0 to 100,0), an arc (A2, about 50,50, radius 20, 0 to 90 degrees), a
+/// <summary>Selecting and editing with the mouse in the real window: a line (A1, 0,0 to 100,0), an arc (A2, around 50,50, radius 20, 0 to 90 degrees), a
 /// circle (A3, 150,50, radius 20), a square (A4, from 0,100, side 40).</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class EditingByHandTests(DesktopFixture fixture)
@@ -73,7 +73,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         Assert.Equal(new Point2D(100, 0), Ends(here, 0).End);
     });
 
-    /// <summary>Faster than the command can ask: the place is kept for it.</summary>
+    /// <summary>Faster than the command can prompt: the point is kept for it.</summary>
     [Fact]
     public Task A_grip_that_is_dragged_in_a_flash_lands_where_it_was_let_go() => With(here =>
     {
@@ -137,7 +137,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         Assert.Equal(4, Drawn(here).Entities.Count);
     });
 
-    /// <summary>The cursor stands still on the circle while it is erased, and comes back with it.</summary>
+    /// <summary>The cursor stays on the circle while it is erased and restored.</summary>
     [Fact]
     public Task Hover_goes_with_what_is_erased() => With(here =>
     {
@@ -151,10 +151,10 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         here.Enter("U");
         Assert.Equal(2, here.Window.Canvas.Hovered);
         here.Enter("ERASE", "H", "A1", "");
-        Assert.Equal(1, here.Window.Canvas.Hovered); // the same circle has another number now
+        Assert.Equal(1, here.Window.Canvas.Hovered); // the same circle now has another index
     });
 
-    /// <summary>The table lights the row that the properties list.</summary>
+    /// <summary>The table highlights the row that the properties list.</summary>
     [Fact]
     public Task The_row_in_the_table_is_the_row_of_what_was_picked() => fixture.WithOperator(here =>
     {
@@ -166,7 +166,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         {
             var entity = table.EntityIndexOf(row);
             here.Window.Canvas.Commands!.PickAt(default, entity, here.Window.Canvas.Scene!.Drawing, remove: false);
-            here.Until(() => table.EntityIndexOf(here.Desk.Derived.RowUnderTool) == entity); // a selection goes the way of every input
+            here.Until(() => table.EntityIndexOf(here.Desk.Derived.RowUnderTool) == entity); // a selection is queued like every input
             Assert.Equal(Enumerable.Range(0, table.Count).First(other => table.EntityIndexOf(other) == entity), here.Desk.Derived.RowUnderTool);
             Assert.Equal(here.Desk.Derived.RowUnderTool, list.SelectedIndex);
         }

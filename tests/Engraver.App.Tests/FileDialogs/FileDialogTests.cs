@@ -28,7 +28,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         Assert.Equal(70, here.Commands.Document.Current.Drawing?.Entities.Count);
     });
 
-    /// <summary>The second dialog, of another kind of file or of the same (seen: the kind stood empty in the second).</summary>
+    /// <summary>The second dialog, for another kind of file or for the same (regression: the kind was empty in the second).</summary>
     [Fact]
     public Task The_kind_of_file_is_shown_each_time() => fixture.WithOperator(here =>
     {
@@ -94,7 +94,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
 
         here.Hands.Press(Key.Back);
         here.Rest();
-        Assert.Equal((_folder.FullName, "inner"), (Dialog(here).Folder, Dialog(here).Chosen?.Name)); // where one came from
+        Assert.Equal((_folder.FullName, "inner"), (Dialog(here).Folder, Dialog(here).Chosen?.Name)); // the folder before
 
         here.Hands.Press(Key.Up, RawInputModifiers.Alt);
         here.Rest();
@@ -120,7 +120,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         Assert.True(Sheet(here).IsVisible);
         Assert.Contains("no such.dxf", here.Find<TextBlock>("FindingText").Text, StringComparison.Ordinal);
         Assert.DoesNotContain(here.History, line => line.Contains("no such", StringComparison.Ordinal));
-        here.Enter("x"); // the next letter is a new beginning of it
+        here.Enter("x"); // the next letter starts a new search
         Assert.Equal("OPEN", here.Desk.Prompt.Command);
     });
 
@@ -146,7 +146,7 @@ public sealed class FileDialogTests(DesktopFixture fixture) : IDisposable
         Write("a.dxf", 20, hours: 3);
         Write("b.dxf", 30, hours: 2);
         Write("c.dxf", 10, hours: 1);
-        if (head == "NameHead") names = ["c.dxf", "b.dxf", "a.dxf"]; // sorted by name as it is: the first click turns round
+        if (head == "NameHead") names = ["c.dxf", "b.dxf", "a.dxf"]; // already sorted by name: the first click reverses the order
         here.Enter("OPEN", _folder.FullName);
         here.Click(here.Find<Button>(head));
         Assert.Equal(names, Dialog(here).Rows.Select(row => row.Name));

@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.FileDialogs;
 
-/// <summary>Files that are dragged from another program and released over the window.</summary>
+/// <summary>Files that are dragged from another program and dropped on the window.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class FileDropTests(DesktopFixture fixture)
 {

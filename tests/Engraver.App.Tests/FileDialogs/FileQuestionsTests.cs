@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.FileDialogs;
 
-/// <summary>Which commands show the file dialog, and what it asks before something is lost.</summary>
+/// <summary>Which commands show the file dialog, and its questions before data is lost.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
 {
@@ -96,7 +96,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         Assert.Equal(!replaced, Dialog(here).IsOpen); // another name can be typed
     });
 
-    /// <summary>Who types the first letter of an answer sees which one Enter will take.</summary>
+    /// <summary>Typing the first letter of an answer highlights the answer that Enter accepts.</summary>
     [Fact]
     public Task The_letter_of_an_answer_marks_it_and_Enter_takes_it() => fixture.WithOperator(here =>
     {
@@ -199,7 +199,7 @@ public sealed class FileQuestionsTests(DesktopFixture fixture) : IDisposable
         here.Rest();
     });
 
-    /// <summary>The command has not asked yet: a space within a path is a letter nevertheless.</summary>
+    /// <summary>The command has not prompted yet: a space within a path is nevertheless a character of it.</summary>
     [Fact]
     public Task A_path_that_is_typed_at_once_keeps_its_spaces() => fixture.WithOperator(here =>
     {

@@ -22,7 +22,7 @@ public sealed class FindingsTests(DesktopFixture fixture)
         Assert.True(here.Commands.View.Current.Height < before);
     });
 
-    /// <summary>The break is at the end of a line, 40 mm from where its entity begins.</summary>
+    /// <summary>The break is at the end of a line, 40 mm from the start of its entity.</summary>
     [Fact]
     public Task The_marker_of_a_break_stands_at_the_break_and_the_list_goes_there() => fixture.WithOperator(here =>
     {
@@ -46,11 +46,11 @@ public sealed class FindingsTests(DesktopFixture fixture)
         Assert.NotNull(here.Commands.View.Current.Focus); // the gap is still there
         here.Enter("MOVE", "H", "A2", "", "0,0", "0.1,0");
         here.Rest();
-        Assert.NotNull(here.Commands.View.Current.Focus); // and wider, which its sentence tells
+        Assert.NotNull(here.Commands.View.Current.Focus); // and wider, which changes its sentence
         here.Commands.View.FocusOn(new ViewFocus(new Point2D(1, 2), null), null);
         here.Enter("CIRCLE", "90,90", "4");
         here.Rest();
-        Assert.NotNull(here.Commands.View.Current.Focus); // a place that was pointed at on the canvas
+        Assert.NotNull(here.Commands.View.Current.Focus); // a point clicked on the canvas
         rows.Chosen = null;
         rows.Chosen = rows.Rows.First(row => row.Id == "SEQ0003");
         here.Enter("LINE", "40,0", "40.4,0", "");

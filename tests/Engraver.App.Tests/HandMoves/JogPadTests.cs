@@ -10,8 +10,8 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.HandMoves;
 
-/// <summary>The Machine page with hands: press moves, release stops, and so does whatever else takes the hand away. Time is the test's: it goes on while
-/// the operator waits.</summary>
+/// <summary>The Machine page with mouse and keys: a press moves; a release stops, and so does the loss of focus, pointer or window. The clock of the test
+/// advances while the operator waits.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class JogPadTests(DesktopFixture fixture)
 {
@@ -56,7 +56,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         NobodyWasLate(here);
     });
 
-    /// <summary>Begun by a command, not by the pad: the window gives the signs, and whatever takes the operator away ends it.</summary>
+    /// <summary>Started by a command, not by the pad: the window sends the heartbeat, and the loss of the window ends the jog.</summary>
     [Theory]
     [InlineData("leaves the window", "The window lost the focus")]
     [InlineData("makes it small", "The window lost the focus")]
@@ -69,13 +69,13 @@ public sealed class JogPadTests(DesktopFixture fixture)
             here =>
             {
                 here.Enter("CNCJOG", "X+", "Continuous");
-                here.Until(() => X(here) > 60.0); // several times as long as the machine would wait for a sign
+                here.Until(() => X(here) > 60.0); // several times as long as the machine waits for a heartbeat
                 Assert.True(here.Commands.Machine.IsRunning);
 
                 if (what == "leaves the window") here.Hands.LoseFocus();
                 if (what == "makes it small") here.Window.WindowState = WindowState.Minimized;
                 if (what == "asks to close") here.Hands.AskToClose();
-                if (what == "hangs") clock.Advance(TimeSpan.FromSeconds(0.4)); // on the window's own thread, which does nothing else meanwhile
+                if (what == "hangs") clock.Advance(TimeSpan.FromSeconds(0.4)); // on the window's own thread, which is blocked meanwhile
                 here.Until(() => !here.Commands.Machine.IsRunning);
 
                 here.Until(() => here.History.Any(line => line.Contains(said, StringComparison.Ordinal)));
@@ -85,7 +85,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
             clock);
     }
 
-    /// <summary>Typed just before the window is left: nobody would see what moves.</summary>
+    /// <summary>Typed just before the window is left: the operator would not see the motion.</summary>
     [Fact]
     public Task A_jog_that_begins_in_a_window_that_was_left_gets_no_sign() => WithPad(here =>
     {
@@ -109,7 +109,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Find<JogPad>("Pad").Focus();
         here.Hands.KeyDown(Key.Left);
         here.Until(() => X(here) < -1.0);
-        here.Hands.KeyDown(Key.Left); // repeats
+        here.Hands.KeyDown(Key.Left); // keyboard repeat
         here.Hands.KeyUp(Key.Left);
         Stands(here);
         Assert.InRange(X(here), -100.0, -1.0);
@@ -156,7 +156,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         NobodyWasLate(here);
     });
 
-    /// <summary>Each press is a step, also one before the step before it has ended; the job goes on at its place.</summary>
+    /// <summary>Each press is a step, also a press before the previous step has ended; the job continues at its position.</summary>
     [Fact]
     public Task While_a_job_stands_held_the_pad_steps_and_the_job_goes_on_at_its_place() => WithPad(here =>
     {
@@ -348,7 +348,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
 
     private static double Y(Operator here) => here.Commands.Machine.Status.MachinePosition!.Value.Y;
 
-    /// <summary>Where nobody released the jog, the window's silence ends it 0.3 s later and says so.</summary>
+    /// <summary>Asserts that the release ended the jog, not the heartbeat timeout of 0.3 s, which would be reported.</summary>
     private static void NobodyWasLate(Operator here) => Assert.DoesNotContain(Engraver.App.Texts.Text.Get("Pad.WindowTooSlow"), here.History);
 
     private static void Stands(Operator here)

@@ -30,7 +30,7 @@ public sealed class HistoryPageTests(DesktopFixture fixture)
         Assert.Equal("gasket.dxf", Path.GetFileName(here.Commands.Document.Current.Drawing!.FileName));
     });
 
-    /// <summary>Nobody knows whether steppers followed: their deviation is that of what was commanded.</summary>
+    /// <summary>Steppers give no feedback: their deviation is that of the commanded path.</summary>
     [Fact]
     public void The_deviation_of_steppers_says_that_it_was_commanded()
     {

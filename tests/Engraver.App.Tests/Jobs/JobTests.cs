@@ -37,8 +37,7 @@ public sealed class JobTests(DesktopFixture fixture)
         Assert.EndsWith(", length 5.48, starts 3.50)", cost, StringComparison.Ordinal);
     });
 
-    /// <summary>After a stop the machine stands elsewhere than the next job begins: nothing forbids it, but it is not one of the things that are as they
-    /// should be.</summary>
+    /// <summary>After a stop the machine is not at the start of the next job: this does not prevent the start, but it is shown as a warning.</summary>
     [Fact]
     public Task A_warning_is_told_from_what_has_passed_by_word_shape_and_colour() => fixture.WithOperator(here =>
     {
@@ -48,7 +47,7 @@ public sealed class JobTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.Progress is { Position.X: > 1.0 });
         here.Step();
-        Assert.DoesNotContain(Lines(here), line => line.Mark == "▲"); // a running job is away from its start as it should be
+        Assert.DoesNotContain(Lines(here), line => line.Mark == "▲"); // a running job is away from its start as expected
         here.Hands.Press(Key.Pause);
         here.Rest();
 
@@ -85,7 +84,7 @@ public sealed class JobTests(DesktopFixture fixture)
         string PlannedTime() => ((JobModel)here.Find<ItemsControl>("CheckList").DataContext!).Figures.Single(figure => figure.Name == "Planned time").Value;
     });
 
-    /// <summary>The list as it stands on the page.</summary>
+    /// <summary>The list as shown on the page.</summary>
     private static List<(string Mark, bool MarkIsColoured, string Sentence, bool SentenceIsColoured)> Lines(Operator here) =>
     [
         .. from row in here.Find<ItemsControl>("CheckList").GetVisualDescendants().OfType<Grid>()

@@ -11,7 +11,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.App.Tests.Languages;
 
-/// <summary>The window in German: nothing of it is cut off, and nothing of it is English.</summary>
+/// <summary>The window in German: no text is cut off or English.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class GermanWindowTests(DesktopFixture fixture)
 {
@@ -27,7 +27,7 @@ public sealed class GermanWindowTests(DesktopFixture fixture)
         (here.Window.Width, here.Window.Height) = (width, height);
         var cut = new SortedSet<string>(StringComparer.Ordinal);
         LookAtPages("empty");
-        here.Show("Command"); // what is typed in the terminal stays there
+        here.Show("Command"); // text typed in the terminal stays there
         here.Open("nameplate.dxf");
         here.Rest();
         LookAtPages("with a drawing");

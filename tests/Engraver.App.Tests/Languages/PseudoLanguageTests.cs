@@ -10,14 +10,14 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Languages;
 
-/// <summary>The window in the pseudo-language. A plain letter outside of marks is a text that no language could translate.</summary>
+/// <summary>The window in the pseudo-language. A plain letter outside of marks is a text that cannot be translated.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class PseudoLanguageTests(DesktopFixture fixture)
 {
-    /// <summary>What the toolkit's own scroll bar says to a screen reader.</summary>
+    /// <summary>The texts of Avalonia's scroll bar for a screen reader.</summary>
     private static readonly string[] s_scrollBar = ["Line", "Page", "Position", "up", "down"];
 
-    /// <summary>Names of commands, work origins and units; they are the same in every language.</summary>
+    /// <summary>Names of commands, work origins and units, which are the same in every language.</summary>
     private static readonly string[] s_stays = ["mm", "s", "x", "SNAP", "GRID", "ORTHO", "POLAR", "OSNAP", "DYN", "G", .. s_scrollBar];
 
     [Fact]

@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.MachineStrip;
 
-/// <summary>A key of the strip that does not work says why, on itself and in its tip.</summary>
+/// <summary>A disabled key of the strip shows its reason, on itself and in its tip.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class KeyReasonTests(DesktopFixture fixture)
 {
@@ -63,7 +63,7 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
         }
     });
 
-    /// <param name="why">On the key; null: nothing.</param>
+    /// <param name="why">The text on the key; null: none.</param>
     private static void Says(Operator here, string key, string? why, string tip)
     {
         here.Step();

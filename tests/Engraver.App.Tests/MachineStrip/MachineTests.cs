@@ -48,7 +48,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
     });
 
-    /// <summary>What was cut of one drawing is not told under another one, nor under ARMED.</summary>
+    /// <summary>The progress of one drawing is not shown for another one, nor under ARMED.</summary>
     [Fact]
     public Task Progress_ends_with_the_drawing_it_is_of_and_with_the_next_arming() => fixture.WithOperator(here =>
     {
@@ -77,7 +77,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Contains("dry run", here.Find<TextBlock>("ReasonText").Text, StringComparison.Ordinal);
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Status is { State: MachineState.DryRun, Progress: not null }); // the job stands on the machine and has told where it is
+        here.Until(() => here.Commands.Machine.Status is { State: MachineState.DryRun, Progress: not null }); // the job is on the machine and has reported its position
         here.Step();
         Assert.Equal(("DRY RUN", "ActLampBrush", "Shape.DryRun"), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.LampKey, here.Window.Model.Machine.ShapeKey));
         Assert.Contains("DRY RUN", here.Window.Title, StringComparison.Ordinal);
@@ -138,7 +138,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.False(here.Commands.Machine.Status.ToolCommanded);
         Assert.False(here.Find<Button>("HoldKey").IsEffectivelyEnabled);
         Assert.Equal("RESUME", here.Find<TextBlock>("StartText").Text);
-        here.Hands.Press(Key.Escape); // a second time it is held already
+        here.Hands.Press(Key.Escape); // on the second press the job is already held
         here.Step();
         Assert.Equal("HELD", here.Find<TextBlock>("StateText").Text);
         here.Click(here.Find<Button>("StartKey"));
@@ -152,7 +152,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     });
 
     /// <summary>Two segments of which the second takes a hundred times as long: half of the segments is not half of the job, and within the long one the
-    /// time goes on.</summary>
+    /// progress continues.</summary>
     [Fact]
     public Task Progress_is_that_of_the_planned_time() => fixture.WithOperator(here =>
     {
@@ -169,7 +169,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Rest();
     });
 
-    /// <summary>An ellipse is one entity and many moves of the machine.</summary>
+    /// <summary>An ellipse is one entity but many moves of the machine.</summary>
     [Fact]
     public Task What_is_done_is_shown_behind_an_ellipse_too() => fixture.WithOperator(here =>
     {
@@ -264,7 +264,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Hands.ReleaseButton(here.MiddleOf(stop));
     });
 
-    /// <summary>The user interface thread does nothing here but wait: the stop comes over the input thread.</summary>
+    /// <summary>The user interface thread only waits here: the stop comes from the input thread.</summary>
     [Fact]
     public Task Stop_does_not_wait_for_a_busy_window() => fixture.WithOperator(here =>
     {
@@ -284,13 +284,13 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
     });
 
-    /// <summary>The bytes themselves: heard on a TCP wire while the thread of the window waits for them and does nothing else.</summary>
+    /// <summary>The bytes themselves, observed on a TCP link while the thread of the window is blocked.</summary>
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
     public Task Stop_is_on_the_wire_while_the_window_is_busy(bool byMouse) => fixture.WithOperator(here =>
     {
-        using var wire = new ServedMachine(here, speed: 2); // with its clock: the dead man goes by it and not by the load of the computer
+        using var wire = new ServedMachine(here, speed: 2); // with its clock, so that the watchdog does not depend on the load of the computer
         StartSlowly(here, wire.Address);
         var place = here.MiddleOf(here.Find<Button>("StopKey"));
         using var braked = new ManualResetEventSlim();
@@ -323,7 +323,8 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Contains("DONE", here.Window.Title, StringComparison.Ordinal);
     });
 
-    /// <summary>What was recorded stays until another drawing is shown; the origin is marked while it is known, and the way to the finish is drawn.</summary>
+    /// <summary>The recorded path stays until another drawing is shown; the origin is marked while it is known, and the travel to the finish is
+    /// drawn.</summary>
     [Fact]
     public Task The_canvas_shows_where_the_machine_was_where_its_origin_lies_and_where_it_goes_at_the_end() => fixture.WithOperator(here =>
     {
@@ -357,7 +358,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal(0, here.Window.Canvas.Overlay!.Recorded.Count);
     });
 
-    /// <summary>By the simulator's counts: three times with START, and once more after STOP in the middle of a cut.</summary>
+    /// <summary>By the simulator's counts: three times with START, and again after STOP in the middle of a cut.</summary>
     [Fact]
     public Task START_cuts_in_the_same_place_again_also_after_STOP() => fixture.WithOperator(here =>
     {
@@ -446,7 +447,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", "sim:");
         var typed = here.Commands.Machine.Terminal.TypeAsync("SB 3", CancellationToken.None);
         here.Until(() => typed.IsCompleted && lamps.Bits == 4);
-        Assert.Equal(0xFF, here.Find<BitLamps>("InputLamps").Bits); // nothing is wired to them: pulled up
+        Assert.Equal(0xFF, here.Find<BitLamps>("InputLamps").Bits); // no wires are connected: pulled up
         Assert.True(lamps.IsEffectivelyVisible);
         here.Hands.Resize(new Size(1024, 700));
         here.Step();
@@ -462,7 +463,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Until(() => here.Window.Model.Machine is { Outputs: { } outputs, Tool: not "–" } && outputs != 0);
 
         Assert.Equal(MachineState.Running, here.Commands.Machine.Status.State);
-        Assert.Null(here.Window.Model.Machine.Inputs); // the job does not ask for them
+        Assert.Null(here.Window.Model.Machine.Inputs); // the job does not query them
         Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
         Assert.False(here.Find<Button>("StartKey").IsEffectivelyEnabled);
         here.Hands.Press(Key.Pause);

@@ -4,7 +4,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.App.Tests.MachineStrip;
 
-/// <summary>A simulated controller that is reached over TCP, and an ear on the wire.</summary>
+/// <summary>A simulated controller behind TCP, with a tap on the connection.</summary>
 internal sealed class ServedMachine : IDisposable
 {
     private readonly Operator _here;
@@ -24,10 +24,10 @@ internal sealed class ServedMachine : IDisposable
         _wire.Heard += (text, _) => Heard?.Invoke(text);
     }
 
-    /// <summary>What is on its way to the controller; on a thread of the pool.</summary>
+    /// <summary>Raised with each command on its way to the controller; on a thread of the pool.</summary>
     public event Action<string>? Heard;
 
-    /// <summary>What the motors did.</summary>
+    /// <summary>The recorded motion of the motors.</summary>
     public MotionRecord Record => _controller.Record;
 
     public string Address => _wire.Address + _clock;

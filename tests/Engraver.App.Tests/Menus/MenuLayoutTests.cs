@@ -30,7 +30,7 @@ public sealed class MenuLayoutTests(DesktopFixture fixture)
         }
     }
 
-    /// <summary>On a screen of 1280 x 720 pixels at 150 % no menu and no submenu has to be scrolled.</summary>
+    /// <summary>On a screen of 1280 x 720 pixels at 150 % all menus and submenus fit without scrolling.</summary>
     [Theory]
     [InlineData("en")]
     [InlineData("de")]

@@ -90,7 +90,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.True(here.Window.Model.Options.IsOpen);
-        Assert.Equal("Drawing", here.Window.Model.Options.Page); // where the wrong one is
+        Assert.Equal("Drawing", here.Window.Model.Options.Page); // the page of the invalid value
         Assert.Equal("Nearest", here.Commands.Document.Current.Settings.Order.ToString());
         here.Click(here.Find<Button>("OptionsCancel"));
         Assert.False(here.Window.Model.Options.IsOpen);
@@ -100,7 +100,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
     public Task What_a_command_refuses_is_told_beside_the_setting() => fixture.WithOperator(here =>
     {
         Open(here, "Toolpath");
-        Choose(here, "kerf", "Outside"); // and no diameter
+        Choose(here, "kerf", "Outside"); // without a diameter
         here.Click(here.Find<Button>("OptionsTake"));
         here.Until(() => Row(here, "kerf").IsWrong);
         here.Rest();
@@ -133,7 +133,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         here.Rest();
     });
 
-    /// <summary>A check box of a sheet is no motion: Tab reaches it, it is seen that it has the keyboard, and Space turns it.</summary>
+    /// <summary>Toggling a check box of a sheet moves nothing: Tab reaches it, its focus is visible, and Space toggles it.</summary>
     [Fact]
     public Task Check_boxes_and_pages_are_worked_by_keyboard_alone() => fixture.WithOperator(here =>
     {
@@ -157,7 +157,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         Assert.Equal(!before, here.Commands.View.Current.Grid);
     });
 
-    /// <summary>What is typed and kept stays English; what is read is German.</summary>
+    /// <summary>Typed and stored values stay English; displayed texts are German.</summary>
     [Fact]
     public Task Choices_are_shown_in_German_and_kept_in_English() => fixture.WithOperator(here =>
     {

@@ -13,7 +13,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     public Task Row_contour_line_and_tool_move_together() => fixture.WithOperator(here =>
     {
         Prepare(here);
-        Assert.Null(here.Window.Canvas.PlaybackPosition); // nobody has looked at it
+        Assert.Null(here.Window.Canvas.PlaybackPosition); // the playback is not in use
         here.Window.Model.Playback.At = here.Window.Model.Playback.Total * 0.6;
         here.Step();
 
@@ -45,7 +45,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         here.Step();
         var (motion, told) = (here.Desk.Derived.Current.Motion!, here.Commands.Machine.Status.Progress!);
         Assert.InRange(here.Window.Model.Playback.At, motion.TimeOfSegment(told.SegmentsDone), motion.TimeOfSegment(told.SegmentsDone + 1));
-        Assert.InRange(here.Desk.Derived.Moment!.Value.Position.DistanceTo(told.Position), 0.0, 3.0); // the last place that was told with the tool on; at five times the speed it went on for some millimetres
+        Assert.InRange(here.Desk.Derived.Moment!.Value.Position.DistanceTo(told.Position), 0.0, 3.0); // the last position reported with the tool on; at five times the speed the machine moved some millimetres further
         here.Click(here.Find<Button>("StartKey"));
         Assert.Equal(here.Desk.Derived.RowUnderTool, here.Find<ListBox>("RowList").SelectedIndex);
         Assert.Equal(here.Window.Model.Playback.At, here.Find<Avalonia.Controls.Slider>("Scrub").Value);
@@ -61,7 +61,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         here.Commands.Walk.Changed += (_, _) => seen.Add(here.Commands.Walk.Moves ?? 0);
         here.Enter("AUTOWALK", "1", "AUTOSEQUENCE");
 
-        var lit = here.Window.Canvas.EngravedMoves; // it asks at the first discontinuity, and what was walked stays lit
+        var lit = here.Window.Canvas.EngravedMoves; // the walk pauses at the first discontinuity, and the part before it stays highlighted
         Assert.Equal(here.Commands.Walk.Moves, lit);
         Assert.True(lit > 0);
         here.Enter("All");
@@ -115,7 +115,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         canvas.Commands!.PickAt(default, entity, canvas.Scene!.Drawing, remove: false);
         here.Rest();
 
-        Assert.Null(here.Window.Canvas.PlaybackPosition); // it was picked, not played
+        Assert.Null(here.Window.Canvas.PlaybackPosition); // the entity was picked, not played
         Assert.Equal([entity], here.Commands.Document.Current.Selection);
         Assert.Equal(here.Commands.Derivation.Current.Motion!.TimeOfEntity(entity)!.Value, here.Desk.Derived.AtSeconds, 6);
     });

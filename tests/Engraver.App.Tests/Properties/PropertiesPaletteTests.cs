@@ -9,7 +9,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Tests.Properties;
 
-/// <summary>The palette of a circle (A1, radius 20), another one (A2, radius 10) and a line (A3) on two layers, by hand.</summary>
+/// <summary>The palette for a circle (A1, radius 20), another one (A2, radius 10) and a line (A3) on two layers, with mouse and keys.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class PropertiesPaletteTests(DesktopFixture fixture)
 {
@@ -86,7 +86,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
         Assert.Equal(0, here.Commands.Document.Current.Drawing!.Entities[0].Layer);
     });
 
-    /// <summary>What stands in a field belongs to what was selected when it was typed.</summary>
+    /// <summary>The text of a field belongs to the selection at the time of typing.</summary>
     [Fact]
     public Task Leaving_a_field_takes_it_for_the_object_that_was_shown() => With(here =>
     {

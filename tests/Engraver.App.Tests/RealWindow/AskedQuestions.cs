@@ -5,8 +5,8 @@ using Engraver.App.Commissioning;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The conversation of the page of commissioning, as the same window has it in memory: what stands there before each answer, and where the
-/// answer's button is.</summary>
+/// <summary>The conversation of the commissioning page, recorded in the same window in memory: the pixels before each answer, and the position of the
+/// answer's button.</summary>
 internal sealed class AskedQuestions
 {
     private readonly List<AskedQuestion> _asked = [];
@@ -15,7 +15,7 @@ internal sealed class AskedQuestions
     {
     }
 
-    /// <summary>Where the tab of the page is, and its keys.</summary>
+    /// <summary>Position of the tab of the page, and of its keys.</summary>
     public Point Tab { get; private set; }
 
     public Point Begin { get; private set; }
@@ -24,15 +24,15 @@ internal sealed class AskedQuestions
 
     public IReadOnlyList<AskedQuestion> All => _asked;
 
-    /// <summary>Where the list of steps is.</summary>
+    /// <summary>Position of the list of steps.</summary>
     public PixelRect EndPlace { get; private set; }
 
-    /// <summary>The list of steps behind the last answer, with how each ended: 0xRRGGBB, row by row.</summary>
+    /// <summary>Pixels of the list of steps after the last answer, with the result of each: 0xRRGGBB, row by row.</summary>
     public int[] EndLook { get; private set; } = [];
 
-    /// <param name="drawing">Open in the window.</param>
-    /// <param name="folder">Where files are written.</param>
-    /// <param name="answers">In their order.</param>
+    /// <param name="drawing">Opened in the window.</param>
+    /// <param name="folder">The folder for written files.</param>
+    /// <param name="answers">In order.</param>
     public static async Task<AskedQuestions> OfAsync(DesktopFixture fixture, string drawing, string folder, IReadOnlyList<GivenAnswer> answers)
     {
         var found = new AskedQuestions();
@@ -99,13 +99,13 @@ internal sealed class AskedQuestions
 }
 
 /// <summary>A question of the page.</summary>
-/// <param name="Button">Where it is answered; null where the answer is typed.</param>
+/// <param name="Button">Position of its button; null if the answer is typed.</param>
 /// <param name="Place">Of its text in the window.</param>
 /// <param name="Look">The pixels there, 0xRRGGBB, row by row.</param>
 internal sealed record AskedQuestion(string Text, GivenAnswer Answer, Point? Button, PixelRect Place, int[] Look);
 
-/// <summary>What an operator answers.</summary>
-/// <param name="Text">The words on a button, or what is typed; empty for Enter alone.</param>
+/// <summary>An answer of the operator.</summary>
+/// <param name="Text">The text of a button, or the typed text; empty for Enter alone.</param>
 internal sealed record GivenAnswer(string Text, AnswerWay Way)
 {
     public static GivenAnswer Click(string text) => new(text, AnswerWay.Clicked);
@@ -119,6 +119,6 @@ internal enum AnswerWay
     Clicked,
     Typed,
 
-    /// <summary>STOP is pressed while the machine moves for it.</summary>
+    /// <summary>STOP is pressed during the motion that the answer starts.</summary>
     ClickedThenStopped,
 }

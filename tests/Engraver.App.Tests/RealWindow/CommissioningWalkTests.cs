@@ -7,9 +7,9 @@ using static Engraver.App.Tests.RealWindow.GivenAnswer;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>A new machine is commissioned (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP:
-/// broken off once, stopped once, gone through to the profile. Before each answer the window must show the question, pixel by pixel. Judged by what the
-/// motors and the outputs did. Its pictures are kept.</summary>
+/// <summary>A new machine is commissioned (docs/operating.md) in a real window, with real keys and mouse, on a separate simulated controller behind TCP:
+/// aborted once, stopped once, completed to the profile. Before each answer the window must show the question, pixel by pixel. The assertions are about
+/// motors and outputs. Its pictures are stored.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class CommissioningWalkTests(DesktopFixture fixture)
 {
@@ -24,7 +24,7 @@ public sealed class CommissioningWalkTests(DesktopFixture fixture)
         Click("Go"), Type("1000"), Type("6000"), new("Yes", AnswerWay.ClickedThenStopped), // A moves 6,000 counts, STOP in the middle
         Click("Back"), Click("Go"), Type("10000"), Type("5000"), Click("Yes"), Click("Left"), Click("Yes"), Type("Yes"), Click("Back"), Type("Yes"),
         Click("Go"), Type(""), Type("10000"), Click("Yes"), Type("5"), Click("Yes"), Type("10000"), Click("Yes"), Type("10"), Click("Yes"), // A has 2,000 counts/mm
-        Click("Go"), Type("20000"), Click("Yes"), Click("Back"), Click("Right"), // the F stands as it should
+        Click("Go"), Type("20000"), Click("Yes"), Click("Back"), Click("Right"), // the F has the correct orientation
         Click("Go"), Type("3"), Click("Yes"), Click("Yes"), // the lamp
         Click("Yes"), Type("new-machine.json"), Click("No"), // the profile is written, nothing burned
     ];
@@ -36,14 +36,14 @@ public sealed class CommissioningWalkTests(DesktopFixture fixture)
         await using var machine = await RealMachine.SwitchedOnAsync();
         var (drawing, profile) = (Path.Combine(RepositoryFolder.Samples, Drawing), Path.Combine(files.Path, "new-machine.json"));
         var asked = await AskedQuestions.OfAsync(fixture, drawing, files.Path, s_answers);
-        File.Delete(profile); // of the window in memory
+        File.Delete(profile); // written by the window in memory
         using var desktop = new ShownDesktop(files.Path);
         machine.Go();
         desktop.EnterUntil(Drawing, "OPEN", drawing);
         desktop.EnterUntil(Drawing + " - READY", "CNCCONNECT", machine.Address);
         desktop.Click(asked.Tab);
 
-        // Broken off at the third question: nothing stays.
+        // Aborted at the third question: nothing is kept.
         desktop.Settle();
         desktop.Click(asked.Begin);
         foreach (var question in asked.All.Take(3)) Answer(desktop, question);
@@ -51,7 +51,7 @@ public sealed class CommissioningWalkTests(DesktopFixture fixture)
         desktop.Settle();
         Keep(desktop, "commission-1-broken-off");
 
-        // From the beginning to the end.
+        // From start to end.
         desktop.Click(asked.Begin);
         for (var i = 0; i < asked.All.Count; i++)
         {

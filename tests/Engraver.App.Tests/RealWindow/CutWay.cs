@@ -2,7 +2,7 @@ using Engraver.Simulator;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>How far the machine went with its tool on since this was made.</summary>
+/// <summary>Measures the distance that the machine has moved with its tool on since this was created.</summary>
 internal sealed class CutWay : IMotionListener, IDisposable
 {
     private readonly byte _tool;
@@ -10,14 +10,14 @@ internal sealed class CutWay : IMotionListener, IDisposable
     private MotionSample? _last;
     private double _counts;
 
-    /// <param name="tool">The output bits that are on while the machine cuts.</param>
+    /// <param name="tool">The output bits that are on during a cut.</param>
     public CutWay(RealMachine machine, byte tool)
     {
         _tool = tool;
         _subscription = machine.Controller.Record.Subscribe(this);
     }
 
-    /// <summary>Length of the way in A and B, counts.</summary>
+    /// <summary>Length of the path in A and B, counts.</summary>
     public double Counts => Volatile.Read(ref _counts);
 
     public void Add(in MotionSample sample)
@@ -29,7 +29,7 @@ internal sealed class CutWay : IMotionListener, IDisposable
     public void Add(MotionSpan span)
     {
         Add(span.First);
-        Add(span.Last); // the chord of at most a quarter of an ellipse: near enough to meet a job in the middle
+        Add(span.Last); // the chord of at most a quarter of an ellipse: accurate enough to find the middle of a job
     }
 
     public void Dispose() => _subscription.Dispose();

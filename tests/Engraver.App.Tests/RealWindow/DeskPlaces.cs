@@ -8,7 +8,7 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>Where the keys of the desktop stand, asked of the same window in memory.</summary>
+/// <summary>Positions of the keys of the desktop, taken from the same window in memory.</summary>
 internal sealed class DeskPlaces
 {
     private readonly Dictionary<string, Point> _places = [];

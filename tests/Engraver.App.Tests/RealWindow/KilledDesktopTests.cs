@@ -5,8 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The desktop's process dies in the middle of a job, with its machine in another process: the machine stops by itself, and a desktop that is
-/// started afterwards knows what it can know.</summary>
+/// <summary>The desktop's process dies in the middle of a job, with its machine in another process: the machine stops automatically, and a desktop that is
+/// started afterwards restores what it can.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class KilledDesktopTests(DesktopFixture fixture)
 {
@@ -50,7 +50,7 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
 
         using (var desktop = new ShownDesktop(state.Path))
         {
-            Begin(desktop, machine, "READY"); // the controller was on all the time: it counts from the same zero, and says so
+            Begin(desktop, machine, "READY"); // the controller was on all the time: it counts from the same zero, and reports so
             var journal = Directory.GetFiles(desktop.Journals, "paper-001-*.jsonl").Order(StringComparer.Ordinal).Last();
             desktop.Settle();
             desktop.Enter("CNCRESUME", journal);
@@ -68,9 +68,9 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
         Assert.InRange(LongestGap(cut), 0.0, 200.0);
     }
 
-    /// <summary>The same, and the controller is switched off before the next desktop comes: what it counted is gone, and a job is refused with what to do.
-    /// In the full run: that a machine which was off is noticed is tried in the session by <c>ResumeAfterPowerTests</c> and, without homing, by
-    /// <c>WorkOriginTests</c>.</summary>
+    /// <summary>The same, and the controller is switched off before the next desktop starts: its position is lost, and a job is refused with an
+    /// instruction. In the full run: <c>ResumeAfterPowerTests</c> tests in the session that a power cycle is detected, and <c>WorkOriginTests</c> without
+    /// homing.</summary>
     [FullRunXServerFact]
     public async Task After_a_power_cycle_the_next_desktop_refuses_until_the_zero_is_set_again()
     {
@@ -103,21 +103,21 @@ public sealed class KilledDesktopTests(DesktopFixture fixture)
         Assert.DoesNotContain(again.Controller.Record.Snapshot(), row => row.Outputs != 0);
     }
 
-    /// <param name="state">What the connected machine is called then.</param>
+    /// <param name="state">The expected state of the connected machine.</param>
     private static void Begin(ShownDesktop desktop, RealMachine machine, string state)
     {
         desktop.EnterUntil(Drawing, "OPEN", Path.Combine(RepositoryFolder.Samples, Drawing));
         desktop.EnterUntil(Drawing + " - " + state, "CNCCONNECT", machine.Address);
     }
 
-    /// <summary>Distance from the part of the sample, counts: a rectangle of 100 by 100 mm with a half circle over it.</summary>
+    /// <summary>Distance from the part of the sample, counts: a rectangle of 100 by 100 mm with a half circle above it.</summary>
     private static double DistanceFromPart(double x, double y)
     {
         var (side, radius) = (100.0 * RealMachine.Scale, 50.0 * RealMachine.Scale);
         return y >= side ? Math.Abs(double.Hypot(x - radius, y - side) - radius) : Math.Min(Math.Abs(y), Math.Min(Math.Abs(x), Math.Abs(x - side)));
     }
 
-    /// <summary>The longest way along the part on which nothing was cut, counts, by the angle from its middle.</summary>
+    /// <summary>The longest uncut stretch along the part, counts, by the angle from its middle.</summary>
     private static double LongestGap(List<(int X, int Y)> cut)
     {
         var (middleX, middleY) = (50.0 * RealMachine.Scale, 75.0 * RealMachine.Scale);

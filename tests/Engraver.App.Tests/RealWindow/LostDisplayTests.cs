@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The X server dies in the middle of a job: the machine is stopped at once by the desktop itself, which says why before it ends.</summary>
+/// <summary>The X server dies in the middle of a job: the desktop stops the machine immediately and reports the reason before it ends.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class LostDisplayTests
 {

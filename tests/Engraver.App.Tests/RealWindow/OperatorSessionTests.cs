@@ -5,9 +5,9 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>A day at the machine (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP: from
-/// power-on to the second plate. Judged by what the motors and the tool did. Its pictures are kept.</summary>
-/// <remarks>In the full run: a commit opens, arms and starts a job in a real window in <see cref="RealJobTests"/>, resumes in one in
+/// <summary>A day at the machine (docs/operating.md) in a real window, with real keys and mouse, on a separate simulated controller behind TCP: from
+/// power-on to the second plate. The assertions are about motors and tool. Its pictures are stored.</summary>
+/// <remarks>In the full run: the fast subset opens, arms and starts a job in a real window in <see cref="RealJobTests"/>, resumes in one in
 /// <see cref="KilledDesktopTests"/>, and homes, jogs and sets origins on a window in memory.</remarks>
 [Collection(DesktopCollection.Name)]
 public sealed class OperatorSessionTests(DesktopFixture fixture)
@@ -32,7 +32,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         desktop.EnterUntil(Drawing, "SCRIPT", morning);
         desktop.EnterUntil(Drawing + " - NOT HOMED", "CNCCONNECT", machine.Address);
         desktop.Click(at["Machine"]);
-        desktop.Click(at["Alarms"]); // the history tells where the files are on this computer
+        desktop.Click(at["Alarms"]); // the history contains paths of this computer
         Keep(desktop, "day-1-not-homed");
         desktop.Click(at["Command"]);
         desktop.Click(at["HomeKey"]);
@@ -40,7 +40,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         desktop.WaitForTitle(Drawing + " - MOVING");
         desktop.WaitForTitle(Drawing + " - NO ORIGIN");
 
-        // By hand to the corner of the plate: a held key of the pad, then steps; the place becomes the zero.
+        // Moves to the corner of the plate: a held key of the pad, then steps; the position becomes the zero.
         desktop.Click(at["Step Continuous"]);
         await HoldAsync(desktop, machine, at["Pad X+"], place => place.A > 20 * RealMachine.Scale);
         await HoldAsync(desktop, machine, at["Pad Y+"], place => place.B > 15 * RealMachine.Scale);
@@ -55,7 +55,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         desktop.ClickUntil(at["ZeroAllKey"], Drawing + " - READY");
         var corner = machine.Place;
 
-        // Round the work piece and through the air.
+        // Frame around the work piece, then a dry run.
         desktop.EnterUntil(Drawing + " - MOVING", "CNCFRAME", "Rectangle");
         desktop.WaitForTitle(Drawing + " - READY");
         desktop.EnterUntil(Drawing + " - ARMED", "CNCARM", "Dryrun", "Stream");
@@ -66,7 +66,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         desktop.WaitForTitle(Drawing + " - DONE");
         Assert.All(Rows(machine, 0), row => Assert.Equal(0, row.Outputs & ToolOn));
 
-        // The job: held and let go on with another feed, stopped, gone on with.
+        // The job: held and continued with another feed, stopped, resumed.
         desktop.Click(at["Job"]);
         desktop.ClickUntil(at["ArmKey"], Drawing + " - ARMED");
         Keep(desktop, "day-4-armed");
@@ -117,8 +117,8 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         Assert.Equal(0, desktop.Close());
     }
 
-    /// <summary>A pressed key of the pad, until the machine is so far. Where this computer is so busy that the press is not heard, or the window not for
-    /// 0.3 s (the jog is released then), the operator presses again.</summary>
+    /// <summary>Holds a key of the pad until the machine has reached a position. If this computer is too busy to receive the press, or if the window does
+    /// not respond for 0.3 s (which releases the jog), the operator presses again.</summary>
     private static async Task HoldAsync(ShownDesktop desktop, RealMachine machine, Avalonia.Point key, Func<(int A, int B), bool> far)
     {
         for (var tries = 0; tries < 20 && !far(machine.Place); tries++)
@@ -131,7 +131,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
             }
             catch (TimeoutException)
             {
-                desktop.LetGo(); // it was not heard
+                desktop.LetGo(); // the press was not received
                 desktop.Settle();
                 continue;
             }
@@ -148,7 +148,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
 
     private static IEnumerable<MotionSample> Rows(RealMachine machine, int from) => machine.Controller.Record.Snapshot().Skip(from);
 
-    /// <summary>The fastest sample with the tool on, as a part of the profile's feed.</summary>
+    /// <summary>The fastest sample with the tool on, as a fraction of the profile's feed.</summary>
     private static double FastestCut(RealMachine machine, int from)
     {
         var rows = Rows(machine, from).ToList();
@@ -156,7 +156,7 @@ public sealed class OperatorSessionTests(DesktopFixture fixture)
         return fastest * 60.0 / Core.Machines.MachineProfile.Default.FeedMmPerMinute;
     }
 
-    /// <summary>Places with the tool on, counts from a zero.</summary>
+    /// <summary>Positions with the tool on, counts from a zero.</summary>
     private static List<(int X, int Y)> PathOf(RealMachine machine, int from, (int A, int B) zero) => [.. Rows(machine, from).Where(row => (row.Outputs & ToolOn) != 0).Select(row => (row.A - zero.A, row.B - zero.B))];
 
     /// <summary>The part of the sample: 100 by 150 mm, 50 mm right of its zero and above it.</summary>

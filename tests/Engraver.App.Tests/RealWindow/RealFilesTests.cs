@@ -10,7 +10,7 @@ public sealed class RealFilesTests
 {
     private static readonly Point s_canvas = new(500, 200);
 
-    /// <summary>In the full run: a commit drags files to a real window in <see cref="RealWindowTests"/> and drops them on a desktop in memory in
+    /// <summary>In the full run: the fast subset drags files to a real window in <see cref="RealWindowTests"/> and drops them on a desktop in memory in
     /// <c>FileDropTests</c>.</summary>
     [FullRunXServerFact]
     public void A_drawing_that_another_program_drops_is_opened_and_a_second_one_after_it()
@@ -20,7 +20,7 @@ public sealed class RealFilesTests
         Keep(desktop, "start-page");
         Assert.True(desktop.Drop(s_canvas, Sample("gasket.dxf")));
         desktop.WaitForTitle("gasket.dxf - CNC");
-        desktop.Settle(); // the title comes before the command has ended, and a drop beside a command at work is refused
+        desktop.Settle(); // the title changes before the command has ended, and a drop during a command is refused
         Assert.True(desktop.Drop(s_canvas, Sample("nameplate.dxf")));
         desktop.WaitForTitle("nameplate.dxf - CNC");
         Assert.Equal(0, desktop.Close());
@@ -34,7 +34,7 @@ public sealed class RealFilesTests
         {
             desktop.Settle();
             var isChosen = IsChosen(desktop);
-            for (var again = 0; again < 3 && !isChosen; again++) // a busy computer is slower than the hand
+            for (var again = 0; again < 3 && !isChosen; again++) // a busy computer may need a second attempt
             {
                 desktop.Press("Escape");
                 isChosen = IsChosen(desktop);
@@ -54,7 +54,7 @@ public sealed class RealFilesTests
     private static bool IsChosen(ShownDesktop desktop)
     {
         desktop.Enter("OPEN");
-        desktop.Settle(); // typed at once, the folder would be the answer to the command
+        desktop.Settle(); // typed immediately, the folder would be the answer to the command
         desktop.Enter(RepositoryFolder.Samples);
         desktop.Settle();
         desktop.Type("gask");

@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The whole way of an operator in a real window: keyboard, mouse, window manager, and a job to its end.</summary>
+/// <summary>The complete workflow of an operator in a real window: keyboard, mouse, window manager, and a job to its end.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class RealJobTests(DesktopFixture fixture)
 {
@@ -23,9 +23,9 @@ public sealed class RealJobTests(DesktopFixture fixture)
         desktop.WaitForTitle("nameplate.dxf - CNC");
         desktop.Enter("CNCCONNECT", Machine);
         desktop.WaitForTitle("nameplate.dxf - READY");
-        desktop.Settle(); // the title comes before the command has ended
+        desktop.Settle(); // the title changes before the command has ended
         desktop.ClickUntil(arm, "nameplate.dxf - ARMED");
-        desktop.Press("Return"); // starts nothing: there is one journal in the end
+        desktop.Press("Return"); // starts nothing: there is only one journal at the end
         desktop.Press("Escape");
         desktop.Click(start);
         desktop.WaitForTitle("nameplate.dxf - DONE");
@@ -38,7 +38,7 @@ public sealed class RealJobTests(DesktopFixture fixture)
         Assert.Equal(0, desktop.Close());
     }
 
-    /// <summary>The frame of the simulation stands around the window, and the drawing in its middle.</summary>
+    /// <summary>The frame of the simulation is around the window, and the drawing is in its middle.</summary>
     private static void LookAt(ShownDesktop desktop, Rect canvas)
     {
         var (screen, corner) = (desktop.Screen(), desktop.Corner());
@@ -49,7 +49,7 @@ public sealed class RealJobTests(DesktopFixture fixture)
         Assert.True(screen.Drawn(corner.X + (int)canvas.X, corner.Y + (int)canvas.Y, (int)canvas.Width, (int)canvas.Height) > 2000, "no drawing on the screen");
     }
 
-    /// <summary>Where things stand is asked of the same window in memory.</summary>
+    /// <summary>Positions of controls are taken from the same window in memory.</summary>
     private async Task<(Point Arm, Point Start, Rect Canvas)> PlacesAsync()
     {
         var places = default((Point, Point, Rect));

@@ -3,24 +3,24 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The machine beside a real window: a simulated controller of its own, reached over TCP, with home switches. Its time is the test's and stands
-/// while the operator's hands are at work, so that a job is met in the middle however slow this computer is.</summary>
+/// <summary>The machine of a real window: a separate simulated controller behind TCP, with home switches. The test controls its clock, which is stopped
+/// during the operator's input, so that a job is always in its middle, however slow this computer is.</summary>
 internal sealed class RealMachine : IAsyncDisposable
 {
-    /// <summary>Counts for a millimetre, both axes.</summary>
+    /// <summary>Counts per millimetre, both axes.</summary>
     public const int Scale = 1000;
 
-    /// <summary>How far from their home switches the axes stand at power-on.</summary>
+    /// <summary>Distance of the axes from their home switches at power-on.</summary>
     private const int FromHome = 25 * Scale;
 
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
     private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(20);
 
-    /// <summary>An axis at rest has nothing to show while an operator's hands are at work; the host asks it all the same, and a long pause would be
-    /// thousands of questions.</summary>
+    /// <summary>Steps at rest are longer: an axis at rest shows no motion during the operator's input, but the host still polls it, and a long pause would
+    /// take thousands of polls.</summary>
     private static readonly TimeSpan s_momentAtRest = TimeSpan.FromMilliseconds(4);
 
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a broken test waits that long
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a failing test waits that long
 
     private readonly ManualTimeProvider _clock = new();
     private readonly Timer _timer;
@@ -43,7 +43,7 @@ internal sealed class RealMachine : IAsyncDisposable
 
     public SimulatedController Controller { get; }
 
-    /// <summary>Where the axes were recorded last, counts of the controller.</summary>
+    /// <summary>Last recorded position of the axes, counts of the controller.</summary>
     public (int A, int B) Place => Controller.Record is { Count: > 0 and var count } record && record[count - 1] is var row ? (row.A, row.B) : default;
 
     public string Address { get; private set; } = "";
@@ -71,14 +71,14 @@ internal sealed class RealMachine : IAsyncDisposable
         return file;
     }
 
-    /// <summary>Time goes on from here.</summary>
+    /// <summary>Starts the clock.</summary>
     public void Go()
     {
         lock (_gate) _goes = true;
     }
 
-    /// <summary>Time goes on until the controller is so, and stands then.</summary>
-    /// <exception cref="TimeoutException">It did not become so; time stands.</exception>
+    /// <summary>Runs the clock until the controller meets a condition, then stops it.</summary>
+    /// <exception cref="TimeoutException">The condition was not met; the clock is stopped.</exception>
     public async Task<ControllerStatus> GoUntilAsync(Func<ControllerStatus, bool> condition, TimeSpan? patience = null)
     {
         var met = new TaskCompletionSource<ControllerStatus>(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -94,7 +94,7 @@ internal sealed class RealMachine : IAsyncDisposable
         }
     }
 
-    /// <summary>Moves the clock on at once, when no host has it.</summary>
+    /// <summary>Advances the clock immediately, while no host is connected.</summary>
     public void Pass(TimeSpan controllerTime)
     {
         lock (_gate) _clock.Advance(controllerTime / 10);
@@ -108,7 +108,7 @@ internal sealed class RealMachine : IAsyncDisposable
 
     private void Pass()
     {
-        if (!_gate.TryEnter()) return; // the moment before is not over yet
+        if (!_gate.TryEnter()) return; // the previous step is not complete yet
         try
         {
             if (_until is { } until && until(Controller.Status))

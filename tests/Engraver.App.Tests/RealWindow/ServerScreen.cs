@@ -5,7 +5,7 @@ using Engraver.SoftwarePlatform.Bitmaps;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>What stands on the X server's screen: its frame buffer file, an X window dump of 32 bits a pixel.</summary>
+/// <summary>The contents of the X server's screen: its frame buffer file, an X window dump of 32 bits per pixel.</summary>
 internal sealed class ServerScreen
 {
     private const int HeaderSizeAt = 0;
@@ -18,7 +18,7 @@ internal sealed class ServerScreen
     private readonly int _pixels;
     private readonly int _lineBytes;
 
-    /// <param name="folder">The folder that the server was given for its screen.</param>
+    /// <param name="folder">The screen folder of the server.</param>
     public ServerScreen(string folder)
     {
         using var file = new FileStream(Path.Combine(folder, "Xvfb_screen0"), FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
@@ -36,7 +36,7 @@ internal sealed class ServerScreen
     /// <summary>0xRRGGBB.</summary>
     public int At(int x, int y) => BinaryPrimitives.ReadInt32LittleEndian(_dump.AsSpan(_pixels + (y * _lineBytes) + (x * sizeof(int)))) & 0xFFFFFF;
 
-    /// <summary>Writes a rectangle as a picture with a table of colours, if it has few enough.</summary>
+    /// <summary>Writes a rectangle as an indexed picture, if it has few enough colours.</summary>
     public byte[] Png(PixelRect part)
     {
         using var picture = new SoftwareBitmap(part.Size, new Vector(96, 96));
@@ -55,7 +55,7 @@ internal sealed class ServerScreen
         return file.ToArray();
     }
 
-    /// <summary>Whether a rectangle looks so.</summary>
+    /// <summary>Whether a rectangle contains given pixels.</summary>
     /// <param name="look">0xRRGGBB, row by row.</param>
     public bool Shows(PixelRect place, int[] look)
     {
@@ -67,10 +67,10 @@ internal sealed class ServerScreen
         return true;
     }
 
-    /// <summary>The same in every pixel.</summary>
+    /// <summary>Equal in every pixel.</summary>
     public bool Equals(ServerScreen other) => _dump.AsSpan().SequenceEqual(other._dump);
 
-    /// <summary>How many pixels of a rectangle have another colour than its first.</summary>
+    /// <summary>Number of pixels of a rectangle that differ from its first pixel.</summary>
     public int Drawn(int left, int top, int width, int height)
     {
         var drawn = 0;

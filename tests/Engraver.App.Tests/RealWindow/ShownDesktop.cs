@@ -7,8 +7,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>The desktop as a process of its own on an X server, with a person before it. What it does is read off its title, as the task bar shows
-/// it.</summary>
+/// <summary>The desktop as a separate process on an X server, with a simulated user. Its state is read from its title, as the task bar shows it.</summary>
 internal sealed class ShownDesktop : IDisposable
 {
     private readonly TemporaryDesktopFolder? _ownFolder;
@@ -16,23 +15,23 @@ internal sealed class ShownDesktop : IDisposable
     private readonly TemporaryDesktopFolder _screen = new();
     private static readonly TimeSpan s_untilAgain = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan s_untilTypedAgain = TimeSpan.FromSeconds(10);
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a broken test waits that long
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a failing test waits that long
 
-    /// <summary>Two frames of the screen: looking more often takes the time of the processor from what is waited for.</summary>
+    /// <summary>Two frames of the screen: polling more often takes processor time from the program under test.</summary>
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(33);
 
-    /// <summary>A window that looks the same so often, while its program has nothing to do, has nothing left to paint; the caret blinks every half
+    /// <summary>Number of equal pictures in a row, while the program is idle, after which the window counts as painted; the caret blinks every half
     /// second.</summary>
     private const int LooksAtRest = 14;
 
-    /// <summary>Four seconds: a program that is at work for longer is not waited for.</summary>
+    /// <summary>Four seconds: the maximum wait for a busy program.</summary>
     private const int MostLooks = 120;
 
     private readonly XServer _server;
     private readonly ToldProcess _desktop;
     private readonly ToldProcess _titles;
 
-    /// <param name="folder">Where the operator's files are, which another desktop may have left there; null: a new one.</param>
+    /// <param name="folder">The operator's files, possibly those of an earlier desktop; null: a new folder.</param>
     public ShownDesktop(string? folder = null)
     {
         _ownFolder = folder is null ? new TemporaryDesktopFolder() : null;
@@ -50,12 +49,12 @@ internal sealed class ShownDesktop : IDisposable
 
     public string Journals => Path.Combine(_folder, "CncEngraver", "journals");
 
-    /// <summary>Every title so far.</summary>
+    /// <summary>All titles so far.</summary>
     public IEnumerable<string> Titles => _titles.Heard;
 
     public ServerScreen Screen() => new(_screen.Path);
 
-    /// <summary>Types words with Enter after each; nothing was clicked before.</summary>
+    /// <summary>Types words with Enter after each; nothing must have been clicked before.</summary>
     public void Enter(params ReadOnlySpan<string> words)
     {
         foreach (var word in words)
@@ -67,8 +66,8 @@ internal sealed class ShownDesktop : IDisposable
 
     public void Type(string text) => _server.Run("xdotool", "type", text);
 
-    /// <summary>Types words until the window is called so: what acts on the machine is refused while a command is at work, and an operator types it
-    /// again.</summary>
+    /// <summary>Types words until the window has a title: commands for the machine are refused while another command runs, and an operator repeats
+    /// them.</summary>
     public void EnterUntil(string beginning, params ReadOnlySpan<string> words)
     {
         for (var tries = 0; tries < 5; tries++)
@@ -82,14 +81,14 @@ internal sealed class ShownDesktop : IDisposable
         WaitForTitle(beginning);
     }
 
-    /// <summary>Waits until nothing is painted any more and the program has nothing to do: the last command has said all that it says.</summary>
+    /// <summary>Waits until painting has stopped and the program is idle: the last command has sent all its messages.</summary>
     public void Settle() => _ = Picture();
 
     public void Press(string key) => _server.Press(key);
 
     public void Click(Point place) => _server.Run("xdotool", "mousemove", "--window", Id, Whole(place.X), Whole(place.Y), "click", "1");
 
-    /// <summary>Clicks until the window is called so: what is clicked while a command is at work is not heard, and an operator clicks again.</summary>
+    /// <summary>Clicks until the window has a title: clicks during a running command are ignored, and an operator repeats them.</summary>
     public void ClickUntil(Point place, string beginning)
     {
         for (var tries = 0; tries < 10; tries++)
@@ -101,13 +100,13 @@ internal sealed class ShownDesktop : IDisposable
         WaitForTitle(beginning);
     }
 
-    /// <summary>Whether the window is called so within some seconds.</summary>
+    /// <summary>Whether the window gets a title within some seconds.</summary>
     public bool IsCalledSoon(string beginning) => _titles.HearsWithin(Title(beginning), s_untilTypedAgain);
 
     /// <summary>Presses the mouse button and keeps it down.</summary>
     public void HoldDown(Point place) => _server.Run("xdotool", "mousemove", "--window", Id, Whole(place.X), Whole(place.Y), "mousedown", "1");
 
-    /// <summary>Drags files from another program over a place of the window and lets go there.</summary>
+    /// <summary>Drags files from another program to a position of the window and drops them there.</summary>
     /// <returns>True when the window took them.</returns>
     public bool Drop(Point place, params IEnumerable<string> paths)
     {
@@ -118,7 +117,7 @@ internal sealed class ShownDesktop : IDisposable
 
     public void LetGo() => _server.Run("xdotool", "mouseup", "1");
 
-    /// <summary>The program dies at once: nothing of it is run any more.</summary>
+    /// <summary>Kills the program; no more of its code runs.</summary>
     public void Kill()
     {
         _desktop.Kill();
@@ -130,10 +129,10 @@ internal sealed class ShownDesktop : IDisposable
 
     public int WaitForExit() => _desktop.WaitForExit();
 
-    /// <summary>What the program has said so far, on both outputs.</summary>
+    /// <summary>The output of the program so far, standard output and errors.</summary>
     public IReadOnlyCollection<string> Heard => _desktop.Heard;
 
-    /// <summary>What the operator sees when the window has come to rest, without the frame of the window manager.</summary>
+    /// <summary>The picture of the window after it has come to rest, without the frame of the window manager.</summary>
     public byte[] Picture()
     {
         var (last, same) = (Screen(), 0);
@@ -144,7 +143,7 @@ internal sealed class ShownDesktop : IDisposable
             looks.Next();
             if (work.GoOn())
             {
-                same = 0; // what stands on the screen is not the last of it
+                same = 0; // the screen is not at its final state
                 continue;
             }
 
@@ -156,10 +155,10 @@ internal sealed class ShownDesktop : IDisposable
         return Screen().Png(new PixelRect(Corner(), Size));
     }
 
-    /// <summary>Ends when a part of the window looks so, with the pointer elsewhere.</summary>
+    /// <summary>Waits until a part of the window contains given pixels, with the pointer elsewhere.</summary>
     /// <param name="look">0xRRGGBB, row by row.</param>
     /// <param name="what">What is waited for, in words.</param>
-    /// <exception cref="InvalidOperationException">It never did; what the window showed instead is kept with the results of the build.</exception>
+    /// <exception cref="InvalidOperationException">It timed out; the actual picture of the window is stored with the results of the build.</exception>
     public void WaitForLook(PixelRect place, int[] look, string what)
     {
         _server.Run("xdotool", "mousemove", "--window", Id, "640", "17"); // beside the menus: the pointer is part of the picture
@@ -174,11 +173,11 @@ internal sealed class ShownDesktop : IDisposable
         }
     }
 
-    /// <summary>The size that the desktop is started with.</summary>
+    /// <summary>The initial size of the desktop.</summary>
     public static PixelSize Size { get; } = new(1200, 760);
 
-    /// <summary>Ends when the window is called so.</summary>
-    /// <exception cref="InvalidOperationException">It never was; what the window showed instead is kept with the results of the build.</exception>
+    /// <summary>Waits until the window has a title.</summary>
+    /// <exception cref="InvalidOperationException">It timed out; the actual picture of the window is stored with the results of the build.</exception>
     public void WaitForTitle(string beginning)
     {
         try
@@ -192,13 +191,13 @@ internal sealed class ShownDesktop : IDisposable
         }
     }
 
-    /// <summary>Named by the process: two of them try real windows at a time.</summary>
+    /// <summary>The name contains the process id, because two processes test real windows at a time.</summary>
     private void KeepFailure() => File.WriteAllBytes(Path.Combine(Pictures, string.Create(CultureInfo.InvariantCulture, $"failed-{Environment.ProcessId}.png")), Picture());
 
-    /// <summary>Where pictures are kept: in the folder of ENGRAVER_PICTURES, else with the results of the build.</summary>
+    /// <summary>The folder of pictures: that of ENGRAVER_PICTURES, otherwise that of the build results.</summary>
     public static string Pictures => Environment.GetEnvironmentVariable("ENGRAVER_PICTURES") ?? Directory.CreateDirectory(Path.Combine(RepositoryFolder.Root, "artifacts", "pictures")).FullName;
 
-    /// <summary>Where the window's upper left corner stands on the screen, inside the frame of the window manager.</summary>
+    /// <summary>The window's upper left corner on the screen, inside the frame of the window manager.</summary>
     public PixelPoint Corner()
     {
         var lines = _server.Run("xwininfo", "-id", Id).Split('\n');
@@ -207,7 +206,7 @@ internal sealed class ShownDesktop : IDisposable
         int Value(string name) => int.Parse(lines.Select(line => line.Trim()).First(line => line.StartsWith(name, StringComparison.Ordinal))[name.Length..], CultureInfo.InvariantCulture);
     }
 
-    /// <summary>Closes the window with its key.</summary>
+    /// <summary>Closes the window by its key.</summary>
     /// <returns>The exit code of the program.</returns>
     public int Close()
     {

@@ -1,16 +1,16 @@
 namespace Engraver.App.Tests.RealWindow;
 
-/// <summary>Whether a program has something to do, however busy the computer is: Linux tells of each thread whether it runs or would run if a processor
-/// were free (proc(5), state R).</summary>
-/// <remarks>A thread that is woken for a moment now and then is met at work by chance; one that is met so twice in a row works on, or waits for its
-/// turn.</remarks>
-/// <param name="process">The number of the program.</param>
+/// <summary>Detects whether a program has work to do, however busy the computer is: Linux reports for each thread whether it runs or would run if a
+/// processor were free (proc(5), state R).</summary>
+/// <remarks>A thread that wakes up briefly now and then is found running by chance; one that is found twice in a row is working, or waits for a
+/// processor.</remarks>
+/// <param name="process">The process id of the program.</param>
 internal sealed class ThreadsAtWork(int process)
 {
     private HashSet<string> _before = [];
 
-    /// <summary>Looks once more.</summary>
-    /// <returns>True when a thread that was at work at the look before is so again.</returns>
+    /// <summary>Samples the threads again.</summary>
+    /// <returns>True if a thread that was running at the previous sample is running again.</returns>
     public bool GoOn()
     {
         var now = AtWork();
@@ -30,7 +30,7 @@ internal sealed class ThreadsAtWork(int process)
         try
         {
             var told = File.ReadAllText(Path.Combine(thread, "stat"));
-            return told.AsSpan(told.LastIndexOf(')') + 2) is ['R', ..]; // the name of the thread, in brackets, may hold anything
+            return told.AsSpan(told.LastIndexOf(')') + 2) is ['R', ..]; // the name of the thread, in brackets, may contain anything
         }
         catch (IOException)
         {

@@ -25,7 +25,7 @@ public sealed class ThreadsAtWorkTests
         Assert.True(IsMet(program, times: 20, atWork: false));
     }
 
-    /// <summary>So many looks in a row find it so, within the patience of the test.</summary>
+    /// <summary>Whether a number of consecutive samples have the result, within the timeout of the test.</summary>
     private static bool IsMet(ToldProcess program, int times, bool atWork)
     {
         var (work, same) = (new ThreadsAtWork(program.Id), 0);

@@ -4,7 +4,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Safety;
 
-/// <summary>STOP in the moment between START and the first segment.</summary>
+/// <summary>STOP between START and the first segment.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class EarlyStopTests(DesktopFixture fixture)
 {

@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Safety;
 
-/// <summary>STOP and the stop keys work whatever stands in front of the window.</summary>
+/// <summary>STOP and the stop keys work whatever is in front of the window.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class StopAboveDialogsTests(DesktopFixture fixture)
 {

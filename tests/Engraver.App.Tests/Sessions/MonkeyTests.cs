@@ -10,18 +10,18 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Sessions;
 
-/// <summary>A monkey at the desktop: commands, answers, clicks, drags, wheels, keys and drops at random. The window lives, nothing fails inside, memory
-/// stays, files are left alone, and the machine's stop still answers.</summary>
+/// <summary>Random input to the desktop: commands, answers, clicks, drags, wheels, keys and drops. The window stays open, there are no internal errors,
+/// memory does not grow, files are unchanged, and the stop still works.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class MonkeyTests(DesktopFixture fixture)
 {
     private const int Seeds = 2;
     private const long MostMemory = 500L << 20;
 
-    /// <summary>Of the window's top: the titles of its menus, behind which Exit and Save stand.</summary>
+    /// <summary>Of the top of the window with the menu titles, which lead to Exit and Save.</summary>
     private const double MenuHeight = 34.0;
 
-    /// <summary>What writes files, waits for another computer or moves for as long as a job takes.</summary>
+    /// <summary>Commands that write files, wait for another computer or move for as long as a job takes.</summary>
     private static readonly string[] s_left =
         ["QSAVE", "SAVEAS", "EXPORT", "POST", "AGIEPOST", "PLOT", "REPORT", "TABLE", "LINK", "CERTIFY", "SEND", "SACEEXPORTTRAJECTORIES", "SCRIPT", "HISTORY", "CNCCOMMISSION", "CNCRUN", "CNCRESUME", "SACESIMULATE", "FILEDIA", "RECENT", "OPEN"];
 
@@ -111,7 +111,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
 
     private static Point Place(Operator here, Random random) => new(random.NextDouble() * here.Window.Bounds.Width, MenuHeight + (random.NextDouble() * (here.Window.Bounds.Height - MenuHeight)));
 
-    /// <summary>Esc until nothing is asked and nothing is open, as a person does who has lost the thread; a machine that moves is stopped.</summary>
+    /// <summary>Presses Esc until there is no prompt and no open dialog; a moving machine is stopped.</summary>
     private static void Calm(Operator here)
     {
         for (var i = 0; i < 6; i++)
@@ -134,14 +134,14 @@ public sealed class MonkeyTests(DesktopFixture fixture)
     private static void AssertStopAnswers(Operator here)
     {
         here.Enter("CNCDISCONNECT");
-        here.Open(Path.Combine(RepositoryFolder.Samples, "gasket.dxf")); // not the copy, which may have been saved as something that no machine can cut
-        here.Enter("TOOLSTART", "0,0", "CNCUNITS", "1", "CNCFEED", "60"); // from where a machine can count; inches, slowly: with the unit and the feed that are left the job may be over before a busy computer presses the key
+        here.Open(Path.Combine(RepositoryFolder.Samples, "gasket.dxf")); // not the copy, which may have been saved in a form that cannot be cut
+        here.Enter("TOOLSTART", "0,0", "CNCUNITS", "1", "CNCFEED", "60"); // from a reachable start; inches, slowly: with the current unit and feed the job may end before a busy computer presses the key
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
-        if (here.Commands.Prompt.Command is not null) here.Enter("Yes"); // with the settings that are left there may be something to confirm
+        if (here.Commands.Prompt.Command is not null) here.Enter("Yes"); // with the current settings there may be something to confirm
         var earlier = here.Commands.Machine.LastRun;
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running); // with the rapid speed that is left the first segment may be hours away
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running); // with the current rapid speed the first segment may be hours away
         here.Hands.Press(Key.Pause);
         here.Rest();
         var run = here.Commands.Machine.LastRun;

@@ -9,7 +9,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Tests.Shell;
 
-/// <summary>Where the keys go: to the command line, unless a field or the terminal has them; and Esc and Tab always lead back.</summary>
+/// <summary>The destination of keys: the command line, unless a field or the terminal has the focus; Esc and Tab always lead back.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class KeyboardTests(DesktopFixture fixture)
 {
@@ -65,7 +65,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         here.Hands.Press(Key.F8);
 
         Assert.False(ToolTip.GetIsOpen(arm));
-        Assert.Equal(PlacementMode.BottomEdgeAlignedRight, ToolTip.GetPlacement(arm)); // to the right of it stands STOP
+        Assert.Equal(PlacementMode.BottomEdgeAlignedRight, ToolTip.GetPlacement(arm)); // STOP is to the right of it
     });
 
     [Theory]
@@ -106,7 +106,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         Assert.Equal(("dist", ""), (here.Window.Model.Command.Line, Terminal(here).Line));
     });
 
-    /// <summary>What a command asks for is typed to it, wherever the terminal is.</summary>
+    /// <summary>Answers to a command are typed to it, wherever the terminal is.</summary>
     [Fact]
     public Task An_answer_does_not_go_to_the_terminal() => fixture.WithOperator(here =>
     {
@@ -139,7 +139,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         }
     });
 
-    /// <summary>The pad had the keyboard before: an arrow is for the list that is seen and moves no machine.</summary>
+    /// <summary>The pad had the focus before: an arrow key goes to the visible list and moves no machine.</summary>
     [Fact]
     public Task No_key_behind_a_sheet_jogs_the_machine() => fixture.WithOperator(here =>
     {
@@ -170,7 +170,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
 
     private static TerminalModel Terminal(Operator here) => (TerminalModel)here.Find<PageTabs>("Pages").Pages.Single(page => page.Key == "Terminal").Page.DataContext!;
 
-    /// <summary>Letters in the command line and in all fields that are seen.</summary>
+    /// <summary>Text in the command line and in all visible fields.</summary>
     private static int Text(Operator here)
     {
         var fields = here.Window.GetVisualDescendants().OfType<TextBox>().Where(box => box.IsEffectivelyVisible && box.Name != "LineBox").Sum(box => box.Text?.Length ?? 0);

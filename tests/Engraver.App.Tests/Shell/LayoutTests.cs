@@ -9,11 +9,11 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.App.Tests.Shell;
 
-/// <summary>The window on small and large screens, in pixels of the screen and the scale at which it is looked at.</summary>
+/// <summary>The window on small and large screens, in pixels of the screen and at the display scale.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class LayoutTests(DesktopFixture fixture)
 {
-    /// <summary>What is always there: the machine's keys, the command line, the middle of the canvas, the status bar.</summary>
+    /// <summary>The controls that are always visible: the machine's keys, the command line, the middle of the canvas, the status bar.</summary>
     private static readonly string[] s_always = ["StopKey", "HoldKey", "StartKey", "ArmKey", "XText", "StateText", "FeedText", "ToolText", "ProgressText", "PlayButton", "CoordinateText", "MainMenu"];
 
     public static TheoryData<int, int, double> Screens => new() { { 1366, 768, 1.25 }, { 1280, 720, 1.5 }, { 3840, 2160, 2.0 }, { 1024, 700, 1.0 }, { 1280, 800, 1.0 } };
@@ -43,8 +43,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         here.Rest();
     });
 
-    /// <summary>What is for looking at and drawing on is most of a small screen, until the operator opens a panel; the command line says its last word
-    /// beside it.</summary>
+    /// <summary>The canvas takes most of a small screen until the operator opens a panel; the command line shows the last message beside it.</summary>
     [Fact]
     public Task On_a_small_screen_the_canvas_has_the_room_and_panels_are_opened_at_will() => fixture.WithOperator(here =>
     {
@@ -57,7 +56,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         AssertInside(here, here.Find<TextBlock>("LastText"), "the last line of the history");
         Assert.Equal(canvas, here.Window.Canvas.Bounds);
         here.Enter("ZOOM");
-        Assert.Equal(canvas, here.Window.Canvas.Bounds); // what is pointed at stays where it is
+        Assert.Equal(canvas, here.Window.Canvas.Bounds); // points on the canvas keep their positions
         here.Click(here.Find<PromptOptions>("LineOptions").GetVisualDescendants().OfType<Button>().First());
         here.Rest();
         Assert.Null(here.Desk.Prompt.Command);
@@ -79,7 +78,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         LookAt(here, width, height, scale);
         var cut = new SortedSet<string>(StringComparer.Ordinal);
         LookAtPages("empty");
-        here.Show("Command"); // what is typed in the terminal stays there
+        here.Show("Command"); // text typed in the terminal stays there
         here.Open("gasket.dxf");
         here.Enter("HELP", "", "CNCCONNECT", "sim:");
         LookAtPages("with a drawing");
@@ -96,7 +95,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         }
     });
 
-    /// <summary>A finger needs 44 x 44, STOP more.</summary>
+    /// <summary>Touch targets are at least 44 x 44, STOP is larger.</summary>
     [Theory]
     [MemberData(nameof(Screens))]
     public Task Keys_of_the_machine_strip_are_large_enough_for_a_finger(int width, int height, double scale) => fixture.WithOperator(here =>
@@ -127,7 +126,7 @@ public sealed class LayoutTests(DesktopFixture fixture)
         }
     }
 
-    /// <summary>In a window that is lower still the last entry of a menu can be reached, and the menu ends inside the window.</summary>
+    /// <summary>In an even lower window the last entry of a menu can be reached, and the menu ends inside the window.</summary>
     [Fact]
     public Task A_long_menu_scrolls_in_a_low_window() => fixture.WithOperator(here =>
     {

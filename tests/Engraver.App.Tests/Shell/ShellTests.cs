@@ -34,7 +34,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Rest();
     });
 
-    /// <summary>The menus keep the keyboard only while they are open.</summary>
+    /// <summary>The menus keep the focus only while they are open.</summary>
     [Theory]
     [InlineData("Escape")]
     [InlineData("Title")]
@@ -73,7 +73,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Contains("nameplate.dxf", here.Window.Title, StringComparison.Ordinal);
     });
 
-    /// <summary>The file that was saved last is the drawing's.</summary>
+    /// <summary>The file that was saved last becomes the file of the drawing.</summary>
     [Fact]
     public Task The_title_names_the_file_that_was_saved_last() => fixture.WithOperator(here =>
     {
@@ -114,7 +114,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         }
     }
 
-    /// <summary>What F2 gives the history is no usual height: the next start has the usual one, and F2 gives what was given last.</summary>
+    /// <summary>The height set with F2 is not the normal height: the next start has the normal one, and F2 restores the last enlarged one.</summary>
     [Fact]
     public Task The_room_of_the_history_is_kept_beside_the_usual_one()
     {
@@ -201,7 +201,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         {
             here.Open(path);
             here.Enter("ERASE", "L", "");
-            Directory.Delete(folder, recursive: true); // where it was read is gone
+            Directory.Delete(folder, recursive: true); // the folder it was read from is gone
             File.WriteAllText(folder, "no folder");
             here.Hands.AskToClose();
             here.Hands.Press(Key.Enter);
@@ -216,7 +216,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         });
     }
 
-    /// <summary>A new drawing has no file: Save asks for one, and the window stays until it is closed again.</summary>
+    /// <summary>A new drawing has no file: Save asks for one, and the window stays open until it is closed again.</summary>
     [Fact]
     public Task A_new_drawing_is_asked_for_its_file() => fixture.WithOperator(here =>
     {
@@ -232,11 +232,11 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.True(here.Window.IsVisible && here.Commands.Document.IsEdited);
     });
 
-    /// <summary>Found as a warning of QUIT that stood above the line that had asked for it.</summary>
+    /// <summary>Regression: a warning of QUIT was above the line that had caused it.</summary>
     [Fact]
     public Task What_the_window_says_stands_behind_what_the_session_said_before() => fixture.WithOperator(here =>
     {
-        Task.Run(() => here.Commands.EnterAsync("nonsense", CancellationToken.None)).Wait(); // said, and not delivered while this thread waits
+        Task.Run(() => here.Commands.EnterAsync("nonsense", CancellationToken.None)).Wait(); // sent, but not delivered while this thread waits
         here.Desk.Tell(MessageKind.Warning, "behind it");
         here.Step();
 
@@ -244,7 +244,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Contains(here.History, line => line.Contains("nonsense", StringComparison.Ordinal));
     });
 
-    /// <summary>QUIT is the window's own closing: it asks as that does. EXIT is an alias.</summary>
+    /// <summary>QUIT closes the window and asks the same questions. EXIT is an alias.</summary>
     [Fact]
     public Task Quit_asks_about_edits_and_closes_the_window() => fixture.WithOperator(here =>
     {
@@ -433,7 +433,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Equal("", CutOff(here));
     });
 
-    /// <summary>A figure that is too long becomes smaller; none of its digits is hidden.</summary>
+    /// <summary>A long figure is shown smaller; none of its digits is hidden.</summary>
     [Theory]
     [InlineData("-123.456", "-1234.565")]
     [InlineData("-12345.678", "-1234.565")]
@@ -458,7 +458,8 @@ public sealed class ShellTests(DesktopFixture fixture)
         }
     });
 
-    /// <summary>Pages and palettes that were drawn large in a large window take no more than there is, and have their size again when there is room.</summary>
+    /// <summary>Pages and palettes that were enlarged in a large window take at most the available room, and get their size back when there is
+    /// room.</summary>
     [Fact]
     public Task A_smaller_window_takes_from_the_panels_before_the_canvas_is_gone() => fixture.WithOperator(here =>
     {
@@ -509,7 +510,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         folder.Delete(recursive: true);
     }
 
-    /// <summary>The tools that do not stand whole in their column.</summary>
+    /// <summary>The tools that are not completely inside their column.</summary>
     private static string CutOff(Operator here)
     {
         var column = here.Find<ItemsControl>("ToolColumn");
@@ -606,6 +607,6 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Contains(here.History, line => line.Contains("Enter name of drawing", StringComparison.Ordinal));
         Assert.False(here.Desk.IsBusy);
 
-        void Hold(object? sender, EventArgs e) => goOn.Wait(TimeSpan.FromSeconds(60)); // the reader stays at its first report until the operator has typed
+        void Hold(object? sender, EventArgs e) => goOn.Wait(TimeSpan.FromSeconds(60)); // the reader is blocked at its first report until the operator has typed
     });
 }

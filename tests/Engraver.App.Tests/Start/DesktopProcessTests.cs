@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Start;
 
-/// <summary>The program as it is started by an operator or a script.</summary>
+/// <summary>The program as an operator or a script starts it.</summary>
 public sealed class DesktopProcessTests
 {
     [Fact]

@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.App.Tests.StatusBar;
 
-/// <summary>A computation that takes long says in the status bar what it is, how far it is and how it is ended; and Esc ends it with nothing changed.</summary>
+/// <summary>A long operation shows in the status bar what it is, its progress and how to end it; Esc ends it without changes.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class LongWorkTests(DesktopFixture fixture)
 {
@@ -39,7 +39,7 @@ public sealed class LongWorkTests(DesktopFixture fixture)
             Assert.Null(here.Desk.Derived.Job);
             Assert.Contains(here.History, line => line.StartsWith("Planning cancelled; nothing was changed", StringComparison.Ordinal));
             Assert.Contains(Hints(here), hint => hint.Text == "Planning cancelled with Esc. REGEN plans the job again.");
-            _ = here.Desk.SelectAsync(_ => [0], remove: false); // selecting begins nothing
+            _ = here.Desk.SelectAsync(_ => [0], remove: false); // selecting starts nothing
             here.Rest();
             Assert.True(here.Commands.Derivation.IsGivenUp);
             here.Enter("REGEN");
@@ -55,7 +55,7 @@ public sealed class LongWorkTests(DesktopFixture fixture)
 
     private static IEnumerable<TextBlock> Hints(Operator here) => here.Window.GetVisualDescendants().OfType<TextBlock>().Where(text => text.Name == "HintText");
 
-    /// <summary>Esc has nearer things to end: what is typed, asked or selected.</summary>
+    /// <summary>Esc ends other things first: typed text, a prompt or the selection.</summary>
     [Fact]
     public Task Esc_that_clears_a_selection_does_not_end_the_planning() => fixture.WithOperator(here =>
     {
@@ -81,7 +81,7 @@ public sealed class LongWorkTests(DesktopFixture fixture)
         }
     });
 
-    /// <summary>OPEN waits for its drawing, which nobody gives it.</summary>
+    /// <summary>OPEN waits for its drawing, which the test does not write.</summary>
     [Fact]
     public async Task A_command_at_work_is_named()
     {

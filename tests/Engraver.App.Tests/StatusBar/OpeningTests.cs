@@ -9,7 +9,7 @@ public sealed class OpeningTests(DesktopFixture fixture)
 {
     private const int Lines = 2000;
 
-    /// <summary>The reader waits at its first report until the operator has looked and pressed Esc.</summary>
+    /// <summary>The reader is blocked at its first report until the operator has looked and pressed Esc.</summary>
     [Fact]
     public Task Escape_ends_the_opening_of_a_large_drawing_and_the_old_one_stays() => fixture.WithOperator(here =>
     {
@@ -21,7 +21,7 @@ public sealed class OpeningTests(DesktopFixture fixture)
         here.Commands.Progress.Changed += Hold;
         var opening = here.Desk.RunAsync("OPEN", file);
         var text = here.Find<TextBlock>("WorkText");
-        here.Until(() => told.IsSet && text.IsEffectivelyVisible && text.Text is { Length: > 0 }); // the word of it is on its way to the window
+        here.Until(() => told.IsSet && text.IsEffectivelyVisible && text.Text is { Length: > 0 }); // its notification may still be on the way to the window
         Assert.Matches("^Reading: [0-9]{1,2} % ", text.Text);
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Desk.Cancelled.IsCompleted);

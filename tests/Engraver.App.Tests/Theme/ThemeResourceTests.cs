@@ -35,7 +35,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
     [Theory]
     [InlineData("TextBrush", "ChromeBrush StripBrush StripFieldBrush PanelBrush PanelHeadBrush FieldBrush HoverBrush PressedBrush SelectedBrush GreyKeyBrush CanvasBrush")]
     [InlineData("QuietTextBrush", "ChromeBrush StripBrush StripFieldBrush PanelBrush PanelHeadBrush FieldBrush")]
-    [InlineData("DisabledTextBrush", "StripBrush")] // keys that do not work now
+    [InlineData("DisabledTextBrush", "StripBrush")] // disabled keys
     [InlineData("ErrorTextBrush", "PanelBrush FieldBrush ChromeBrush")]
     [InlineData("WarningTextBrush", "PanelBrush FieldBrush ChromeBrush")]
     [InlineData("NoteTextBrush", "PanelBrush FieldBrush")]
@@ -44,7 +44,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
     [InlineData("DangerLampBrush", "PanelBrush")] // alarms
     [InlineData("AbnormalLampBrush", "StripFieldBrush")] // an override that is not 100 %
     [InlineData("NeutralLampBrush", "StripFieldBrush")]
-    [InlineData("ChromeBrush", "DangerLampBrush")] // how many alarms wait
+    [InlineData("ChromeBrush", "DangerLampBrush")] // the number of pending alarms
     [InlineData("StartKeyTextBrush", "StartKeyBrush")]
     [InlineData("StopKeyTextBrush", "StopKeyBrush")]
     public Task Text_stands_out_from_its_ground(string text, string grounds) => fixture.WithOperator(here =>
@@ -61,7 +61,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
     public Task The_word_simulation_stands_out_from_its_ground() => fixture.WithOperator(here =>
         Assert.All(s_themes, theme => Assert.True(Contrast(Colors.White, ColourOf("SimulationBrush", theme)) >= LeastContrast(theme), theme.ToString())));
 
-    /// <summary>A key that does not work is read and is told from one that works.</summary>
+    /// <summary>A disabled key is readable and distinguishable from an enabled one.</summary>
     [Theory]
     [InlineData("DisabledTextBrush")]
     [InlineData("FaintTextBrush")]
@@ -75,7 +75,7 @@ public sealed class ThemeResourceTests(DesktopFixture fixture)
         Assert.True(Contrast(ColourOf("KeyBorderBrush", theme), ColourOf("LineBrush", theme)) >= 2.0);
     });
 
-    /// <summary>Order numbers, start points and machine are read like text.</summary>
+    /// <summary>Order numbers, start points and machine have the contrast of text.</summary>
     [Fact]
     public void Marks_of_the_canvas_stand_out_from_it()
     {

@@ -79,7 +79,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         here.Show("Trajectories");
     }
 
-    /// <summary>As a menu does, for a page other than the command window is in front.</summary>
+    /// <summary>As from a menu, because a page other than the command window is in front.</summary>
     private static void Run(Operator here, params string[] inputs)
     {
         _ = here.Desk.RunAsync(inputs);

@@ -8,12 +8,12 @@ using FsCheck.Fluent;
 
 namespace Engraver.App.Tests.Canvas.Flattening;
 
-/// <summary>No chord is seen: at any zoom the chords lie within a quarter of a pixel of the curve, and the curve of the chords.</summary>
+/// <summary>Chords are not visible: at any zoom the chords are within a quarter of a pixel of the curve, and the curve of the chords.</summary>
 public class FlatnessTests
 {
     private const double QuarterPixel = 0.25;
 
-    /// <summary>As a part of the largest coordinate: in finer pixels than these a double cannot hold the drawing itself.</summary>
+    /// <summary>As a fraction of the largest coordinate: for smaller pixels a double cannot represent the drawing itself.</summary>
     private const double FinestPixel = 1e-13;
 
     private static readonly Gen<double> s_zooms = Gen.Choose(-3, 6).Select(decade => Math.Pow(10.0, decade));
@@ -58,7 +58,7 @@ public class FlatnessTests
         Prop.ForAll(cases.ToArbitrary(), sample => IsFlat(sample.segment, sample.zoom, sample.Item3)).QuickCheckThrowOnFailure();
     }
 
-    /// <summary>The view stands on the curve; all places of the curve near it lie on chords, and the middles of all chords on the curve.</summary>
+    /// <summary>The view is centred on the curve; all points of the curve near it are on chords, and the middles of all chords are on the curve.</summary>
     private static bool IsFlat(Segment segment, double zoom, double along)
     {
         var box = segment.Bounds;

@@ -67,7 +67,7 @@ public class PointerMachineTests
     [Fact]
     public void The_first_corner_of_a_box_stays_in_the_drawing_when_the_view_is_zoomed()
     {
-        _machine.ViewMoved(at => at); // without a box nothing happens
+        _machine.ViewMoved(at => at); // without a box this has no effect
         Press(s_here, hits: false);
         _machine.Release(s_here, PointerButton.Left);
         _machine.ViewMoved(at => new Point2D(at.X * 2.0, at.Y + 5.0));

@@ -95,7 +95,7 @@ public class OverlaySceneTests
         Assert.Equal(9, new MarkLayer(marks, new CanvasView(new Point2D(0.5, 0.0), 0.0002, size), 0xFFFFFFFF, 1.0).Count);
     }
 
-    /// <summary>A drawing with very many open ends is not buried under their marks; few are as large as ever.</summary>
+    /// <summary>The marks of very many open ends do not hide the drawing; a few marks have full size.</summary>
     /// <param name="unitsPerPixel">The marks are 1 unit apart.</param>
     [Theory]
     [InlineData(1.0, 1000, 2000, 4.0, 25.0)]
@@ -110,7 +110,7 @@ public class OverlaySceneTests
         layer.Paint(view, tile);
 
         Assert.InRange(layer.Count, fewest, most);
-        Assert.InRange(tile.Layer.Count(pixel => pixel != 0) / (double)layer.Count, leastPixels, mostPixels); // painted for a mark
+        Assert.InRange(tile.Layer.Count(pixel => pixel != 0) / (double)layer.Count, leastPixels, mostPixels); // pixels painted per mark
     }
 
     [Fact]

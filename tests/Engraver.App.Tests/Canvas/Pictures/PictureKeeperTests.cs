@@ -99,7 +99,7 @@ public class PictureKeeperTests
         Assert.All(Shown(keeper), pixel => Assert.Equal(CanvasTheme.Dark.Background, pixel));
     }
 
-    /// <summary>The thread of a window that is at work: what is to go on there waits until it comes to rest, however early the picture is done.</summary>
+    /// <summary>The thread of a busy window: posted continuations run only when it is idle again, even if the picture is done earlier.</summary>
     private sealed class BusyWindow : SynchronizationContext
     {
         private readonly List<Action> _waiting = [];

@@ -36,7 +36,7 @@ public class BackdropTests
         Assert.Equal(CanvasTheme.Dark.Background, picture.Pixels[(5 * 301) + 5]);
     }
 
-    /// <summary>As it was found: lines were counted in a double that one more does not change, on every core and for ever.</summary>
+    /// <summary>Regression: lines were counted in a double that adding one did not change, in an endless loop on every core.</summary>
     [Theory]
     [InlineData(5e6, 1e-12)]
     [InlineData(-5e6, 1e-12)]

@@ -5,8 +5,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Canvas.Rasterising;
 
-/// <summary>The pictures of docs/images/first-job.gif: from an open drawing to a finished part. With ENGRAVER_PICTURES they are kept in its folder
-/// <c>frames</c>, which docs/images/make puts together.</summary>
+/// <summary>The pictures of docs/images/first-job.gif: from an open drawing to a finished part. With ENGRAVER_PICTURES they are stored in its folder
+/// <c>frames</c>, from which docs/images/make builds the animation.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class MovingPictureTests(DesktopFixture fixture)
 {

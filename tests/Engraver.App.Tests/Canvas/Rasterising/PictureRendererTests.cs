@@ -91,7 +91,7 @@ public class PictureRendererTests
 
     private static Backdrop Plain(CanvasView view) => Backdrop.For(view, CanvasTheme.Dark, grid: false);
 
-    /// <summary>Every part of the drawing in its own order, unsorted and unculled.</summary>
+    /// <summary>Draws every part of the drawing in its own order, unsorted and unculled.</summary>
     private static uint[] BruteForce(CanvasView view)
     {
         var (picture, tile) = (new Picture(view), new PixelTile());

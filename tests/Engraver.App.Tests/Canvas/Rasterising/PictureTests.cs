@@ -8,11 +8,11 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Canvas.Rasterising;
 
-/// <summary>Pictures of the real program in the states an operator meets. With ENGRAVER_PICTURES they are kept in that folder, to be looked at.</summary>
+/// <summary>Pictures of the real program in the states that an operator sees. With ENGRAVER_PICTURES they are stored in that folder for review.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class PictureTests(DesktopFixture fixture)
 {
-    /// <summary>A manual of many pictures stays small.</summary>
+    /// <summary>Limits the size of a manual with many pictures.</summary>
     private const int MostBytes = 150_000;
 
     private static readonly Size s_usual = new(1280, 800);
@@ -218,14 +218,15 @@ public sealed class PictureTests(DesktopFixture fixture)
         here.Step();
     });
 
-    /// <summary>By its name on the command line: a file dialog would answer with the whole path.</summary>
+    /// <summary>By its name on the command line: a file dialog would give the full path.</summary>
     private static void Open(Operator here, string sample)
     {
         here.Commands.Settings.Change(settings => settings.WithVariable("FILEDIA", 0));
         here.Open(sample);
     }
 
-    /// <summary>A picture must show the whole window in its scale, not be one colour, and tell nothing of the machine it was taken on.</summary>
+    /// <summary>A picture must show the whole window at its scale, have more than one colour, and contain nothing specific to the computer it was taken
+    /// on.</summary>
     private static void Take(Operator here, string name)
     {
         here.Until(() => here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
