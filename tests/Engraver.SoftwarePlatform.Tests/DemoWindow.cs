@@ -5,7 +5,7 @@ using Avalonia.Layout;
 
 namespace Engraver.SoftwarePlatform.Tests;
 
-/// <summary>One of each kind of control that people put their hands on.</summary>
+/// <summary>One of each kind of control that users operate.</summary>
 internal sealed class DemoWindow : Window
 {
     public DemoWindow()

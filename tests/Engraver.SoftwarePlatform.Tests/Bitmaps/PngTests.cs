@@ -46,7 +46,7 @@ public class PngTests
         for (var y = 0; y < 64; y++) Assert.Equal(bitmap.Row(y).ToArray(), again.Row(y).ToArray());
     }
 
-    /// <summary>A thousand greys on a ground, and one red pixel: each is shown by a colour that is near, and the ground exactly.</summary>
+    /// <summary>A thousand greys on a background, and one red pixel: each is replaced by a similar colour, and the background is exact.</summary>
     [Fact]
     public void Many_colours_are_shown_by_near_ones()
     {
@@ -148,7 +148,7 @@ public class PngTests
         Assert.Equal([1, 2, 3, 4, 5, 6, 7, 8, 9], grays);
     }
 
-    /// <summary>Data in several pieces is one stream; chunks that mean nothing here are passed over.</summary>
+    /// <summary>Data in several chunks is one stream; unknown chunks are skipped.</summary>
     [Fact]
     public void Chunks_that_are_not_known_are_passed_over()
     {

@@ -6,7 +6,7 @@ using Engraver.SoftwarePlatform.Drawing;
 
 namespace Engraver.SoftwarePlatform.Tests.Drawing;
 
-/// <summary>A bitmap to draw on without a window, and what can be read from it afterwards.</summary>
+/// <summary>A bitmap to draw on without a window, and methods that read it.</summary>
 internal sealed class Picture : IDisposable
 {
     public static readonly SoftwareRenderInterface Platform = new();

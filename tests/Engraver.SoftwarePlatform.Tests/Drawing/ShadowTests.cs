@@ -60,7 +60,7 @@ public class ShadowTests
         Assert.Equal(0, picture.Alpha(38, 80));
     }
 
-    /// <summary>A blur moves darkness about and makes none: what is summed over the picture stays the area.</summary>
+    /// <summary>A blur moves darkness but adds none: the sum over the picture stays the area.</summary>
     [Theory]
     [InlineData(0)]
     [InlineData(3)]
@@ -68,7 +68,7 @@ public class ShadowTests
     [InlineData(24)]
     public void A_blurred_shadow_has_the_area_of_its_box(int radius)
     {
-        var box = new RoundedRect(new Rect(20, 80, 60, 40)); // its shadow stands beside it
+        var box = new RoundedRect(new Rect(20, 80, 60, 40)); // its shadow is beside it
         using var picture = new Picture(260, 200).Draw(c => c.DrawRectangle(null, null, box, BoxShadows.Parse($"120 0 {radius} 0 Black")));
 
         Near.Equal(60 * 40, picture.Area(), 60 * 40 * 0.015);

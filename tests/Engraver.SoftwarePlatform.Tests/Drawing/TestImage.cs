@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Bitmaps;
 
 namespace Engraver.SoftwarePlatform.Tests.Drawing;
 
-/// <summary>A bitmap as brushes want it, around one of ours.</summary>
+/// <summary>A bitmap of the type that brushes need, around a <see cref="SoftwareBitmap"/>.</summary>
 internal sealed class TestImage(SoftwareBitmap bitmap) : Bitmap(bitmap)
 {
     /// <summary>Squares of <paramref name="cell"/> pixels in four colours: red, green, blue, white.</summary>

@@ -3,7 +3,7 @@ using Avalonia.Media;
 
 namespace Engraver.SoftwarePlatform.Tests.Drawing;
 
-/// <summary>An image brush that needs no application around it.</summary>
+/// <summary>An image brush that works without an application.</summary>
 internal sealed class TestImageBrush(TestImage image) : IImageBrush
 {
     public IImageBrushSource? Source => image;

@@ -3,7 +3,7 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.SoftwarePlatform.Tests.Headless;
 
-/// <summary>The one application of this test process.</summary>
+/// <summary>The application of this test process.</summary>
 public sealed class DesktopFixture : IDisposable
 {
     public DesktopFixture()
@@ -18,12 +18,12 @@ public sealed class DesktopFixture : IDisposable
 
     public HeadlessRunner Runner { get; }
 
-    /// <summary>The filter of the test that runs now.</summary>
+    /// <summary>The filter of the current test.</summary>
     public KeyFilter? Filter { get; set; }
 
     public void Dispose() => Runner.Dispose();
 
-    /// <summary>Opens a demo window for the test, on the user interface thread, and closes what is open when the test ends.</summary>
+    /// <summary>Opens a demo window for the test, on the user interface thread, and closes all windows when the test ends.</summary>
     internal Task WithDemo(Action<DemoWindow, HeadlessWindow> test) => Runner.RunAsync(() =>
     {
         var demo = new DemoWindow();

@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.SoftwarePlatform.Tests.Headless;
 
-/// <summary>Pictures of the demo window, left beside the test assembly for eyes; what can be said without eyes is asserted.</summary>
+/// <summary>Pictures of the demo window, stored beside the test assembly for review; what can be checked automatically is asserted.</summary>
 [Collection(DesktopCollection.Name)]
 public sealed class PictureTests(DesktopFixture fixture)
 {

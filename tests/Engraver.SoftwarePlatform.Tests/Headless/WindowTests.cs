@@ -60,7 +60,7 @@ public sealed class WindowTests(DesktopFixture fixture)
         demo.Close();
     });
 
-    /// <summary>What called the dispatcher must not keep it from waiting: whoever computes beside it needs the processor.</summary>
+    /// <summary>Handled signals must not keep the dispatcher from waiting, because other threads need the processor.</summary>
     [Fact]
     public Task A_desktop_that_has_nothing_to_do_waits() => fixture.WithDemo((demo, _) =>
     {
@@ -126,7 +126,7 @@ public sealed class WindowTests(DesktopFixture fixture)
     public Task A_wait_in_vain_is_an_exception() => fixture.WithDemo((_, _) =>
         Assert.Throws<TimeoutException>(() => fixture.Desktop.StepUntil(() => false, TimeSpan.FromMilliseconds(1))));
 
-    /// <summary>The order says it: the filter has been called and the key is queued before the user interface is released.</summary>
+    /// <summary>The order proves it: the filter has been called and the key is queued before the user interface is released.</summary>
     [Fact]
     public async Task The_key_filter_is_called_while_the_user_interface_is_blocked()
     {

@@ -5,7 +5,7 @@ namespace Engraver.SoftwarePlatform.Tests.Input;
 
 public sealed class CharacterKeysTests
 {
-    /// <summary>A plain keyboard carries 21 signs twice over on 11 keys, 26 letters and 10 digits; the shifted digits have no key here.</summary>
+    /// <summary>A US keyboard has 11 keys with two signs each, 26 letters and 10 digits; the shifted digits have no key here.</summary>
     [Fact]
     public void Both_signs_of_a_key_mean_that_key()
     {

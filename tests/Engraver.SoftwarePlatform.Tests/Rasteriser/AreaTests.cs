@@ -6,15 +6,15 @@ using Engraver.SoftwarePlatform.Tests.Drawing;
 
 namespace Engraver.SoftwarePlatform.Tests.Rasteriser;
 
-/// <summary>Covered areas against what geometry says they are.</summary>
+/// <summary>Compares covered areas with their geometric values.</summary>
 public class AreaTests
 {
     private static readonly PixelBounds s_page = new(0, 0, 200, 200);
 
-    /// <summary>Curves are drawn as chords that lie at most 0.02 pixels inside of them; on the mean two thirds of that.</summary>
+    /// <summary>Curves are drawn as chords that are at most 0.02 pixels inside of them; on average two thirds of that.</summary>
     private const double ErrorPerPixelOfCurve = 0.02;
 
-    /// <summary>A cell holds a 255th of its pixel, so that the error grows with the length of the border.</summary>
+    /// <summary>A cell has a resolution of 1/255 of its pixel, so that the error grows with the length of the border.</summary>
     private const double ErrorPerPixelOfBorder = 1.0 / 255;
 
     [Fact]

@@ -2,7 +2,7 @@ using Engraver.SoftwarePlatform.Rasteriser;
 
 namespace Engraver.SoftwarePlatform.Tests.Rasteriser;
 
-/// <summary>Four pixels at a time must be the same as one at a time, for every length and every value.</summary>
+/// <summary>Four pixels at a time must give the same result as one at a time, for every length and every value.</summary>
 public class PixelRowsTests
 {
     private readonly Random _random = new(20261121);

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Engraver.SoftwarePlatform.Tests.Text;
 
-/// <summary>Writes small fonts: 1000 units per em, glyph 0 blank, glyph 1 whatever is wanted, both 600 wide; the characters given map to glyph 1.</summary>
+/// <summary>Writes small fonts: 1000 units per em, glyph 0 blank, glyph 1 as required, both 600 wide; the given characters map to glyph 1.</summary>
 internal sealed class FontBuilder
 {
     private readonly SortedDictionary<string, byte[]> _tables = new(StringComparer.Ordinal);
@@ -22,7 +22,7 @@ internal sealed class FontBuilder
         _tables["post"] = [.. U32(0x30000), .. new byte[28]];
     }
 
-    /// <summary>Glyph 1 is a square of 400 units that stands on the baseline at x = 100.</summary>
+    /// <summary>Glyph 1 is a square of 400 units on the baseline at x = 100.</summary>
     public static FontBuilder TrueType(string family, int cmapFormat, params int[] characters)
     {
         var font = new FontBuilder(family, false, cmapFormat, characters);
@@ -81,7 +81,7 @@ internal sealed class FontBuilder
         return bytes;
     }
 
-    /// <param name="start">Where the font begins in its file; table offsets count from the file's start.</param>
+    /// <param name="start">The position of the font in its file; table offsets count from the file's start.</param>
     private byte[] Build(int start)
     {
         var directory = new List<byte>([.. _isCff ? "OTTO"u8.ToArray() : U32(0x10000), .. U16(_tables.Count), .. new byte[6]]);

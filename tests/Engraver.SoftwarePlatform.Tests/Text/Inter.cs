@@ -5,7 +5,7 @@ using Engraver.SoftwarePlatform.Text;
 
 namespace Engraver.SoftwarePlatform.Tests.Text;
 
-/// <summary>The font that comes with the program, read without an application around it.</summary>
+/// <summary>The font that comes with the program, read without an application.</summary>
 internal static class Inter
 {
     private static readonly Lazy<SoftwareTypeface> s_regular = new(() => Load("Inter-Regular"));

@@ -7,7 +7,7 @@ namespace Engraver.SoftwarePlatform.Tests.Text;
 
 public class MarkTests
 {
-    /// <summary>Glyph 1 is letter and mark at once: its anchor as a letter is (250, 700), as a mark (300, 100).</summary>
+    /// <summary>Glyph 1 is both letter and mark: its anchor as a letter is (250, 700), as a mark (300, 100).</summary>
     private static readonly SoftwareTypeface s_font = Font();
 
     [Fact]

@@ -18,7 +18,7 @@ public sealed class MemoryClipboardTests
         Assert.True(await clipboard.IsCurrentOwnerAsync());
         for (var i = 0; i < 2; i++)
         {
-            using var read = await clipboard.TryGetDataAsync(); // disposing what was read leaves the clipboard alone
+            using var read = await clipboard.TryGetDataAsync(); // disposing the result does not change the clipboard
             Assert.Equal("12,5", await read!.TryGetTextAsync());
         }
 

@@ -8,7 +8,7 @@ public sealed class TileGridTests
     private const int Width = 64;
     private const int Height = 32;
 
-    /// <summary>Whatever is marked: every pixel of it once, and no other.</summary>
+    /// <summary>The rectangles cover every marked pixel once, and no other pixel.</summary>
     [Fact]
     public void The_rectangles_cover_exactly_what_is_marked()
     {

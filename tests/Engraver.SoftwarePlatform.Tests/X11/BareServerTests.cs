@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>A server without a window manager, as a kiosk has it; and none at all.</summary>
+/// <summary>A server without a window manager, as in a kiosk, and no server at all.</summary>
 public sealed class BareServerTests
 {
     [XServerFact]

@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.X11.Selections;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>Another program on the same server, as far as the protocol shows it: asks windows to close, and drags files.</summary>
+/// <summary>Another program on the same server, as seen through the protocol: asks windows to close, and drags files.</summary>
 internal sealed unsafe class OtherProgram : IDisposable
 {
     private readonly XConnection _connection;
@@ -25,7 +25,7 @@ internal sealed unsafe class OtherProgram : IDisposable
         _connection.Flush();
     }
 
-    /// <summary>Drags over a place and lets go there. True when the window said that it took the files.</summary>
+    /// <summary>Drags to a position and drops there. True if the window accepted the files.</summary>
     public bool Drop(nint onto, int rootX, int rootY, string uriList)
     {
         Xlib.XSetSelectionOwner(_connection.Display, _atoms.XdndSelection, _window, 0);
@@ -41,8 +41,8 @@ internal sealed unsafe class OtherProgram : IDisposable
         return (finished.Data[1] & 1) == 1;
     }
 
-    /// <summary>Waits until a program that is started has taken the clipboard: it takes it from this one, and the server says so.</summary>
-    /// <remarks>xclip ends its first process before the second one has sent what it owns: that process's end says nothing.</remarks>
+    /// <summary>Waits until a started program has taken the clipboard: this program owns it first, and the server reports the loss.</summary>
+    /// <remarks>xclip ends its first process before the second one owns the clipboard, so that the end of that process cannot be used.</remarks>
     public void GiveClipboardTo(Action program)
     {
         Xlib.XSetSelectionOwner(_connection.Display, _atoms.Clipboard, _window, 0);
@@ -65,7 +65,7 @@ internal sealed unsafe class OtherProgram : IDisposable
         Xlib.XSendEvent(_connection.Display, request.Requestor, 0, 0, &notice);
     }
 
-    /// <summary>Fails, and does not hang, when nothing comes.</summary>
+    /// <summary>Fails, and does not hang, if no event arrives.</summary>
     private XEvent WaitFor(XEventType type)
     {
         const int patienceMs = 30_000;

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>A real window under a real X server and window manager, driven by another program's hands.</summary>
+/// <summary>A real window under a real X server and window manager, controlled by another program.</summary>
 public sealed class RealWindowTests : IDisposable
 {
     private readonly XServer _server = new();
@@ -94,7 +94,7 @@ public sealed class RealWindowTests : IDisposable
         Told.WaitFor("key Space");
     }
 
-    /// <summary>The order says it: the filter has answered before the user interface is released.</summary>
+    /// <summary>The order proves it: the filter has replied before the user interface is released.</summary>
     [XServerFact]
     public void The_key_filter_is_called_while_the_user_interface_is_blocked()
     {

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>The demo window in a process of its own, shown and active, and where its controls are.</summary>
+/// <summary>The demo window in a separate process, shown and active, and the positions of its controls.</summary>
 internal sealed class ShownWindow : IDisposable
 {
     public ShownWindow(XServer server, double scale = 1.0)

@@ -3,10 +3,10 @@ using System.Diagnostics;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>A program that tells what it does, line by line; tests wait for lines, never for time.</summary>
+/// <summary>A program that reports its actions line by line; tests wait for lines, never for time.</summary>
 internal sealed class ToldProcess : IDisposable
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30); // only a broken test waits that long
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30); // only a failing test waits that long
     private readonly Process _process;
     private readonly BlockingCollection<string> _lines = [];
     private readonly ConcurrentQueue<string> _heard = new();
@@ -25,10 +25,10 @@ internal sealed class ToldProcess : IDisposable
         _process.BeginErrorReadLine();
     }
 
-    /// <summary>The number that the system gave it.</summary>
+    /// <summary>The process id.</summary>
     public int Id => _process.Id;
 
-    /// <summary>Every line so far, errors too.</summary>
+    /// <summary>All lines so far, including errors.</summary>
     public IReadOnlyCollection<string> Heard => [.. _heard];
 
     public void Ask(string line)
@@ -37,7 +37,7 @@ internal sealed class ToldProcess : IDisposable
         _process.StandardInput.Flush();
     }
 
-    /// <summary>The next line that begins so; those before it are passed over.</summary>
+    /// <summary>The next line with this start; lines before it are skipped.</summary>
     public string WaitFor(string beginning)
     {
         using var patience = new CancellationTokenSource(Patience);
@@ -55,7 +55,7 @@ internal sealed class ToldProcess : IDisposable
         }
     }
 
-    /// <summary>Whether a line that begins so is said in this time; those before it are passed over.</summary>
+    /// <summary>Whether a line with this start is printed within the time; lines before it are skipped.</summary>
     public bool HearsWithin(string beginning, TimeSpan time)
     {
         using var patience = new CancellationTokenSource(time);

@@ -5,7 +5,7 @@ using Avalonia.Threading;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>The program with a real window: says on standard output what happens to it, one line each, and does what standard input asks.</summary>
+/// <summary>The program with a real window: reports events on standard output, one line each, and executes orders from standard input.</summary>
 internal static class WindowProgram
 {
     [STAThread]

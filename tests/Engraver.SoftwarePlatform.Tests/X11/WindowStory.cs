@@ -10,7 +10,7 @@ using Avalonia.VisualTree;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>Tells a window's events as lines of text, and takes orders as lines.</summary>
+/// <summary>Writes a window's events as lines of text, and reads orders as lines.</summary>
 internal sealed class WindowStory : IDisposable
 {
     private readonly ManualResetEventSlim _released = new();
@@ -140,7 +140,7 @@ internal sealed class WindowStory : IDisposable
         Say($"dialog answered {await dialog.ShowDialog<string>(_demo!)}");
     }
 
-    /// <summary>Paints the whole window in another colour in each frame, and says what that took. A measure for people: no test compares it.</summary>
+    /// <summary>Paints the whole window in another colour in each frame, and reports the duration. For information only: no test compares it.</summary>
     private void Animate(int frames)
     {
         var watch = Stopwatch.StartNew();
@@ -156,7 +156,7 @@ internal sealed class WindowStory : IDisposable
         }
     }
 
-    /// <summary>Where the controls are on the screen, in pixels.</summary>
+    /// <summary>Writes the positions of the controls on the screen, in pixels.</summary>
     private void Where()
     {
         foreach (var (name, control) in new (string, Control)[] { ("counter", _demo!.Counter), ("entry", _demo.Entry), ("rows", _demo.Rows) })

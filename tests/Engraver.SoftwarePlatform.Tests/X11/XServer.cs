@@ -2,13 +2,13 @@ using System.Diagnostics;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>An X server without a screen, on a free display, with a window manager; and the hands and tongues of other programs.</summary>
+/// <summary>An X server without a screen, on a free display, with a window manager, and the simulated input of other programs.</summary>
 internal sealed class XServer : IDisposable
 {
     private readonly ToldProcess _server;
     private readonly ToldProcess? _manager;
 
-    /// <param name="screenFolder">Where the server keeps its screen as a file that can be read at any time; null: nowhere.</param>
+    /// <param name="screenFolder">The folder in which the server keeps its screen as a file that can be read at any time; null: none.</param>
     public XServer(bool withWindowManager = true, string? screenFolder = null)
     {
         string[] kept = screenFolder is null ? [] : ["-fbdir", screenFolder];
@@ -21,7 +21,7 @@ internal sealed class XServer : IDisposable
 
     public string Display { get; }
 
-    /// <summary>Runs a program to its end and gives what it printed.</summary>
+    /// <summary>Runs a program to its end and returns its output.</summary>
     public string Run(string program, params ReadOnlySpan<string> arguments) => RunWith(null, program, arguments);
 
     public string RunWith(string? input, string program, params ReadOnlySpan<string> arguments)
@@ -43,7 +43,8 @@ internal sealed class XServer : IDisposable
         return said;
     }
 
-    /// <summary>A program that offers its input as the clipboard, until another owner comes. It may own it only a little after this returns.</summary>
+    /// <summary>A program that offers its input as the clipboard until another owner takes it. It may own the clipboard only some time after this
+    /// returns.</summary>
     public void OfferClipboard(string text)
     {
         var start = new ProcessStartInfo("xclip") { RedirectStandardInput = true };

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
-/// <summary>A test with a real window: it needs an X server without a screen, a window manager, and hands.</summary>
+/// <summary>A test with a real window: it needs Xvfb, a window manager, and the X11 tools listed here.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class XServerFactAttribute : FactAttribute
 {
