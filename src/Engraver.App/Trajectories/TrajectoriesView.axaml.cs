@@ -9,7 +9,7 @@ public partial class TrajectoriesView : UserControl
 {
     public TrajectoriesView() => InitializeComponent();
 
-    /// <summary>Enter takes what was typed, as leaving the field does.</summary>
+    /// <summary>Enter accepts the text, as leaving the field does.</summary>
     private void OnKey(object? sender, KeyEventArgs e)
     {
         if (e.Key != Key.Enter || sender is not TextBox box) return;
