@@ -108,9 +108,9 @@ public sealed class HistoryRow(HistoryEntry entry, TimeZoneInfo here)
 
     public string Seconds => entry.Seconds is { } seconds ? ClockText.Format(seconds) : "";
 
-    /// <summary>A deviation from the commanded path is marked as such.</summary>
+    /// <summary>Maximum deviation; that of a commanded path (no encoder feedback) is marked.</summary>
     public string Deviation => entry.MaxDeviation is not { } deviation ? "" : entry.OpenLoop is null ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : Text.Get("History.Commanded", deviation);
 
-    /// <summary>The outcome, the source of the deviation, and the location of the files.</summary>
+    /// <summary>The outcome, what the deviation refers to, and the location of the files.</summary>
     public string Tip => string.Join('\n', new[] { entry.Sentence, HistoryText.OpenLoop(entry), entry.Drawing, entry.Address, entry.Program, entry.Journal, entry.Report }.Where(line => !string.IsNullOrEmpty(line)));
 }
