@@ -34,8 +34,8 @@ internal static class RunReport
         report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, from.Along / job.Settings.Machine.Scale.Largest) : null,
         StartCheckJson.Of(checks)) { OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())], MaxFollowingError = report.Judgement.FollowingMm, Tolerance = report.ToleranceMm };
 
-    /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
-    /// <param name="checks">The list before the start, as far as it was gone through.</param>
+    /// <summary>A run that did not reach the machine: nothing was sent.</summary>
+    /// <param name="checks">The start checks, as far as they were run.</param>
     /// <param name="job">Null when it was stopped before it was prepared.</param>
     public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome, ArmingChecklist? checks = null) =>
         new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts, null, null, 0, null, StartCheckJson.Of(checks));
@@ -44,7 +44,7 @@ internal static class RunReport
         ? new(frame.X / settings.Machine.Scale.X, frame.Y / settings.Machine.Scale.Y, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
         : null;
 
-    /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
+    /// <summary>The length of an entity that cannot be read is unknown.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
     private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X, settings.Machine.Scale.Y);

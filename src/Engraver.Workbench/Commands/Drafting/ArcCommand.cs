@@ -49,7 +49,7 @@ internal sealed class ArcCommand : ICommand
         return arc[0];
     }
 
-    /// <summary>A place other than the one before.</summary>
+    /// <summary>A point different from the previous one.</summary>
     private static async Task<Point2D> OtherAsync(CommandContext context, string text, Point2D from)
     {
         var (line, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place(text, from), place => place == from ? null : [Segment.FromLine(from, place)]).ConfigureAwait(false);

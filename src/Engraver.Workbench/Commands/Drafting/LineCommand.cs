@@ -22,7 +22,7 @@ internal sealed class LineCommand : ICommand
         }
     }
 
-    /// <returns>The first point; with it the second when a line goes on from an arc; null when there is nothing to go on from.</returns>
+    /// <returns>The first point; with the second if the line continues an arc; null if there is nothing to continue.</returns>
     private static async Task<List<Point2D>?> FirstAsync(CommandContext context)
     {
         if (await context.AskAsync(new PointPrompt(Wording.Get("Line.SpecifyFirst")) { EnterEnds = true }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var first }) return [first];

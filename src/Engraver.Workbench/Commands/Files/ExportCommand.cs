@@ -46,7 +46,7 @@ internal sealed class ExportCommand : ICommand
         }
     }
 
-    /// <summary>The post that writes files of an ending; null for what is no program.</summary>
+    /// <summary>The post for a file extension; null if it is not a program.</summary>
     private static IPost? Program(string ending) => ending is ".svg" or ".csv" or ".json" ? null : PostTable.ForEnding(ending)?.Post;
 
     private static (Action<TextWriter> Write, PostForecast? Forecast) Program(CommandContext context, IPost post)

@@ -11,7 +11,7 @@ namespace Engraver.Workbench.Commands.Files;
 /// to be run again.</summary>
 internal sealed class HistoryCommand : ICommand
 {
-    /// <summary>Entries that are listed where none is searched for.</summary>
+    /// <summary>Number of listed entries without a search.</summary>
     private const int Listed = 20;
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("List", "Search", "Open", "Rerun", "rePort");
@@ -55,7 +55,7 @@ internal sealed class HistoryCommand : ICommand
         if (entry.RanTrajectories) context.Say(Wording.Get("History.RanTrajectories"), MessageKind.Warning);
     }
 
-    /// <exception cref="CommandException">It was written in a format, or with an option, that this program does not have.</exception>
+    /// <exception cref="CommandException">It was written in an unknown format or with an unknown option.</exception>
     private static PostEntry PostOf(HistoryEntry entry)
     {
         var post = PostTable.All.FirstOrDefault(one => one.Post.Name == entry.Target);

@@ -30,8 +30,8 @@ internal sealed class QSaveCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation) => SaveAsync(context, mayReplace: false);
 
-    /// <summary>Saves the drawing in its own file; a new one, which has none, as SAVEAS does.</summary>
-    /// <param name="mayReplace">The operator has said so already.</param>
+    /// <summary>Saves the drawing in its own file; a new drawing as SAVEAS does.</summary>
+    /// <param name="mayReplace">The operator has already agreed.</param>
     public static async Task SaveAsync(CommandContext context, bool mayReplace)
     {
         _ = context.Drawing;

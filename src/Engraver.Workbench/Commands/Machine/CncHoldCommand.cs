@@ -24,7 +24,7 @@ internal sealed class CncHoldCommand : ICommand
 /// from one on; or the whole drawing again.</summary>
 internal sealed class CncResumeCommand : ICommand
 {
-    /// <summary>The length that is cut again, as it was given last.</summary>
+    /// <summary>Name of the last lead-in length.</summary>
     private const string LeadIn = "CNCRESUME";
 
     private static readonly IReadOnlyList<Keyword> s_ways = Keyword.List("Contour", "Whole", "Leadin", "Origin");
@@ -67,7 +67,7 @@ internal sealed class CncResumeCommand : ICommand
     private static Task<Answer<string>> AskAsync(CommandContext context) =>
         context.AskAsync(new TextPrompt(Wording.Get("CncResume.EnterJournal", LeadInOf(context))) { Options = s_ways, Default = context.Machine.LastRun?.Journal });
 
-    /// <summary>Length of the path already cut that is cut again before the place, mm.</summary>
+    /// <summary>Length of the path before the resume position that is cut again, mm.</summary>
     private static double LeadInOf(CommandContext context) => context.Remembered(LeadIn) is { } kept ? double.Parse(kept, CultureInfo.InvariantCulture) : ResumeRequest.UsualLeadInMm;
 
     private static async Task FromContourAsync(CommandContext context)
@@ -121,7 +121,7 @@ internal sealed class CncOverrideCommand : ICommand
         context.Say(Wording.Get("CncOverride.Set", set.Feed * Percent, set.Rapid * Percent), MessageKind.Result);
     }
 
-    /// <returns>The factor; null when the keyword was given.</returns>
+    /// <returns>The factor; null if the keyword was chosen.</returns>
     private static async Task<double?> AskAsync(CommandContext context, string instruction, double now, SpeedRange range, IReadOnlyList<Keyword> options)
     {
         var prompt = new NumberPrompt(instruction)

@@ -26,7 +26,7 @@ internal sealed class CncHomeCommand : ICommand
     }
 }
 
-/// <summary>The homing of an axis in words.</summary>
+/// <summary>Description of the homing of an axis.</summary>
 internal static class HomingText
 {
     public static string Sentence(MachineAxis axis)

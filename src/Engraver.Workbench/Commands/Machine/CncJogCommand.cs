@@ -37,7 +37,7 @@ internal sealed class CncJogCommand : ICommand
         await HandMotion.StepAsync(context, way, height, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Moves until the operator presses Enter or Esc, and at the latest at the end of the travel.</summary>
+    /// <summary>Moves until the operator presses Enter or Esc, at most to the end of the travel.</summary>
     private static async Task HoldAsync(CommandContext context, JogVelocity way, CancellationToken cancellation)
     {
         if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.ScriptNeedsDistance"));
