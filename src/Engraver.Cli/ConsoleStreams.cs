@@ -35,7 +35,7 @@ public sealed class ConsoleStreams(Stream output, TextWriter error, TextReader? 
         }
         catch (IOException)
         {
-            // The disk is full or the stream is closed: disposing flushes once more and fails again.
+            // The disk is full or the stream is closed: disposing flushes again and fails again.
         }
     }
 }

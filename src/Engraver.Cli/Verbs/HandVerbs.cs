@@ -108,7 +108,7 @@ internal sealed partial class HandVerbs
 
     private MachineCommand Command(string name, string description) => new(name, description) { _connect, _json, _profile };
 
-    /// <summary>Connects, runs the action, polls the machine once more and reports its state.</summary>
+    /// <summary>Connects, runs the action, polls the machine again and reports its state.</summary>
     /// <param name="homes">The action homes the machine: a simulated machine then starts away from its home switches.</param>
     private async Task<int> WithMachineAsync(ParseResult parsed, Func<MachineSession, CancellationToken, Task<int>> act, CancellationToken stop, bool homes = false)
     {

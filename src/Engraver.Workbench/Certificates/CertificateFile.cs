@@ -5,8 +5,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>The file of a certificate: JSON beside the drawing, one for each target: <c>part.certificate.json</c> for the program that <c>part.dxf</c> is
-/// run with, <c>part.agie.certificate.json</c> and the like for the others.</summary>
+/// <summary>The file of a certificate: JSON beside the drawing, one for each target: <c>part.certificate.json</c> for the program that <c>part.dxf</c> is run
+/// with, <c>part.agie.certificate.json</c> and similar names for other targets.</summary>
 public static class CertificateFile
 {
     public const string Ending = ".certificate.json";

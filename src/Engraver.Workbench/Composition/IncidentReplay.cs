@@ -57,7 +57,7 @@ public sealed class IncidentReplay : IAsyncDisposable
 
     /// <summary>Replays the last run of a journal.</summary>
     /// <param name="wire">The conversation beside it.</param>
-    /// <returns>The replay, or what is missing, without a full stop.</returns>
+    /// <returns>The replay, or which data is missing, without a full stop.</returns>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static async Task<(IncidentReplay? Replay, string? Lack)> RunAsync(string journal, string wire, CancellationToken cancellation)
     {

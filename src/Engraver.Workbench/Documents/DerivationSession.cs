@@ -211,12 +211,12 @@ public sealed class DerivationProgress
     }
 }
 
-/// <summary>One stage of the work on a document.</summary>
+/// <summary>One stage of the derivation.</summary>
 /// <param name="Key">Key of its text, <c>Derivation.KEY</c>.</param>
 /// <param name="Before">Estimated fraction of the work before this stage, 0 to 1, for a progress bar.</param>
 public sealed record DerivationStage(string Key, double Before)
 {
-    /// <summary>What is read, layers and arcs.</summary>
+    /// <summary>Entity table: units, layers and arcs.</summary>
     public static DerivationStage Table { get; } = new("Table", 0.0);
 
     /// <summary>Contours and their order.</summary>
@@ -229,6 +229,6 @@ public sealed record DerivationStage(string Key, double Before)
     /// <summary>The program text and its times.</summary>
     public static DerivationStage Program { get; } = new("Program", 0.80);
 
-    /// <summary>In words.</summary>
+    /// <summary>Displayed name.</summary>
     public string Name => Wording.Get("Derivation." + Key);
 }

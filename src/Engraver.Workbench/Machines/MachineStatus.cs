@@ -113,6 +113,6 @@ public sealed record EngravedProgress(int Stroke, int SegmentsDone, int SegmentC
     /// <summary>The controller runs a vector sequence: the position is on the segment after the completed ones.</summary>
     public bool IsOnPath { get; init; }
 
-    /// <summary>From 0 to 1, by segments.</summary>
+    /// <summary>Completed fraction by segments, 0 to 1.</summary>
     public double Fraction => SegmentCount == 0 ? 0.0 : (double)SegmentsDone / SegmentCount;
 }

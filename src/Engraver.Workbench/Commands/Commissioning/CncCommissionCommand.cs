@@ -2,8 +2,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>CNCCOMMISSION: Finds out step by step how a machine is wired and moves, by questions and small moves, and ends with a machine profile. Each
-/// step can be repeated or left out.</summary>
+/// <summary>CNCCOMMISSION: Determines the wiring and the motion of a machine step by step with questions and small moves, and creates a machine profile. Each
+/// step can be repeated or skipped.</summary>
 internal sealed class CncCommissionCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_ways = [.. Keyword.List("Go", "Skip"), new Keyword("Back") { Use = "Step" }, .. Keyword.List("End")];

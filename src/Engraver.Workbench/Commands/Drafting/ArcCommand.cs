@@ -5,7 +5,7 @@ using Engraver.Workbench.Commands.Files;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>ARC: Draws an arc through three points, about a centre, or between two ends; Enter at the first prompt goes on smoothly from the last line or
+/// <summary>ARC: Draws an arc through three points, about a centre, or between two ends; Enter at the first prompt continues tangentially from the last line or
 /// arc.</summary>
 internal sealed class ArcCommand : ICommand
 {

@@ -4,7 +4,8 @@ using Engraver.Workbench.Commands.Files;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>LINE: Draws straight lines from point to point. Enter at the first prompt goes on from the last line, or straight on from the last arc.</summary>
+/// <summary>LINE: Draws straight lines from point to point. Enter at the first prompt continues from the last line, or tangentially from the last
+/// arc.</summary>
 internal sealed class LineCommand : ICommand
 {
     public CommandInfo Info { get; } = new("LINE", CommandGroup.Drawing);

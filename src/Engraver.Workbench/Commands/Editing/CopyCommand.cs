@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>COPY: Copies objects to one place after the other, until Enter. All of it is one step of undo.</summary>
+/// <summary>COPY: Copies objects to several points until Enter. All copies are one undo step.</summary>
 internal sealed class CopyCommand : ICommand
 {
     private const int MostItems = 1000;
@@ -59,7 +59,7 @@ internal sealed class CopyCommand : ICommand
         IEnumerable<Vector2D> Ways(Vector2D way) => Enumerable.Range(1, items - 1).Select(item => way * item);
     }
 
-    /// <summary>The copies so far.</summary>
+    /// <summary>The copies made so far.</summary>
     private sealed class Copies(CommandContext context, IReadOnlyList<int> selected)
     {
         private readonly JoinedSteps _steps = new(context);

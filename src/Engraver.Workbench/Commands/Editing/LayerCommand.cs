@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible,
+/// <summary>LAYER: Creates and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible,
 /// thawed, plottable layers are cut.</summary>
 internal sealed class LayerCommand : ICommand
 {

@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>OFFSET: Draws objects again at a distance or through a point, as lines and arcs.</summary>
+/// <summary>OFFSET: Draws offset copies of objects at a distance or through a point, as lines and arcs.</summary>
 internal sealed class OffsetCommand : ICommand
 {
     private const string Last = "OFFSETDIST";

@@ -7,7 +7,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>CERTIFY: Reads the program of the drawing back, compares it both ways, and writes beside the drawing what was found; no machine moves.</summary>
+/// <summary>CERTIFY: Reads the program of the drawing back, compares both, and writes the certificate beside the drawing; no machine moves.</summary>
 internal sealed class CertifyCommand : ICommand
 {
     private const string Name = "CERTIFY";

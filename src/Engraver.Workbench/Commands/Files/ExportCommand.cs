@@ -11,7 +11,7 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>EXPORT: Writes the kind of file that the ending names: .svg picture of the path, .csv or .json entity table, .dmc program, .dxf CL data.</summary>
+/// <summary>EXPORT: Writes the file format given by the extension: .svg picture of the path, .csv or .json entity table, .dmc program, .dxf CL data.</summary>
 internal sealed class ExportCommand : ICommand
 {
     private static readonly IReadOnlyList<string> s_endings = [".svg", ".csv", ".json", .. PostTable.All.Select(entry => entry.Post.Ending).Distinct()];

@@ -7,8 +7,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>HISTORY: Lists the jobs that were run and the programs that were written; opens the drawing of one, with the settings of that time where it is
-/// to be run again.</summary>
+/// <summary>HISTORY: Lists runs and posted programs; opens the drawing of one, with its settings if it is to be run again.</summary>
 internal sealed class HistoryCommand : ICommand
 {
     /// <summary>Number of listed entries without a search.</summary>

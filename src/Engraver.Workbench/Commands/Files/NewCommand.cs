@@ -5,8 +5,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>NEW: Begins an empty drawing, in millimetres unless another unit is set. It gets a file when it is saved. A person is asked whether edits of
-/// the open one are saved first; for a script UNDO brings them back.</summary>
+/// <summary>NEW: Creates an empty drawing, in millimetres unless another unit is set. It gets a file when it is saved. The operator is asked first whether
+/// edits of the open drawing are saved; in a script UNDO restores them.</summary>
 internal sealed class NewCommand : ICommand
 {
     public CommandInfo Info { get; } = new("NEW", CommandGroup.File) { BringsDrawing = true };

@@ -25,7 +25,7 @@ internal sealed class PostCommand : ICommand
 
     /// <summary>Writes the job of the open drawing and adds it to the history.</summary>
     /// <param name="options">All options of the post.</param>
-    /// <exception cref="CommandException">The machine can cut nothing of the drawing.</exception>
+    /// <exception cref="CommandException">The machine can cut no part of the drawing.</exception>
     public static async Task WriteAsync(CommandContext context, PostEntry entry, IReadOnlyDictionary<string, string> options)
     {
         var (drawing, settings, post) = (context.Drawing, context.Document.Current.Settings, entry.Post);

@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>REPORT: Writes the job of the drawing, with its last run, as a page for the browser and for paper.</summary>
+/// <summary>REPORT: Writes the job of the drawing, with its last run, as a page for the browser and for printing.</summary>
 internal sealed class ReportCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REPORT", CommandGroup.Output);

@@ -9,7 +9,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>VERIFY: Reads a posted program back, runs it in a simulated controller of its own, and compares what it cuts with the open drawing; no machine
+/// <summary>VERIFY: Reads a posted program back, runs it in a separate simulated controller, and compares its cut with the open drawing; no machine
 /// moves.</summary>
 internal sealed class VerifyCommand : ICommand
 {

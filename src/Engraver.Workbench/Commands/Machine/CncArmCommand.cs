@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCARM: Checks everything that must be so before a start, and lets START work for 60 s or until anything changes.</summary>
+/// <summary>CNCARM: Runs the start checks, and enables START for 60 s or until anything changes.</summary>
 internal sealed class CncArmCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List([.. Enum.GetNames<JobMode>(), "Dryrun", "Trajectories", "oFf"]);

@@ -6,8 +6,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCGOTO: Moves the machine at rapid speed with the tool off: to a machine position, a place of the drawing, the drawing's start point or the
-/// park position. A tool that an axis holds is raised to its clearance height over the work first; Clearance does that alone.</summary>
+/// <summary>CNCGOTO: Moves the machine at rapid speed with the tool off: to a machine position, a point of the drawing, the drawing's start point or the park
+/// position. A tool axis is raised to its clearance height above the work first; the option Clearance does only that.</summary>
 internal sealed class CncGoToCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Work", "Start", "Park", "Clearance");

@@ -7,7 +7,8 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCHOLD: Holds the job: it brakes on its path, then the tool goes off or up. CNCJOG may move the machine meanwhile. Never asks.</summary>
+/// <summary>CNCHOLD: Feed hold of the job: it decelerates on its path, then the tool is switched off or raised. CNCJOG may move the machine meanwhile. Never
+/// asks.</summary>
 internal sealed class CncHoldCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCHOLD", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
@@ -20,8 +21,8 @@ internal sealed class CncHoldCommand : ICommand
     }
 }
 
-/// <summary>CNCRESUME: Lets a held job go on. With none held it chooses what START cuts: what an interrupted job has left, by its journal; the contours
-/// from one on; or the whole drawing again.</summary>
+/// <summary>CNCRESUME: Resumes a held job. Without one it selects what START cuts: the rest of an interrupted job by its journal, the contours from one on, or
+/// the whole drawing again.</summary>
 internal sealed class CncResumeCommand : ICommand
 {
     /// <summary>Name of the last lead-in length.</summary>
@@ -102,7 +103,7 @@ internal sealed class CncResumeCommand : ICommand
     }
 }
 
-/// <summary>CNCOVERRIDE: Changes feed or rapid speed of the job under way and of those that follow, in percent of the plan.</summary>
+/// <summary>CNCOVERRIDE: Changes feed or rapid speed of the running job and of the following ones, in percent of the plan.</summary>
 internal sealed class CncOverrideCommand : ICommand
 {
     private const double Percent = 100.0;

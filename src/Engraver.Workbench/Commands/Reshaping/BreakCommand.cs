@@ -5,7 +5,7 @@ using Engraver.Workbench.Commands.Editing;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>BREAK: Takes a piece out of an object between two places, or parts it at one.</summary>
+/// <summary>BREAK: Removes a piece of an object between two points, or splits it at one.</summary>
 internal sealed class BreakCommand : ICommand
 {
     public CommandInfo Info { get; } = new("BREAK", CommandGroup.Drawing);

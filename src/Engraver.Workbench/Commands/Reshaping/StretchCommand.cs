@@ -7,7 +7,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>STRETCH: Moves the ends and vertices that lie in a crossing box; objects completely in it move completely.</summary>
+/// <summary>STRETCH: Moves the ends and vertices in a crossing box; objects completely in it move completely.</summary>
 internal sealed class StretchCommand : ICommand
 {
     private const string Last = "STRETCH";
