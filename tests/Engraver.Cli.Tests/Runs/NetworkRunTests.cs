@@ -157,7 +157,7 @@ public class NetworkRunTests
     public async Task A_refused_command_is_exit_3_and_says_which_and_why()
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
-        controller.Schedule(new ScheduledFault { Kind = FaultKind.LimitSwitch, Axis = "A", Forward = true, AtByte = BehindTheList }); // An earlier failure hits a start check that does not pass.
+        controller.Schedule(new ScheduledFault { Kind = FaultKind.LimitSwitch, Axis = "A", Forward = true, AtByte = BehindTheList }); // An earlier fault would make a start check fail.
         using var folder = new TemporaryFolder();
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 

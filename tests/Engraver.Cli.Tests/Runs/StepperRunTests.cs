@@ -27,7 +27,7 @@ public class StepperRunTests
         Assert.Equal(0, controller.MotorPlace(0));
         Assert.Contains("maximum deviation of the commanded positions 0.00", told.Out, StringComparison.Ordinal);
         Assert.Contains("the whole drawing was cut; the motors of X, Y are steppers without feedback, lost steps are not detected.", told.Out, StringComparison.Ordinal);
-        Assert.EndsWith(" mm commanded; lost steps are not detected (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')[..^1]), StringComparison.Ordinal); // After the line of the limit.
+        Assert.EndsWith(" mm commanded; lost steps are not detected (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')[..^1]), StringComparison.Ordinal); // The last line is the disk space limit of runs.
         Assert.Equal(["X", "Y"], JsonText.Of(await CliRun.RunAsync("history", "--search", drawing, "--json")).GetProperty("entries")[0].GetProperty("openLoop").EnumerateArray().Select(axis => axis.GetString()));
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("page.html"));
         var page = await File.ReadAllTextAsync(folder.PathOf("page.html"));
