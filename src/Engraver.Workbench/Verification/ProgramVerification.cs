@@ -90,7 +90,8 @@ public static class ProgramVerification
 /// <summary>Comparison of a posted program with a drawing, millimetres.</summary>
 /// <param name="MaxDeviationMm">Largest distance of a cut from the drawing, including the allowed deviation of the controller's path control; null if nothing
 /// is cut or it is unknown.</param>
-/// <param name="ToleranceMm">The allowed deviation: rounding and curve error, or half of the widest bridged gap if that is larger.</param>
+/// <param name="ToleranceMm">The allowed deviation: rounding and curve error, plus half of the widest bridged gap if the deviation exceeds the tolerance at a
+/// bridge.</param>
 /// <param name="MissingLengthMm">Length of the drawing that the program does not cut.</param>
 /// <param name="ExtraLengthMm">Length that the program cuts in addition to the drawing.</param>
 /// <param name="Ok">The program runs to its end and cuts the whole drawing and nothing else.</param>
