@@ -2,8 +2,7 @@ using System.Text;
 
 namespace Engraver.Cli;
 
-/// <summary>Where a run of the program writes: results to <see cref="Out"/> (UTF-8, LF), everything a person reads beside them to
-/// <see cref="Error"/>.</summary>
+/// <summary>Where a run of the program writes: results to <see cref="Out"/> (UTF-8, LF), all other messages to <see cref="Error"/>.</summary>
 /// <param name="output">Standard output.</param>
 /// <param name="error">Standard error.</param>
 /// <param name="input">Standard input; null: none is read.</param>
@@ -17,16 +16,16 @@ public sealed class ConsoleStreams(Stream output, TextWriter error, TextReader? 
 
     public TextReader In { get; } = input ?? TextReader.Null;
 
-    /// <summary>True when a person sits at both ends: keys are read one by one and replies are coloured.</summary>
+    /// <summary>True when input and output are interactive terminals: keys are read one by one and replies are coloured.</summary>
     public bool Interactive { get; init; }
 
-    /// <summary>Takes the next key that was pressed, without waiting; null where nobody has keys.</summary>
+    /// <summary>Returns the next pressed key without waiting. Null without an interactive terminal.</summary>
     public Func<ConsoleKeyInfo?>? Keys { get; init; }
 
-    /// <summary>For a verb that was left behind and may still be writing: what is buffered is dropped, and disposing does not wait.</summary>
+    /// <summary>Called when a verb was abandoned and may still be writing: drops buffered output, and disposing does not wait.</summary>
     public void Abandon() => _abandoned = true;
 
-    /// <summary>What could not be written has been said when it was flushed.</summary>
+    /// <summary>Write failures were reported when the stream was flushed.</summary>
     public void Dispose()
     {
         if (_abandoned) return;
@@ -36,7 +35,7 @@ public sealed class ConsoleStreams(Stream output, TextWriter error, TextReader? 
         }
         catch (IOException)
         {
-            // The place is full or gone: disposing tries once more, in vain.
+            // The disk is full or the stream is closed: disposing flushes again and fails again.
         }
     }
 }

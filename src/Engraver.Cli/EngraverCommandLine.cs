@@ -7,7 +7,7 @@ using Engraver.Cli.Verbs.Sending;
 
 namespace Engraver.Cli;
 
-/// <summary>Builds the verbs and options of the runner. A verb that is not here is a usage error.</summary>
+/// <summary>Builds the verbs and options of the runner. An unknown verb is a usage error.</summary>
 internal static class EngraverCommandLine
 {
     public static RootCommand Build(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)

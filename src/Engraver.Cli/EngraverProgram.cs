@@ -11,17 +11,16 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli;
 
-/// <summary>One run of <c>engraver</c>: parses the arguments, runs the verb, turns a failure into one sentence and an exit code.</summary>
+/// <summary>One run of <c>engraver</c>: parses the arguments, runs the verb, converts a failure to one sentence and an exit code.</summary>
 public static class EngraverProgram
 {
     /// <summary>Runs the program.</summary>
     /// <returns>The exit code (<see cref="ExitCode"/>).</returns>
-    /// <remarks>Ctrl-C and SIGTERM end the program soon (<see cref="StoppableVerb"/>). With a machine in hand they cancel the verb and then wait for it,
-    /// however long the machine brakes:
-    /// the library's own two-second limit is switched off, and a second signal changes nothing.</remarks>
+    /// <remarks>Ctrl-C and SIGTERM end the program soon (<see cref="StoppableVerb"/>). While a machine is connected they cancel the verb and wait until the
+    /// machine has stopped: the two-second limit of System.CommandLine is disabled, and a second signal has no effect.</remarks>
     public static async Task<int> RunAsync(string[] args, ConsoleStreams streams)
     {
-        var stop = new CancellationTokenSource(); // not disposed: a second signal may come at any moment
+        var stop = new CancellationTokenSource(); // Not disposed: a second signal may arrive at any time.
         InterruptSignal.Unignore();
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
@@ -35,7 +34,7 @@ public static class EngraverProgram
         }
     }
 
-    /// <summary>The same with the operator's stop as a token.</summary>
+    /// <summary>Runs the program; the token is the operator's stop.</summary>
     public static async Task<int> RunAsync(string[] args, ConsoleStreams streams, CancellationToken stop)
     {
         try
@@ -98,7 +97,7 @@ public static class EngraverProgram
         return await StoppableVerb.RunAsync(() => parsed.InvokeAsync(settings, stop), streams, machine, stop).ConfigureAwait(false);
     }
 
-    /// <summary>What is wrong with the arguments; null when they can be used.</summary>
+    /// <summary>Why the arguments are invalid; null when they are valid.</summary>
     private static string? WhyUnusable(string[] args, RootCommand root, ParseResult parsed)
     {
         if (VerbSuggestion.For(args, root) is { } verb) return verb;

@@ -7,7 +7,7 @@ public static class ExitCode
 {
     public const int Done = 0;
 
-    /// <summary>A diagnostic of severity error: file unusable or truncated, or a curve lost; or what was cut is not the drawing.</summary>
+    /// <summary>A diagnostic of severity error: the file is unusable or truncated, a curve was lost, or the cut differs from the drawing.</summary>
     public const int DrawingError = 1;
 
     /// <summary>Unknown verb, option or unreadable value.</summary>
@@ -16,15 +16,15 @@ public static class ExitCode
     /// <summary>The controller refused a command.</summary>
     public const int Refused = 3;
 
-    /// <summary>The link was lost or never came up.</summary>
+    /// <summary>The link was lost or could not be established.</summary>
     public const int LinkLost = 4;
 
     public const int StoppedByOperator = 5;
 
-    /// <summary>A bug; a crash report is written.</summary>
+    /// <summary>Internal error; a crash report is written.</summary>
     public const int InternalError = 70;
 
-    /// <summary>How a job or a move ended.</summary>
+    /// <summary>The exit code for the outcome of a job or a move.</summary>
     public static int Of(JobOutcome outcome) => outcome switch
     {
         JobOutcome.Complete => Done,

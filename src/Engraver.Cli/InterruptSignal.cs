@@ -3,15 +3,14 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.Cli;
 
-/// <summary>Makes sure that an interrupt reaches the program. A shell without job control starts background commands with SIGINT ignored, and the runtime
-/// respects that;
-/// a program that moves a machine must not, because a signal that is sent to it is meant to stop it.</summary>
+/// <summary>Ensures that the program receives SIGINT. A shell without job control starts background commands with SIGINT ignored, and the runtime keeps that
+/// setting. A program that moves a machine must not ignore the signal, because it is sent to stop the machine.</summary>
 internal static class InterruptSignal
 {
     private const int Interrupt = 2;
     private const nint Default = 0;
 
-    /// <summary>Call before a handler is registered. Does nothing where the signal is not ignored, nor outside Linux.</summary>
+    /// <summary>Call before registering a handler. Does nothing if the signal is not ignored, or on other systems than Linux.</summary>
     public static void Unignore()
     {
         if (OperatingSystem.IsLinux() && IsIgnored()) NativeMethods.Signal(Interrupt, Default);

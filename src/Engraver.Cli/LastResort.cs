@@ -2,8 +2,8 @@ using Engraver.Cli.Output;
 
 namespace Engraver.Cli;
 
-/// <summary>Ends the program for an exception on a thread that nobody waits for (a timer's, a pool's), which the runtime would end with a signal (exit 134)
-/// and without a report.</summary>
+/// <summary>Ends the program after an unhandled exception on a background thread (a timer or the thread pool). The runtime would otherwise end the process with
+/// a signal (exit 134) and without a report.</summary>
 internal sealed class LastResort(string[] args, TextWriter error, Action<int> exit)
 {
     private int _ended;
@@ -14,7 +14,7 @@ internal sealed class LastResort(string[] args, TextWriter error, Action<int> ex
         AppDomain.CurrentDomain.UnhandledException += (_, failure) => resort.End(failure.ExceptionObject as Exception ?? new InvalidOperationException(failure.ExceptionObject.ToString()));
     }
 
-    /// <summary>Writes what happened and where the report is, and ends the program. Only the first call does anything.</summary>
+    /// <summary>Writes the error and the path of the report, then ends the program. Only the first call has an effect.</summary>
     public void End(Exception bug)
     {
         if (Interlocked.Exchange(ref _ended, 1) != 0) return;

@@ -1,9 +1,9 @@
 namespace Engraver.Cli;
 
-/// <summary>Knows whether the verb has a machine connected. While it has, the verb itself answers the operator's stop: it brakes the machine and then ends,
-/// or disconnects. Otherwise the program just ends.</summary>
-/// <remarks>Any thread. The stop is requested before this is asked: a verb that connects too late to be seen here finds the stop requested, and begins
-/// nothing.</remarks>
+/// <summary>Whether the running verb has a machine connected. If it has, the program waits on the operator's stop until the verb has stopped the machine and
+/// ended or disconnected. Otherwise the program ends at once.</summary>
+/// <remarks>Any thread. The stop is requested before this class is read: a verb that connects later sees the requested stop and does not start
+/// anything.</remarks>
 internal sealed class MachineInHand
 {
     private readonly Lock _guard = new();

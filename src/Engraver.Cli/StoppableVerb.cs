@@ -1,21 +1,19 @@
 namespace Engraver.Cli;
 
 /// <summary>Runs a verb so that the operator's stop ends it soon, however long it computes.</summary>
-/// <remarks>The stages change nothing but memory, so they need not end in order: the verb is left behind on its thread, which ends with the process. That
-/// is as quick in the
-/// middle of the longest loop, or of a read from a pipe without a writer, as between two stages, and no loop pays for it. Two things may not be left
-/// behind. A machine:
-/// while one is connected the verb is waited for, because it brakes first. And a file under its temporary name, which is deleted at the end of the process
+/// <remarks>The stages change only memory and need not be cancelled: the verb is abandoned on its thread, which ends with the process. This works in the middle
+/// of a long loop or of a read from a pipe without a writer, and no loop has to check for cancellation. Two exceptions: while a machine is connected the
+/// program waits for the verb, which stops the machine first; and temporary files are deleted when the process ends
 /// (<see cref="Engraver.Workbench.Files.OutputFile"/>).</remarks>
 internal static class StoppableVerb
 {
-    /// <summary>Computes something that the operator's stop need not wait for.</summary>
-    /// <exception cref="OperationCanceledException">The operator stopped it; what computes is left behind.</exception>
+    /// <summary>Runs a computation that is abandoned on the operator's stop.</summary>
+    /// <exception cref="OperationCanceledException">The operator stopped it; the computation is abandoned.</exception>
     public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => UntilStoppedAsync(OnItsOwnThread(() => Task.FromResult(compute())), stop);
 
     /// <returns>The exit code of the verb.</returns>
-    /// <exception cref="OperationCanceledException">The operator stopped it. When the verb was left behind, <paramref name="streams"/> take nothing
-    /// more.</exception>
+    /// <exception cref="OperationCanceledException">The operator stopped it. If the verb was abandoned, <paramref name="streams"/> accept no more
+    /// output.</exception>
     public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, MachineInHand machine, CancellationToken stop)
     {
         var running = OnItsOwnThread(verb);
@@ -26,14 +24,14 @@ internal static class StoppableVerb
         catch (OperationCanceledException)
         {
             await Task.WhenAny(running, machine.LetGoAsync()).ConfigureAwait(false);
-            if (running.IsCompleted) return await running.ConfigureAwait(false); // also when it ended in the same moment: how it ended is its own to say
+            if (running.IsCompleted) return await running.ConfigureAwait(false); // Also when it ended at the same moment: its own result counts.
             streams.Abandon();
             throw;
         }
     }
 
-    /// <summary>As <see cref="Task{T}.WaitAsync(CancellationToken)"/>, which however goes on inside the thread that cancels, before anybody who registered
-    /// earlier: there the machine has to be stopped first.</summary>
+    /// <summary>Like <see cref="Task{T}.WaitAsync(CancellationToken)"/>, which however continues on the cancelling thread before callbacks registered earlier:
+    /// those must stop the machine first.</summary>
     private static async Task<T> UntilStoppedAsync<T>(Task<T> running, CancellationToken stop)
     {
         var stopped = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -42,6 +40,6 @@ internal static class StoppableVerb
         return running.IsCompleted ? await running.ConfigureAwait(false) : throw new OperationCanceledException(stop);
     }
 
-    /// <summary>Runs on a new thread, because a verb computes for long and the pool may be busy.</summary>
+    /// <summary>Runs on a new thread, because a verb may compute for a long time and the thread pool may be busy.</summary>
     private static Task<T> OnItsOwnThread<T>(Func<Task<T>> act) => Task.Factory.StartNew(act, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
 }

@@ -1,7 +1,7 @@
 namespace Engraver.Cli;
 
-/// <summary>An option whose value can be read but not used (an unknown layer, an unreadable profile). Ends the program with one sentence and exit code
-/// 2.</summary>
+/// <summary>The value of an option is well-formed but cannot be used (an unknown layer, an unreadable profile). Ends the program with one sentence and exit
+/// code 2.</summary>
 public sealed class UsageException : Exception
 {
     public UsageException()

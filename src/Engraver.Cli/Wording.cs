@@ -2,7 +2,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Cli;
 
-/// <summary>Every text of this project that people read, from its <c>Texts.resx</c>, in the language of now.</summary>
+/// <summary>The texts of this project from its <c>Texts.resx</c>, in the current language.</summary>
 internal static class Wording
 {
     private static readonly TextCatalogue s_texts = new(typeof(Wording).Assembly, "Engraver.Cli.Texts");

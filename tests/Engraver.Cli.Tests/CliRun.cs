@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Cli.Tests;
 
-/// <summary>One run of the program inside the test process: arguments in, exit code and both outputs back.</summary>
+/// <summary>One run of the program inside the test process: with exit code and both outputs.</summary>
 internal sealed record CliRun(int ExitCode, string Out, string Error)
 {
     public static Task<CliRun> RunAsync(params string[] args) => RunAsync(CancellationToken.None, args);

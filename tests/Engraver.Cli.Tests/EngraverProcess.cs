@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.Cli.Tests;
 
-/// <summary>The program as a process of its own, for what only a process can show: signals, a killed host, two programs on one socket.</summary>
+/// <summary>The program as a separate process, for tests that require one: signals, a killed host, two programs on one socket.</summary>
 internal sealed class EngraverProcess : IDisposable
 {
     private readonly Process _process;
@@ -12,7 +12,7 @@ internal sealed class EngraverProcess : IDisposable
 
     public int ExitCode => _process.ExitCode;
 
-    /// <summary>What is typed to it; nothing until then, and no end.</summary>
+    /// <summary>Standard input; empty and open until something is written.</summary>
     public StreamWriter In => _process.StandardInput;
 
     public StreamReader Out => _process.StandardOutput;
@@ -26,7 +26,7 @@ internal sealed class EngraverProcess : IDisposable
     /// <summary>As a shell without job control starts a background command: with the interrupt ignored.</summary>
     public static EngraverProcess StartInBackground(params string[] args) => Start("sh", ["-c", "trap '' INT; exec dotnet \"$@\"", "sh", Program, .. args]);
 
-    /// <summary>With <see cref="StartupHook"/> in it: the signal <see cref="StartupHook.Trigger"/> makes a thread of its pool throw.</summary>
+    /// <summary>With <see cref="StartupHook"/>: the signal <see cref="StartupHook.Trigger"/> makes a pool thread throw.</summary>
     public static EngraverProcess StartWithBug(params string[] args) => Start("dotnet", [Program, .. args], ("DOTNET_STARTUP_HOOKS", typeof(StartupHook).Assembly.Location));
 
     private static EngraverProcess Start(string command, IEnumerable<string> args, (string Name, string Value)? setting = null)
@@ -37,7 +37,7 @@ internal sealed class EngraverProcess : IDisposable
         return new EngraverProcess(Process.Start(start) ?? throw new InvalidOperationException("dotnet did not start."));
     }
 
-    /// <summary>Reads standard output up to the first line that begins so, and answers that line.</summary>
+    /// <summary>Reads standard output up to the first line with this prefix, and returns it.</summary>
     public async Task<string> LineAsync(string beginning, CancellationToken cancellation)
     {
         while (await _process.StandardOutput.ReadLineAsync(cancellation) is { } line)

@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Tests;
 
-/// <summary>A place that takes nothing, like /dev/full.</summary>
+/// <summary>A stream that rejects all data, like /dev/full.</summary>
 internal sealed class FullStream : Stream
 {
     public override bool CanRead => false;

@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Tests;
 
-/// <summary>A bug on a thread that nobody waits for: it ends the program, but not without a word.</summary>
+/// <summary>An exception on a background thread ends the program with a report.</summary>
 public class LastResortTests
 {
     [Fact]

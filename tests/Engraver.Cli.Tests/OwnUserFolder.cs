@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Engraver.Cli.Tests;
 
-/// <summary>Tests and the processes they start keep journals and machines in a folder of their own, not in that of whoever runs the tests.</summary>
+/// <summary>Tests and the processes they start store journals and machines in a separate folder, not in the user's data folder.</summary>
 internal static class OwnUserFolder
 {
     [ModuleInitializer]

@@ -1,7 +1,7 @@
 using System.Runtime.InteropServices;
 
-/// <summary>Runs inside the program under test, before its Main (DOTNET_STARTUP_HOOKS; the name and the missing namespace are the runtime's wish): a bug on
-/// a thread of the pool, when a test wants it.</summary>
+/// <summary>Runs inside the program under test, before its Main (DOTNET_STARTUP_HOOKS requires this name without a namespace): throws on a pool thread on
+/// request.</summary>
 internal static class StartupHook
 {
     /// <summary>SIGUSR1 of Linux.</summary>
@@ -12,7 +12,7 @@ internal static class StartupHook
     public static void Initialize() =>
         s_registration = PosixSignalRegistration.Create(Trigger, signal =>
         {
-            signal.Cancel = true; // or the signal itself would end the process
+            signal.Cancel = true; // Otherwise the signal itself would end the process.
             ThreadPool.QueueUserWorkItem(_ => throw new NotSupportedException("a thread of the pool broke"));
         });
 }

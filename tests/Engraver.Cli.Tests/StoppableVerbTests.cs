@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Tests;
 
-/// <summary>The operator's stop does not wait for a verb that computes, and always for one that has a machine in hand.</summary>
+/// <summary>The operator's stop does not wait for a computing verb, but always for one with a connected machine.</summary>
 public class StoppableVerbTests
 {
     [Fact]
@@ -101,8 +101,8 @@ public class StoppableVerbTests
         }
     }
 
-    /// <summary>The token calls whoever registered last first, and the verb registered before: whatever the program does at its end must not come between
-    /// the signal and the stop of the machine.</summary>
+    /// <summary>Token callbacks run in reverse order of registration, and the verb registered first: nothing that the program does at its end may delay the
+    /// stop of the machine.</summary>
     [Fact]
     public async Task The_thread_of_the_signal_goes_on_to_the_machine_and_ends_no_program_before()
     {
@@ -121,7 +121,7 @@ public class StoppableVerbTests
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => running);
     }
 
-    /// <summary>A verb that hears nothing while it computes, and computes until it is released.</summary>
+    /// <summary>A verb that ignores cancellation and computes until it is released.</summary>
     private sealed class LongVerb : IDisposable
     {
         public const int Code = 42;
@@ -144,7 +144,7 @@ public class StoppableVerbTests
 
         public void Release() => _released.Set();
 
-        /// <summary>Lets a verb that was left behind go; the event stays, for it may still be waking up.</summary>
+        /// <summary>Releases an abandoned verb; the event is not disposed, because the verb may still be waiting on it.</summary>
         public void Dispose()
         {
             Release();

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>Reports a bug: writes a file with all that is needed to find it, and one sentence that names the file.</summary>
+/// <summary>Reports an internal error: writes a file with the details, and returns one sentence that names the file.</summary>
 internal static class CrashReport
 {
     public static string Write(Exception bug, string[] args)

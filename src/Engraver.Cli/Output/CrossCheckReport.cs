@@ -4,10 +4,10 @@ using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>Compares a drawing with a second reading of its file and says where they differ.</summary>
+/// <summary>Compares a drawing with a second reading of its file and reports the differences.</summary>
 internal static class CrossCheckReport
 {
-    /// <summary>Writes one line for each difference, or one that there is none.</summary>
+    /// <summary>Writes one line for each difference, or one line that states that there are none.</summary>
     /// <returns>False when the two readings differ, or the second one could not be made.</returns>
     public static bool Write(TextWriter error, Drawing read, DrawingSummary summary)
     {

@@ -4,7 +4,7 @@ namespace Engraver.Cli.Output;
 
 /// <summary>The object of <c>discover</c>.</summary>
 /// <param name="Controllers">Those that answered.</param>
-/// <param name="Silent">Where nobody did, with the reason.</param>
+/// <param name="Silent">Addresses without an answer, with the reason.</param>
 internal sealed record DiscoverJson(IReadOnlyList<DiscoverJson.FoundJson> Controllers, IReadOnlyList<DiscoverJson.SilentJson> Silent)
 {
     public static DiscoverJson From(IReadOnlyList<DiscoveredController> asked) => new(

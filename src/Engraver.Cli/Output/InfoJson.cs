@@ -35,7 +35,7 @@ internal sealed record InfoJson(
 
     internal sealed record BoundsJson(double MinX, double MinY, double MaxX, double MaxY);
 
-    /// <summary>A text with its place in drawing units; <c>column</c> and <c>row</c> are its alignment.</summary>
+    /// <summary>A text with its position in drawing units; <c>column</c> and <c>row</c> are its alignment.</summary>
     internal sealed record TextJson(
         string Type, string Content, double X, double Y, double Height, double Rotation, double WidthFactor, bool Mirrored, string Column, string Row, string Style, string Font, string Layer, bool Hidden, string? Handle, long Line);
 

@@ -4,10 +4,10 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>Collects what is in a drawing for the JSON of <c>info</c>.</summary>
+/// <summary>Collects the contents of a drawing for the JSON of <c>info</c>.</summary>
 internal static class InfoReport
 {
-    /// <summary>Most texts in the report; the drawing may have more.</summary>
+    /// <summary>Maximum number of texts in the report.</summary>
     private const int ShownTexts = 10_000;
 
     public static InfoJson Json(Drawing drawing, DrawingSummary summary, IReadOnlyList<Diagnostic> findings)

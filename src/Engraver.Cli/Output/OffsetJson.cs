@@ -4,7 +4,7 @@ using Engraver.Workbench.Documents;
 namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver offset --json</c> prints; names, units and meanings are the runner's contract.</summary>
-/// <param name="MaxDeviation">Largest difference between the distance asked for and the measured one, mm.</param>
+/// <param name="MaxDeviation">Largest difference between the requested and the measured distance, mm.</param>
 internal sealed record OffsetJson(IReadOnlyList<OffsetJson.LoopJson> Loops, double MaxDeviation)
 {
     public static OffsetJson From(OffsetResult result) => new(
@@ -25,7 +25,7 @@ internal sealed record OffsetJson(IReadOnlyList<OffsetJson.LoopJson> Loops, doub
         output.WriteLine(Wording.Get("Offset.MaxDeviation", offset.Result.MaxDeviation));
     }
 
-    /// <param name="Area">Inside this loop alone, mm2, never negative; 0 when open.</param>
-    /// <param name="Hole">The material lies around it, not in it (it runs clockwise).</param>
+    /// <param name="Area">Area enclosed by this loop alone, mm2, never negative; 0 when open.</param>
+    /// <param name="Hole">The material is outside the loop (it runs clockwise).</param>
     internal sealed record LoopJson(bool Closed, int Lines, int Arcs, double Length, double Area, bool Hole);
 }

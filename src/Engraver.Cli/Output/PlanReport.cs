@@ -9,9 +9,9 @@ namespace Engraver.Cli.Output;
 /// <summary>Reports the plan of a job.</summary>
 internal static class PlanReport
 {
-    /// <param name="program">Of the job, made fit for the link; null when there is nothing this machine can cut.</param>
-    /// <param name="times">Of the program, over the link.</param>
-    /// <param name="rates">Null: nobody asks what it costs.</param>
+    /// <param name="program">The job's program with feeds limited to the link; null when this machine can cut nothing.</param>
+    /// <param name="times">Times of the program over the link.</param>
+    /// <param name="rates">Null: no cost is computed.</param>
     public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times, JobRates? rates)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);

@@ -7,12 +7,12 @@ namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver pocket --json</c> prints; names, units and meanings are the runner's contract.</summary>
 /// <param name="Loops">The passes of one level of depth.</param>
-/// <param name="MaxDeviation">Largest difference between a pass's distance from the walls and the one it should have, mm.</param>
-/// <param name="Coverage">Covered part of the reachable area, 0 to 1; null where the tool reaches nothing.</param>
-/// <param name="Strokes">What is cut without a lift, in order, every level by itself.</param>
-/// <param name="Stepover">Distance of neighbouring passes as a part of the tool diameter.</param>
+/// <param name="MaxDeviation">Largest difference between the actual and the nominal distance of a pass from the walls, mm.</param>
+/// <param name="Coverage">Covered fraction of the reachable area, 0 to 1; null if the tool reaches nothing.</param>
+/// <param name="Strokes">Cuts without a lift, in order, separately for each level.</param>
+/// <param name="Stepover">Distance between neighbouring passes as a fraction of the tool diameter.</param>
 /// <param name="PassDistance">The same in mm.</param>
-/// <param name="PassOverlap">Width that two neighbouring passes both sweep, mm.</param>
+/// <param name="PassOverlap">Overlap of two neighbouring passes, mm.</param>
 internal sealed record PocketJson(
     IReadOnlyList<PocketJson.PocketPassJson> Loops, double MaxDeviation, int Regions, double DrawnArea, double ReachableArea, double CoveredArea, double UncoveredArea, double? Coverage, double UnreachableArea,
     IReadOnlyList<PocketJson.PocketPlaceJson> Unreached, IReadOnlyList<PocketJson.PocketNarrowJson> TooNarrow, IReadOnlyList<double> Levels, IReadOnlyList<PocketJson.PocketStrokeJson> Strokes,
@@ -63,14 +63,14 @@ internal sealed record PocketJson(
     private static string Word<T>(T value)
         where T : struct, Enum => value.ToString().ToLower(CultureInfo.InvariantCulture);
 
-    /// <param name="Area">Inside this pass alone, mm2, never negative; 0 when open.</param>
-    /// <param name="Hole">The pocket lies around it.</param>
+    /// <param name="Area">Area enclosed by this pass alone, mm2, never negative; 0 when open.</param>
+    /// <param name="Hole">The pocket is outside this pass.</param>
     /// <param name="Kind">wall, contour, sliver, row, finish.</param>
     /// <param name="Level">0 at the wall, counted inwards; the number of a row.</param>
     internal sealed record PocketPassJson(bool Closed, int Lines, int Arcs, double Length, double Area, bool Hole, string Kind, int Level, int Region);
 
-    /// <param name="Depth">Distance of the place from what the tool reaches, mm.</param>
-    /// <param name="Area">mm2, null where it is not known.</param>
+    /// <param name="Depth">Distance of the position from the area that the tool reaches, mm.</param>
+    /// <param name="Area">mm2; null when unknown.</param>
     internal sealed record PocketPlaceJson(double X, double Y, double Depth, double? Area);
 
     internal sealed record PocketNarrowJson(double X, double Y, double Width);

@@ -4,18 +4,18 @@ using Engraver.Workbench.Documents;
 namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver post --json</c> prints; names, units and meanings are the runner's contract.</summary>
-/// <param name="File">Where the text was written; null when it is <paramref name="Text"/>, or when there is none.</param>
-/// <param name="Lines">Of the text.</param>
-/// <param name="Forecast">Null for a target that foretells nothing.</param>
+/// <param name="File">Path of the written text; null when the text is in <paramref name="Text"/>, or when there is no text.</param>
+/// <param name="Lines">Number of lines of the text.</param>
+/// <param name="Forecast">Null for a target without a forecast.</param>
 internal sealed record PostJson(string Target, string? File, int Lines, string? Text, PostJson.ForecastJson? Forecast)
 {
     public static PostJson From(string target, string? file, PostedProgram posted) => new(
         target, posted.Text is null ? null : file, posted.Text?.Count(letter => letter == '\n') ?? 0, file is null ? posted.Text : null, posted.Forecast is { } forecast ? ForecastJson.From(forecast) : null);
 
-    /// <param name="Programs">Into which the job was parted.</param>
-    /// <param name="StartX">Where the machine must stand before the first block, drawing mm.</param>
+    /// <param name="Programs">Number of programs into which the job was split.</param>
+    /// <param name="StartX">Machine position before the first block, drawing mm.</param>
     /// <param name="MaxError">Largest distance of a cut from the path, mm.</param>
-    /// <param name="MaxClosure">By how much the worst closed contour is left open, mm; null without one.</param>
+    /// <param name="MaxClosure">Largest gap of a closed contour, mm; null without closed contours.</param>
     internal sealed record ForecastJson(int Programs, double StartX, double StartY, double MaxError, double? MaxClosure, IReadOnlyList<BlockJson> Blocks)
     {
         public static ForecastJson From(PostForecast forecast) => new(
@@ -23,8 +23,8 @@ internal sealed record PostJson(string Target, string? File, int Lines, string? 
             [.. forecast.Blocks.Select(block => new BlockJson(block.Part, block.Number, block.Cutting, block.End.X, block.End.Y, block.Error, block.Closure))]);
     }
 
-    /// <param name="X">Where the machine stands after the block, drawing mm.</param>
+    /// <param name="X">Machine position after the block, drawing mm.</param>
     /// <param name="Error">Null for positioning.</param>
-    /// <param name="Closure">Null but at the end of a closed contour.</param>
+    /// <param name="Closure">Null except at the end of a closed contour.</param>
     internal sealed record BlockJson(int Program, int Block, bool Cutting, double X, double Y, double? Error, double? Closure);
 }

@@ -4,10 +4,10 @@ using Engraver.Workbench.Machines.Arming;
 namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver run --json</c> prints; names, units and meanings are the runner's contract.</summary>
-/// <param name="Holds">How often the operator held the job.</param>
-/// <param name="Checks">The list before the start; null when the machine was not asked.</param>
+/// <param name="Holds">Number of feed holds by the operator.</param>
+/// <param name="Checks">The start checks; null when the machine was not queried.</param>
 /// <param name="FinalZ">Counts of the Z axis; null on a machine without one.</param>
-/// <param name="NotCut">What is seen on the layers that are cut and gives no cut, by DXF type; null when the job was not prepared.</param>
+/// <param name="NotCut">Visible entities on the cut layers that produce no cut, by DXF type; null when the job was not prepared.</param>
 internal sealed record RunJson(
     string Outcome,
     int SegmentsSent,
@@ -31,24 +31,24 @@ internal sealed record RunJson(
     RunJson.ResumedJson? ResumedFrom,
     IReadOnlyList<StartCheckJson>? Checks)
 {
-    /// <summary>X, Y and Z as far as steppers move them: what is polled of those is what was commanded.</summary>
+    /// <summary>Those of X, Y and Z that steppers move: their polled positions are the commanded ones.</summary>
     public IReadOnlyList<string> OpenLoop { get; init; } = [];
 
-    /// <summary>Largest following error of the servo axes while the tool cut, mm; null where nobody knows it.</summary>
+    /// <summary>Largest following error of the servo axes while the tool cut, mm; null when unknown.</summary>
     public double? MaxFollowingError { get; init; }
 
-    /// <summary>The distance from the drawing up to which the run counts as right, mm; null for a run that did not begin.</summary>
+    /// <summary>Maximum allowed distance from the drawing, mm; null for a run that did not start.</summary>
     public double? Tolerance { get; init; }
 
-    /// <summary>The trajectories that were run; null for a job of the drawing itself.</summary>
+    /// <summary>The executed trajectories; null for a job of the drawing itself.</summary>
     public FollowedJson? Trajectory { get; init; }
 
-    /// <summary>Where the run went on that was begun before.</summary>
-    /// <param name="Segments">Segments of the whole program that were cut whole.</param>
-    /// <param name="Along">Millimetres along the next one that were cut too.</param>
+    /// <summary>Where a resumed run continued.</summary>
+    /// <param name="Segments">Completed segments of the whole program.</param>
+    /// <param name="Along">Millimetres of the next segment that were already cut.</param>
     internal sealed record ResumedJson(int Segments, double Along);
 
-    /// <param name="VerifiedBound">Largest distance of the path that was asked for from what the trajectories follow, mm, proven.</param>
+    /// <param name="VerifiedBound">Proven upper bound of the distance between the commanded path and the source of the trajectories, mm.</param>
     internal sealed record FollowedJson(int Count, int Points, double VerifiedBound)
     {
         public static FollowedJson? From(TrajectoryJob? job) => job is null ? null : new(job.Trajectories.Count, job.Trajectories.Sum(one => one.Curve.Points), job.Bound);
@@ -56,21 +56,21 @@ internal sealed record RunJson(
 
     internal sealed record ScaleJson(double X, double Y);
 
-    /// <summary>Where the drawing's zero lay, millimetres by the controller's own zero.</summary>
+    /// <summary>Position of the drawing's zero, millimetres from the controller's zero.</summary>
     /// <param name="Source">work, here or given.</param>
     internal sealed record OriginJson(double X, double Y, string Source);
 
-    /// <param name="Count">Entities of the drawing that gave no curve though they should have.</param>
-    /// <param name="Length">Their length, mm; null where it is unknown.</param>
+    /// <param name="Count">Entities of the drawing that could not be converted to curves.</param>
+    /// <param name="Length">Their length, mm; null when unknown.</param>
     internal sealed record LeftOutJson(int Count, double? Length);
 }
 
-/// <summary>One line of the list before the start.</summary>
+/// <summary>One start check.</summary>
 /// <param name="Ok">False: the job does not start.</param>
-/// <param name="Warning">It does not prevent the start, but the operator must have read it.</param>
-/// <param name="Sentence">What was looked at, and when it is not so, what to do.</param>
+/// <param name="Warning">It does not prevent the start, but the operator must acknowledge it.</param>
+/// <param name="Sentence">What was checked and, if it failed, what to do.</param>
 internal sealed record StartCheckJson(bool Ok, bool Warning, string Sentence)
 {
-    /// <summary>Null for a list that nobody went through.</summary>
+    /// <summary>Null when the checks were not run.</summary>
     public static IReadOnlyList<StartCheckJson>? Of(ArmingChecklist? list) => list is null ? null : [.. list.Checks.Select(check => new StartCheckJson(check.Passed, check.IsWarning, check.Sentence))];
 }

@@ -12,39 +12,64 @@ namespace Engraver.Cli.Output;
 internal static class RunReport
 {
     public static RunJson Json(PreparedJob job, MachineRunReport report, string journal, ArmingChecklist? checks) => new(
-        OutcomeText.Word(report.Result.Outcome),
-        report.Result.SegmentsSent,
-        report.Result.SegmentsExecuted,
-        report.Result.Seconds,
-        report.PlannedSeconds,
-        report.Result.Underruns,
-        report.Result.Rejected,
-        report.Result.FinalPosition?.X,
-        report.Result.FinalPosition?.Y,
-        Scale(job.Settings),
-        report.Judgement.MaxDeviationMm,
-        report.Judgement.MissingLengthMm,
-        report.Judgement.Source,
-        journal,
-        LeftOut(job),
-        job.NotCut.Counts,
-        Origin(job.Settings, report.Placement),
-        job.Settings.Machine.Axes.Z is null ? null : report.Result.FinalPosition?.Z,
-        report.Result.Holds,
-        report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, from.Along / job.Settings.Machine.Scale.Largest) : null,
-        StartCheckJson.Of(checks)) { OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())], MaxFollowingError = report.Judgement.FollowingMm, Tolerance = report.ToleranceMm };
+        Outcome: OutcomeText.Word(report.Result.Outcome),
+        SegmentsSent: report.Result.SegmentsSent,
+        SegmentsExecuted: report.Result.SegmentsExecuted,
+        Seconds: report.Result.Seconds,
+        PlannedSeconds: report.PlannedSeconds,
+        Underruns: report.Result.Underruns,
+        Rejected: report.Result.Rejected,
+        FinalX: report.Result.FinalPosition?.X,
+        FinalY: report.Result.FinalPosition?.Y,
+        CountsPerMillimetre: Scale(job.Settings),
+        MaxDeviation: report.Judgement.MaxDeviationMm,
+        MissingLength: report.Judgement.MissingLengthMm,
+        DeviationSource: report.Judgement.Source,
+        Journal: journal,
+        LeftOut: LeftOut(job),
+        NotCut: job.NotCut.Counts,
+        Origin: Origin(job.Settings, report.Placement),
+        FinalZ: job.Settings.Machine.Axes.Z is null ? null : report.Result.FinalPosition?.Z,
+        Holds: report.Result.Holds,
+        ResumedFrom: report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, from.Along / job.Settings.Machine.Scale.Largest) : null,
+        Checks: StartCheckJson.Of(checks))
+    {
+        OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())],
+        MaxFollowingError = report.Judgement.FollowingMm,
+        Tolerance = report.ToleranceMm,
+    };
 
-    /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
-    /// <param name="checks">The list before the start, as far as it was gone through.</param>
+    /// <summary>A run that did not reach the machine: nothing was sent.</summary>
+    /// <param name="checks">The start checks, as far as they were run.</param>
     /// <param name="job">Null when it was stopped before it was prepared.</param>
-    public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome, ArmingChecklist? checks = null) =>
-        new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts, null, null, 0, null, StartCheckJson.Of(checks));
+    public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome, ArmingChecklist? checks = null) => new(
+        Outcome: OutcomeText.Word(outcome),
+        SegmentsSent: 0,
+        SegmentsExecuted: 0,
+        Seconds: 0.0,
+        PlannedSeconds: null,
+        Underruns: 0,
+        Rejected: 0,
+        FinalX: null,
+        FinalY: null,
+        CountsPerMillimetre: Scale(settings),
+        MaxDeviation: null,
+        MissingLength: null,
+        DeviationSource: "none",
+        Journal: null,
+        LeftOut: job is null ? null : LeftOut(job),
+        NotCut: job?.NotCut.Counts,
+        Origin: null,
+        FinalZ: null,
+        Holds: 0,
+        ResumedFrom: null,
+        Checks: StartCheckJson.Of(checks));
 
     private static RunJson.OriginJson? Origin(DrawingSettings settings, PlacementResult? placement) => placement is { Frame: { } frame }
         ? new(frame.X / settings.Machine.Scale.X, frame.Y / settings.Machine.Scale.Y, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
         : null;
 
-    /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
+    /// <summary>The length of an entity that cannot be read is unknown.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
     private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X, settings.Machine.Scale.Y);

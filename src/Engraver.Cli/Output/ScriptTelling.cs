@@ -2,10 +2,10 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>Sends what commands say where the runner's contract wants it: results to standard output, everything else to standard error.</summary>
+/// <summary>Writes the messages of commands as the runner's contract requires: results to standard output, everything else to standard error.</summary>
 internal sealed class ScriptTelling(TextWriter results, TextWriter others, bool quiet, bool verbose)
 {
-    /// <summary>True when a finding of severity error was said.</summary>
+    /// <summary>True after a message of severity error.</summary>
     public bool SawError { get; private set; }
 
     public void Say(object? sender, CommandMessage message)

@@ -21,6 +21,6 @@ internal sealed record SequenceJson(
 
     internal sealed record DiscontinuityJson(double X, double Y, double? Gap, string? NearestHandle, string Id);
 
-    /// <summary>Wall times of the stages of this run, seconds; analysis counts to chaining.</summary>
+    /// <summary>Wall-clock times of the stages of this run, seconds; analysis is included in chaining.</summary>
     internal sealed record SecondsJson(double Read, double Chain, double Order);
 }

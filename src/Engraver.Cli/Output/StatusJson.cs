@@ -10,12 +10,11 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>The one object of <c>status</c>, <c>zero</c> and <c>goto</c>: what the machine is doing and where it stands, millimetres.</summary>
+/// <summary>The one object of <c>status</c>, <c>zero</c> and <c>goto</c>: state and position of the machine, millimetres.</summary>
 /// <param name="State">One of the states of the contract, upper case with blanks.</param>
-/// <param name="Machine">By the controller's own zero.</param>
-/// <param name="Work">By the active work origin; null while it is not known where that lies.</param>
-/// <param name="Inputs">Name to state; 1 is on. Where the machine profile gives no name, and to the second of two with the same name, the number is the
-/// name.</param>
+/// <param name="Machine">Relative to the controller's zero.</param>
+/// <param name="Work">Relative to the active work origin; null while its position is unknown.</param>
+/// <param name="Inputs">Name to state; 1 is on. The number is the name if the machine profile has no name for it or the name is already used.</param>
 internal sealed record StatusJson(
     string State,
     bool Homed,
@@ -29,11 +28,11 @@ internal sealed record StatusJson(
 {
     private const int Lines = 8;
 
-    /// <summary>The list before a frame run; left out by the verbs that have none.</summary>
+    /// <summary>The start checks of a frame run; omitted by verbs without checks.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<StartCheckJson>? Checks { get; init; }
 
-    /// <summary>Why the place of the work is not known, and what to do; null while it is known.</summary>
+    /// <summary>Why the work origin is unknown, and what to do; null while it is known.</summary>
     [JsonIgnore]
     public Diagnostic? OriginMissing { get; private init; }
 
@@ -54,7 +53,7 @@ internal sealed record StatusJson(
             status.Controller) { OriginMissing = status.OriginMissing };
     }
 
-    /// <summary>For people: three lines.</summary>
+    /// <summary>Three lines of text.</summary>
     public IEnumerable<string> Text()
     {
         yield return $"{State}, {Model}";

@@ -3,10 +3,10 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>Suggests the nearest verb for a word that is none.</summary>
+/// <summary>Suggests the nearest verb for an unknown word.</summary>
 internal static class VerbSuggestion
 {
-    /// <summary>Null when the first word is a verb or an option, so that something else is wrong.</summary>
+    /// <summary>Null when the first word is a verb or an option: the error is elsewhere.</summary>
     public static string? For(string[] args, RootCommand root)
     {
         if (args.Length == 0 || args[0].StartsWith('-') || root.Subcommands.Any(verb => verb.Name == args[0])) return null;

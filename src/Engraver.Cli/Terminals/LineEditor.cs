@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>One line being typed: editing keys and the lines typed before. It knows nothing of the screen.</summary>
+/// <summary>The line being typed: editing keys and history. Independent of the screen.</summary>
 /// <param name="history">Oldest first.</param>
 internal sealed class LineEditor(IReadOnlyList<string> history)
 {
@@ -12,10 +12,10 @@ internal sealed class LineEditor(IReadOnlyList<string> history)
 
     public string Text => _text.ToString();
 
-    /// <summary>Where the next character goes in.</summary>
+    /// <summary>Insertion position.</summary>
     public int Cursor { get; private set; }
 
-    /// <summary>Takes a key.</summary>
+    /// <summary>Processes a key.</summary>
     /// <returns>True when the line is finished.</returns>
     public bool Press(ConsoleKeyInfo key)
     {
@@ -42,7 +42,7 @@ internal sealed class LineEditor(IReadOnlyList<string> history)
         if (!char.IsControl(character)) _text.Insert(Cursor++, character);
     }
 
-    /// <summary>Up and down through the history; below its end stands what was being typed.</summary>
+    /// <summary>Moves through the history; after its last line comes the line that was being typed.</summary>
     private void Recall(int place)
     {
         if (place < 0 || place > history.Count) return;

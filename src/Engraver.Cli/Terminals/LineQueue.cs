@@ -2,8 +2,8 @@ using System.Threading.Channels;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>Lines for a terminal, written in the order in which they are said by a task of their own: a terminal that takes nothing (Ctrl-S, a selection by
-/// the mouse) holds up nobody who speaks to it, above all not the heartbeat of a job.</summary>
+/// <summary>Lines for a terminal, written in order by a separate task: a blocked terminal (Ctrl-S, text selected with the mouse) does not delay its callers,
+/// above all not the heartbeat of a job.</summary>
 internal sealed class LineQueue : IAsyncDisposable
 {
     private readonly Channel<string> _lines = Channel.CreateUnbounded<string>(new UnboundedChannelOptions { SingleReader = true });
@@ -14,7 +14,7 @@ internal sealed class LineQueue : IAsyncDisposable
 
     public void Say(string line) => _lines.Writer.TryWrite(line);
 
-    /// <summary>Waits until everything that was said is written.</summary>
+    /// <summary>Waits until all queued lines are written.</summary>
     public async ValueTask DisposeAsync()
     {
         _lines.Writer.TryComplete();

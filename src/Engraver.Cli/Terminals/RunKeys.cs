@@ -5,20 +5,20 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>The keys of a terminal while <c>engraver run</c> has a job under way: hold, resume, overrides, and steps away while it is held. Looked at with
-/// every word of the job; the operator's stop is Ctrl-C, as everywhere.</summary>
-/// <param name="control">Of the job.</param>
-/// <param name="scale">Of the machine, for steps.</param>
-/// <param name="next">The next key that was pressed; null when there is none.</param>
-/// <param name="say">Tells the operator what a key did.</param>
+/// <summary>The keys of a terminal while <c>engraver run</c> runs a job: feed hold, resume, overrides, and jog steps while held. They are polled with every
+/// progress report of the job; the operator's stop is Ctrl-C.</summary>
+/// <param name="control">Control of the job.</param>
+/// <param name="scale">Scale of the machine, for steps.</param>
+/// <param name="next">The next pressed key; null when there is none.</param>
+/// <param name="say">Reports the effect of a key to the operator.</param>
 internal sealed class RunKeys(JobControl control, CountsScale scale, Func<ConsoleKeyInfo?> next, Action<string> say) : IProgress<JobProgress>
 {
-    /// <summary>What a press changes, a factor of the planned speed.</summary>
+    /// <summary>Change of an override by one key press, a factor of the planned speed.</summary>
     private const double Step = 0.1;
 
     private const double Percent = 100.0;
 
-    /// <summary>How far an arrow key moves a held machine, mm.</summary>
+    /// <summary>Distance that an arrow key moves a held machine, mm.</summary>
     private const double JogStep = 1.0;
 
     private JobPhase _told;
@@ -40,7 +40,7 @@ internal sealed class RunKeys(JobControl control, CountsScale scale, Func<Consol
         if (value.Phase == JobPhase.Held) say(Wording.Get("RunKeys.Held"));
     }
 
-    /// <summary>Less than asked for is in force.</summary>
+    /// <summary>Reports when the feed in force is below the requested one.</summary>
     private void TellLimit(double inForce)
     {
         var limit = inForce < control.FeedRatio ? inForce : 0.0;

@@ -2,30 +2,30 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>The conversation of <c>terminal</c>: lines from a pipe one after the other, or keys from a person.</summary>
+/// <summary>The session of <c>terminal</c>: reads lines from a pipe, or keys from the keyboard.</summary>
 internal sealed class TerminalConversation(IMachineTerminal terminal, TerminalScreen screen, TimeProvider time)
 {
-    /// <summary>Time between two looks at the keyboard and at what programs of the controller have printed.</summary>
+    /// <summary>Polling interval of the keyboard and of the output of controller programs.</summary>
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>Done, or the code of the first line that was refused (by the controller) or withheld (by this program).</summary>
+    /// <summary>Done, or the exit code of the first line that the controller refused or this program withheld.</summary>
     public int Code { get; private set; } = ExitCode.Done;
 
-    /// <summary>Answers every line up to the end or <c>quit</c>; what programs print at the end is shown too.</summary>
+    /// <summary>Answers every line up to the end of input or <c>quit</c>; remaining output of controller programs is shown at the end.</summary>
     public async Task RunAsync(TextReader lines, CancellationToken stop)
     {
         while (await NextAsync(lines, stop).ConfigureAwait(false) is { } line && !terminal.Ends(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
         foreach (var message in await terminal.PollAsync(stop).ConfigureAwait(false)) screen.Show(message);
     }
 
-    /// <summary>The same with a line editor. What was refused is no failure of the program: the operator has seen it.</summary>
+    /// <summary>The same with a line editor. A refused line does not change the exit code, because the operator sees the refusal.</summary>
     public async Task RunKeysAsync(CancellationToken stop)
     {
         while (await TypeAsync(stop).ConfigureAwait(false) is var line && !terminal.Ends(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
         Code = ExitCode.Done;
     }
 
-    /// <summary>Reading from a console cannot be cancelled, so the operator's stop does not wait for it.</summary>
+    /// <summary>A console read cannot be cancelled, so the operator's stop does not wait for it.</summary>
     private static Task<string?> NextAsync(TextReader lines, CancellationToken stop) => Task.Run(lines.ReadLine, stop).WaitAsync(stop);
 
     private async Task AnswerAsync(string line, CancellationToken stop)

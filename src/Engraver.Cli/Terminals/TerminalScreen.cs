@@ -3,7 +3,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>Shows answers as plain text, or coloured where a person watches.</summary>
+/// <summary>Shows answers as plain text, or coloured on an interactive terminal.</summary>
 internal sealed class TerminalScreen(TextWriter output, bool coloured)
 {
     private const string Prompt = "engraver> ";
@@ -17,7 +17,7 @@ internal sealed class TerminalScreen(TextWriter output, bool coloured)
         output.Flush();
     }
 
-    /// <summary>The line being typed, with the cursor where it belongs.</summary>
+    /// <summary>The line being typed, with the cursor at its position.</summary>
     public void ShowInput(string text, int cursor)
     {
         output.Write(string.Create(CultureInfo.InvariantCulture, $"{ClearLine}{Prompt}{text}\r\e[{Prompt.Length + cursor}C"));

@@ -16,7 +16,7 @@ namespace Engraver.Cli.Verbs;
 /// <summary><c>engraver bench</c>: the tables of docs/benchmarks.md.</summary>
 internal static class BenchVerb
 {
-    /// <summary>Bytes of a drawing that is posted for every target.</summary>
+    /// <summary>Maximum size in bytes of a drawing that is posted for every target.</summary>
     private const long LargestPosted = 100_000;
     private const int PostSeed = 15;
 
@@ -55,7 +55,7 @@ internal static class BenchVerb
         return command;
     }
 
-    /// <summary><c>engraver bench trajectories</c>: points, bounds and errors of trajectories.</summary>
+    /// <summary><c>engraver bench trajectories</c>: number of points, error bounds and measured errors of trajectories.</summary>
     private static Command Trajectories(VerbHost host)
     {
         var curves = new Option<int>("--curves") { HelpName = "N", Description = Wording.Get("Bench.Curves"), DefaultValueFactory = _ => 100 };
@@ -68,7 +68,7 @@ internal static class BenchVerb
         return command;
     }
 
-    /// <summary><c>engraver bench offsets</c>: processor time of offsets and how it grows.</summary>
+    /// <summary><c>engraver bench offsets</c>: processor time of offsets and its growth.</summary>
     private static Command Offsets(VerbHost host)
     {
         var sizes = new Argument<int[]>("VERTICES") { Description = Wording.Get("Bench.Vertices"), Arity = ArgumentArity.ZeroOrMore, DefaultValueFactory = _ => [10_000, 100_000], CustomParser = Sizes };
@@ -95,7 +95,7 @@ internal static class BenchVerb
         return command;
     }
 
-    /// <summary><c>engraver bench posts</c>: every target of real drawings, posted and verified.</summary>
+    /// <summary><c>engraver bench posts</c>: posts and verifies real drawings for every target.</summary>
     private static Command Posts(VerbHost host)
     {
         var places = new Argument<string[]>("PLACE") { Description = Wording.Get("Bench.PostDrawings"), Arity = ArgumentArity.OneOrMore };
@@ -135,7 +135,7 @@ internal static class BenchVerb
         try
         {
             var benchmark = new FaultStopBenchmark(folder.FullName, baud);
-            await benchmark.RunAsync("none", null, baud is null ? 3 : 1, stop).ConfigureAwait(false); // compiles what is measured
+            await benchmark.RunAsync("none", null, baud is null ? 3 : 1, stop).ConfigureAwait(false); // JIT-compiles the measured code.
             await SayAsync(host, baud is null ? FaultStopFigure.MarkdownHead : FaultStopFigure.SerialHead, stop).ConfigureAwait(false);
             foreach (var (name, fault) in FaultStopBenchmark.Faults.Where(fault => names.Length == 0 || names.Contains(fault.Name))) await SayAsync(host, (await benchmark.RunAsync(name, fault, presses, stop).ConfigureAwait(false)).ToMarkdown(), stop).ConfigureAwait(false);
             return ExitCode.Done;
@@ -162,7 +162,7 @@ internal static class BenchVerb
         return ExitCode.Done;
     }
 
-    /// <summary>Writes a row at once, because the next one may take minutes.</summary>
+    /// <summary>Writes a row immediately, because the next one may take minutes.</summary>
     private static async Task SayAsync(VerbHost host, string line, CancellationToken stop)
     {
         await host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);

@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver commission</c>: the conversation of CNCCOMMISSION, typed or piped, one answer on a line.</summary>
+/// <summary><c>engraver commission</c>: runs CNCCOMMISSION with typed or piped answers, one on a line.</summary>
 internal sealed class CommissionVerb
 {
     private readonly VerbHost _host;
@@ -47,7 +47,7 @@ internal sealed class CommissionVerb
         return result;
     }
 
-    /// <summary>Asks until the command has ended. The end of the input is Esc: the machine is left as found.</summary>
+    /// <summary>Asks until the command has ended. The end of the input acts as Esc: the machine is restored to its initial state.</summary>
     private async Task<InputResult> TalkAsync(CommandSession session, CancellationToken stop)
     {
         var result = await session.EnterAsync("CNCCOMMISSION", stop).ConfigureAwait(false);
@@ -73,7 +73,7 @@ internal sealed class CommissionVerb
         return sentence;
     }
 
-    /// <returns>Null at the end of the input, and when the operator stopped.</returns>
+    /// <returns>Null at the end of the input, or after the operator's stop.</returns>
     private async Task<string?> AnswerAsync(string prompt, CancellationToken stop)
     {
         if (_host.Interactive) await _host.Out.WriteAsync(prompt + " ").ConfigureAwait(false);
@@ -81,7 +81,7 @@ internal sealed class CommissionVerb
         await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
         try
         {
-            return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false); // a read from a console cannot be cancelled: the operator's stop does not wait for it
+            return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false); // A console read cannot be cancelled: the operator's stop does not wait for it.
         }
         catch (OperationCanceledException)
         {
@@ -92,7 +92,7 @@ internal sealed class CommissionVerb
     private static int CodeOf(InputResult result, CancellationToken stop) => result switch
     {
         InputResult.Done => ExitCode.Done,
-        InputResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // a crash report tells where
+        InputResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // The crash report has the details.
         InputResult.Failed failed => ScriptVerb.Code(failed.Why),
         InputResult.Cancelled => throw new OperationCanceledException(stop),
         _ => ExitCode.Usage,

@@ -6,7 +6,7 @@ using Engraver.Cli.Options;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver desktop</c>: starts the operator desktop, the program beside this one, and becomes its exit code.</summary>
+/// <summary><c>engraver desktop</c>: starts the operator desktop, which is installed beside this program, and returns its exit code.</summary>
 internal sealed class DesktopVerb
 {
     private readonly Argument<string?> _file = new("FILE") { Description = Wording.Get("Desktop.Drawing"), Arity = ArgumentArity.ZeroOrOne };
@@ -71,28 +71,25 @@ internal sealed class DesktopVerb
         }
     }
 
-    /// <summary>Asks the desktop to end by SIGTERM and leaves the waiting to the caller: the desktop stops the machine before it ends, however long that
-    /// takes.</summary>
+    /// <summary>Sends SIGTERM to the desktop. The caller waits: the desktop stops the machine before it ends.</summary>
     private static void AskToEnd(int id)
     {
-        if (OperatingSystem.IsWindows()) return; // Ctrl-C reaches every program of the console by itself
+        if (OperatingSystem.IsWindows()) return; // Ctrl-C already reaches every process of the console.
         using var kill = Process.Start(new ProcessStartInfo("kill") { ArgumentList = { "-TERM", id.ToString(CultureInfo.InvariantCulture) }, UseShellExecute = false });
         kill?.WaitForExit();
     }
 }
 
-/// <summary>The operator desktop as it lies beside this program: an executable where both were published, otherwise an assembly that the runtime
-/// starts.</summary>
+/// <summary>The operator desktop beside this program: an executable if both were published, otherwise an assembly for the runtime.</summary>
 /// <param name="File">Its path.</param>
 /// <param name="Runtime">The program that runs an assembly; null for an executable.</param>
 internal sealed record DesktopProgram(string File, string? Runtime)
 {
     private const string Name = "engraver-desktop";
 
-    /// <summary>Finds the desktop: published into this program's folder, into the folder beside, or built beside it.</summary>
+    /// <summary>Finds the desktop: published into this program's folder, into the neighbouring folder, or built beside it.</summary>
     /// <param name="here">This program's folder.</param>
-    /// <param name="process">This program's executable: the runtime itself where an assembly was started, or the published program, beside which no runtime
-    /// has to be installed.</param>
+    /// <param name="process">This program's executable: the runtime if an assembly was started, or the self-contained published program.</param>
     /// <returns>Null when there is none.</returns>
     public static DesktopProgram? Find(string here, string? process)
     {
@@ -104,7 +101,7 @@ internal sealed record DesktopProgram(string File, string? Runtime)
         return executable is null ? null : new DesktopProgram(executable, null);
     }
 
-    /// <summary>How it is started with these words.</summary>
+    /// <summary>The start information with these arguments.</summary>
     public ProcessStartInfo Start(IEnumerable<string> words)
     {
         var start = new ProcessStartInfo(Runtime ?? Path.GetFullPath(File)) { UseShellExecute = false };

@@ -6,7 +6,7 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver discover</c>: which controllers answer.</summary>
+/// <summary><c>engraver discover</c>: lists the controllers that answer.</summary>
 internal static class DiscoverVerb
 {
     public static Command Build(VerbHost host)

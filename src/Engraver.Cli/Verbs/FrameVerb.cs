@@ -12,7 +12,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver frame</c>: once round the placed job, tool off.</summary>
+/// <summary><c>engraver frame</c>: moves once around the placed job with the tool off.</summary>
 internal sealed class FrameVerb
 {
     private readonly VerbHost _host;

@@ -40,9 +40,9 @@ internal sealed partial class HandVerbs
         if (way.Z != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
         TellUnhomed(machine);
         using var jog = machine.Presence.Begin(way.At(feed ?? machine.Profile.JogMmPerMinute));
-        await using var alive = TimeProvider.System.CreateTimer(_ => machine.Presence.Sign(), null, OperatorPresence.Beat, OperatorPresence.Beat).ConfigureAwait(false); // a console has no window that could hang or be left
+        await using var alive = TimeProvider.System.CreateTimer(_ => machine.Presence.Sign(), null, OperatorPresence.Beat, OperatorPresence.Beat).ConfigureAwait(false); // A console has no window that could hang or lose focus.
         using var ended = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        var typed = Task.Run(() => ReleaseAtEnterAsync(jog, ended.Token), CancellationToken.None); // a console blocks the thread that reads it
+        var typed = Task.Run(() => ReleaseAtEnterAsync(jog, ended.Token), CancellationToken.None); // A console read blocks its thread.
         var result = await machine.JogAsync(jog, JournalFolder.NewJournal("jog", TimeProvider.System), stop).ConfigureAwait(false);
         await ended.CancelAsync().ConfigureAwait(false);
         if (typed.IsCompleted) await typed.ConfigureAwait(false);
@@ -63,7 +63,7 @@ internal sealed partial class HandVerbs
         }
         catch (OperationCanceledException)
         {
-            // The jog has ended by itself.
+            // The jog has already ended.
         }
 
         jog.Release();

@@ -12,8 +12,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver zero</c> sets a work origin at the place where the machine stands: its zero, a place of the drawing, a touched edge or the middle
-/// of two touches; <c>engraver origin</c> chooses one.</summary>
+/// <summary><c>engraver zero</c> sets a work origin at the current machine position: as its zero, as a point of the drawing, from a touched edge or as the
+/// centre of two touches; <c>engraver origin</c> selects one.</summary>
 internal sealed partial class HandVerbs
 {
     private const double LargestRadiusMm = 100.0;
@@ -106,21 +106,21 @@ internal sealed partial class HandVerbs
             });
         }
 
-        /// <returns>What becomes of the place, null where its first touch cannot be counted; the origin's name, null for the active one; whether the height
-        /// was asked for.</returns>
+        /// <returns>How the position is used, null if its first touch exceeds the counter range; the origin's name, null for the active one; whether the height
+        /// was requested.</returns>
         public (ZeroTouch? Touch, string? Name, bool AsksHeight) Read(ParseResult parsed, CountsScale scale)
         {
             var (x, y, z) = (parsed.GetValue(_x), parsed.GetValue(_y), parsed.GetValue(_z) || parsed.GetValue(_height) is not null);
             var (point, centre) = (Place(parsed.GetValue(_point)), Place(parsed.GetValue(_centre)));
             var all = !x && !y && (!z || point is not null);
             WorkEdge? edge = parsed.GetValue(_edge) is { } named ? Enum.Parse<WorkEdge>(named, ignoreCase: true) : null;
-            var isWhole = all && point is null && edge is null && centre is null; // no axis is named, and the zero is here: then the height is set too, where there is one
+            var isWhole = all && point is null && edge is null && centre is null; // No axis is named and the zero is here: the height is set too if there is a Z axis.
             var first = centre is { } touched ? HandPlace.OfMachine(touched, scale) : null;
             var touch = new ZeroTouch { X = all || x, Y = all || y, Z = z || isWhole, Place = point ?? default, Height = parsed.GetValue(_height) ?? 0.0, Edge = edge, Radius = parsed.GetValue(_radius), First = first };
             return (centre is not null && first is null ? null : touch, parsed.GetValue(_name) is { } given ? WorkOriginNames.Find(given) : null, z);
         }
 
-        /// <summary>The text is the name of a work origin.</summary>
+        /// <summary>Rejects a text that is not the name of a work origin.</summary>
         public static void CheckName(SymbolResult result)
         {
             if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidOrigin", token.Value, string.Join(", ", WorkOriginNames.All)));

@@ -12,10 +12,10 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver status</c>, <c>zero</c> and <c>goto</c>: one look or one act on a machine, and then the same object.</summary>
+/// <summary><c>engraver status</c>, <c>zero</c> and <c>goto</c>: one query or one action on a machine, then the same JSON object.</summary>
 internal sealed partial class HandVerbs
 {
-    /// <summary>Places that have a name.</summary>
+    /// <summary>Named positions.</summary>
     private const string Park = "park";
     private const string Clearance = "clearance";
 
@@ -108,8 +108,8 @@ internal sealed partial class HandVerbs
 
     private MachineCommand Command(string name, string description) => new(name, description) { _connect, _json, _profile };
 
-    /// <summary>Connects, acts, looks once more and says what it sees.</summary>
-    /// <param name="homes">It homes the machine, which a simulated one has to be away from its marks for.</param>
+    /// <summary>Connects, runs the action, polls the machine again and reports its state.</summary>
+    /// <param name="homes">The action homes the machine: a simulated machine then starts away from its home switches.</param>
     private async Task<int> WithMachineAsync(ParseResult parsed, Func<MachineSession, CancellationToken, Task<int>> act, CancellationToken stop, bool homes = false)
     {
         var address = parsed.GetRequiredValue(_connect)!;
@@ -137,7 +137,7 @@ internal sealed partial class HandVerbs
         return Concluded(await machine.GoToAsync(goal, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
-    /// <summary>Brings a tool that an axis holds to its clearance height over the work; the machine stays where it is in plan.</summary>
+    /// <summary>Raises the tool axis to the clearance height above the work; X and Y do not move.</summary>
     private async Task<int> ClearAsync(MachineSession machine, CancellationToken stop)
     {
         if (machine.Profile.Height is null) return NotMoved(Wording.Get("Hand.NoClearance"));
@@ -149,7 +149,7 @@ internal sealed partial class HandVerbs
 
     private static string WhyUnplaced(PlacementResult? found) => found?.Refusal is { } refused ? SettingWording.OnConsole(refused).Message : Wording.Get("Hand.WorkOriginUnknown");
 
-    /// <summary>A bounded step from where the machine stands.</summary>
+    /// <summary>A step of limited length from the current position.</summary>
     /// <param name="height">Up or down, mm.</param>
     private async Task<int> JogAsync(MachineSession machine, Vector2D step, double height, double? feed, CancellationToken stop)
     {
@@ -160,7 +160,7 @@ internal sealed partial class HandVerbs
         return Concluded(await machine.StepAsync(goal, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
     }
 
-    /// <summary>Says why a move did not go to its end.</summary>
+    /// <summary>Reports why a move did not finish.</summary>
     private int Concluded(JobResult result)
     {
         if (result is { Outcome: JobOutcome.Refused, Diagnostics: [{ } refusal, ..], FinalPosition: null }) return NotMoved(SettingWording.OnConsole(refusal).Message);

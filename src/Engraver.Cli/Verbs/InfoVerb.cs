@@ -9,7 +9,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver info</c>: what is in a drawing, with a balance sheet that accounts for every record.</summary>
+/// <summary><c>engraver info</c>: the contents of a drawing, with a balance that accounts for every record.</summary>
 internal static class InfoVerb
 {
     public static Command Build(VerbHost host)
@@ -30,7 +30,7 @@ internal static class InfoVerb
             IReadOnlyList<Diagnostic> found = [.. read.Diagnostics, .. JobPreparation.Findings(read, settings)];
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary, found), ContractJson.Default.InfoJson);
             else DrawingText.Write(host.Out, read, summary);
-            // The second reading knows curves only, not the outlines of --cut.
+            // The second reader handles curves only, not the outlines of --cut.
             var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.From(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
             var agrees = !parsed.GetValue(twice) || CrossCheckReport.Write(host.Error, read, curves);
             var code = host.Report(parsed, read.FileName, found);

@@ -10,7 +10,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver minimise</c>: the smallest drawing that still shows a fault, to read it or to send it.</summary>
+/// <summary><c>engraver minimise</c>: reduces a drawing to the smallest one that still shows a fault.</summary>
 internal static class MinimiseVerb
 {
     private const string Crash = "crash";
@@ -63,7 +63,7 @@ internal static class MinimiseVerb
         return [.. drawing.Diagnostics, .. JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings).Diagnostics];
     }
 
-    /// <summary>A crash is whatever should not have left the reader and the first stages, so here every exception counts but the operator's stop.</summary>
+    /// <summary>The reader and the first stages should throw no exception, so every exception except the operator's stop counts as a crash.</summary>
     private static bool Crashes(byte[] candidate, CancellationToken stop)
     {
         try

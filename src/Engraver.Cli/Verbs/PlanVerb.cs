@@ -9,7 +9,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver plan</c>: how long the job will take on the machine, and what it asks of it.</summary>
+/// <summary><c>engraver plan</c>: the duration of the job on the machine, its speeds and accelerations.</summary>
 internal static class PlanVerb
 {
     public static Command Build(VerbHost host)

@@ -10,7 +10,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver plot</c>: the drawing, or the path over it, as SVG.</summary>
+/// <summary><c>engraver plot</c>: the drawing, optionally with the path, as SVG.</summary>
 internal static class PlotVerb
 {
     public static Command Build(VerbHost host)
@@ -52,7 +52,7 @@ internal static class PlotVerb
         return command;
     }
 
-    /// <summary>From what was kept beside a journal; without one, beside that of the last run of the drawing.</summary>
+    /// <summary>From the trace saved beside a journal; by default beside that of the last run of the drawing.</summary>
     private static PlotModel OfRun(Drawing drawing, DrawingSettings settings, RunMeasure measure, string? journal)
     {
         var kept = journal ?? KeptTrace.LastOf(drawing.FileName) ?? throw new UsageException(Wording.Get("Plot.NoRun", Path.GetFileName(drawing.FileName)));

@@ -9,7 +9,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver pocket</c>: the passes that clear what closed contours enclose.</summary>
+/// <summary><c>engraver pocket</c>: the passes that clear the inside of closed contours.</summary>
 internal static class PocketVerb
 {
     public static Command Build(VerbHost host)
@@ -38,7 +38,7 @@ internal static class PocketVerb
     }
 }
 
-/// <summary>The options of <c>engraver pocket</c> beside those of every drawing verb.</summary>
+/// <summary>The options of <c>engraver pocket</c> in addition to those of every drawing verb.</summary>
 internal sealed class PocketVerbOptions
 {
     private readonly Option<double> _tool = new("--tool") { Required = true, HelpName = "R", Description = Wording.Get("Pocket.Tool"), CustomParser = OptionValue.PositiveNumber };
@@ -66,7 +66,7 @@ internal sealed class PocketVerbOptions
         });
     }
 
-    /// <exception cref="UsageException">The allowance is larger than the tool, or there is not one stepover.</exception>
+    /// <exception cref="UsageException">The allowance is larger than the tool, or the stepover is missing or given twice.</exception>
     public PocketOptions Pocket(ParseResult parsed) => new()
     {
         ToolRadius = parsed.GetRequiredValue(_tool),
@@ -84,7 +84,7 @@ internal sealed class PocketVerbOptions
         _ => throw new UsageException(Wording.Get("Pocket.StepoverOnce")),
     };
 
-    /// <summary>Tells on standard error that the stepover was given by its deprecated name.</summary>
+    /// <summary>Warns on standard error that the stepover was given by its deprecated name.</summary>
     public void TellDeprecated(ParseResult parsed, VerbHost host)
     {
         if (parsed.GetValue(_overlap) is { } given && !GlobalOptions.WantsOnlyErrors(parsed)) host.Error.WriteLine(Wording.Get("Pocket.OverlapDeprecated", given));

@@ -43,8 +43,7 @@ internal static class PostVerb
         return command;
     }
 
-    /// <summary>The text to its file or to standard output, and what is foretold of the machine to standard output where the text does not stand
-    /// there.</summary>
+    /// <summary>Writes the text to its file or to standard output. The forecast goes to standard output if the text does not.</summary>
     private static void Write(VerbHost host, ParseResult parsed, PostedProgram posted, string target, string? file, bool asJson)
     {
         if (posted.Text is { } text && (file is not null || !asJson)) host.Write(file, writer => writer.Write(text));

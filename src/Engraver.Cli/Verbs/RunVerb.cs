@@ -21,10 +21,10 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver run</c>: the main job, from a drawing to motion on a controller.</summary>
+/// <summary><c>engraver run</c>: runs a drawing on a controller.</summary>
 internal sealed class RunVerb
 {
-    /// <summary>Refusals for what the machine is or can: the others ask for a setting.</summary>
+    /// <summary>Refusals that result from the machine's state or abilities; the others result from a setting.</summary>
     private static readonly DiagnosticRule[] s_ofTheMachine = [PreparationRules.OutsideTravel, PreparationRules.HeightOutsideTravel, PreparationRules.DryRunOutsideTravel, PreparationRules.NotHomed];
 
     private const string Name = "run";
@@ -44,12 +44,12 @@ internal sealed class RunVerb
     private readonly Option<bool> _trajectory = new("--trajectory") { Description = Wording.Get("Run.Trajectory") };
     private readonly Option<double> _leadIn = new("--lead-in") { HelpName = "MM", Description = Wording.Get("Run.LeadIn"), DefaultValueFactory = _ => ResumeRequest.UsualLeadInMm, CustomParser = ParseLeadIn };
 
-    /// <summary>What the one object of <c>--json</c> says of a run that did not start, as far as it is known.</summary>
+    /// <summary>Settings for the <c>--json</c> object of a run that did not start, as far as they are known.</summary>
     private DrawingSettings _settings = new();
     private PreparedJob? _job;
     private bool _isReported;
 
-    /// <summary>The trajectories that are run; null for a job of the drawing itself.</summary>
+    /// <summary>The trajectories to run; null for a job of the drawing itself.</summary>
     private TrajectoryJob? _followed;
 
     private RunVerb(VerbHost host) => _host = host;
@@ -65,7 +65,7 @@ internal sealed class RunVerb
         return command;
     }
 
-    /// <summary>For arguments that cannot be used: with <c>--json</c> the one object is printed all the same.</summary>
+    /// <summary>Prints the object of <c>--json</c> also for unusable arguments.</summary>
     public static void ReportUnusable(ParseResult parsed, TextWriter output)
     {
         if (parsed.CommandResult.Command.Name != Name || !parsed.Tokens.Any(token => token.Value == JsonOption.Name)) return;
@@ -73,7 +73,7 @@ internal sealed class RunVerb
         output.Flush();
     }
 
-    /// <summary>With <c>--json</c> the one object is printed however the run ends.</summary>
+    /// <summary>With <c>--json</c> the object is printed whatever the outcome.</summary>
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         try
@@ -104,12 +104,12 @@ internal sealed class RunVerb
         if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, job.WithoutProgram);
         var ended = await RunOnMachineAsync(parsed, job, fit, mode, stop).ConfigureAwait(false);
 
-        // Accepted errors are errors all the same: the job was done as far as it can be (docs/pipeline.md).
+        // Accepted errors still count as errors: the job was done as far as possible (docs/pipeline.md).
         return ended == ExitCode.Done ? code : ended;
     }
 
-    /// <summary>Everything up to the machine, which a stop does not wait for.</summary>
-    /// <returns>The program as the link can carry it; null when there is none.</returns>
+    /// <summary>Computes everything up to the machine; a stop does not wait for it.</summary>
+    /// <returns>The program with feeds limited to the link; null when there is none.</returns>
     private async Task<(PreparedJob Job, LinkFeedFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, JobMode mode, CancellationToken stop)
     {
         var (file, address) = (_drawing.File(parsed), parsed.GetRequiredValue(_connect)!);
@@ -123,7 +123,7 @@ internal sealed class RunVerb
             stop).ConfigureAwait(false);
     }
 
-    /// <summary>That errors can be accepted is said only where there is something to run.</summary>
+    /// <summary>Mentions that errors can be accepted only if there is something to run.</summary>
     private static string WhyNotStarted(PreparedJob job)
     {
         if (DrawingFile.IsUnreadable(job.Drawing)) return Wording.Get("Run.DrawingUnreadable");
@@ -158,7 +158,7 @@ internal sealed class RunVerb
             {
                 checks = ArmingChecklist.OnConsole(job, placement.Program.Profile, status, placement.Found, certificate.Check);
                 if (!parsed.GetValue(_json)) _host.Print(parsed, checks);
-                return status.State == MachineState.Busy ? null : checks.WhyNot; // the job looks closer and says what is at work there
+                return status.State == MachineState.Busy ? null : checks.WhyNot; // The job checks more closely and reports what is running.
             },
             Told = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
         };
@@ -175,7 +175,7 @@ internal sealed class RunVerb
             await using var written = lines.ConfigureAwait(false);
             report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
         }
-        catch (ControllerException lost) // the link never came up
+        catch (ControllerException lost) // The link could not be established.
         {
             open.End(HistoryEntry.OfLost(job, options, lost.Message, begun));
             throw;
@@ -192,7 +192,7 @@ internal sealed class RunVerb
         return ResumeRequest.UsualLeadInMm;
     }
 
-    /// <summary>Somebody with keys is told of them, and they are looked at with every word of the job.</summary>
+    /// <summary>On an interactive terminal, shows the keys and polls them with every progress report.</summary>
     private IProgress<JobProgress>? Watching(JobControl control, CountsScale scale, LineQueue lines, IProgress<JobProgress>? progress)
     {
         if (_host.Keys is not { } next) return progress;
@@ -228,7 +228,7 @@ internal sealed class RunVerb
         ContractJson.Write(_host.Out, report, ContractJson.Default.RunJson);
     }
 
-    /// <summary>Nobody can say where the work is: nothing was moved.</summary>
+    /// <summary>The work origin is unknown: nothing was moved.</summary>
     private int NotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks)
     {
         _host.Report(parsed, job.Drawing.FileName, [refusal]);
@@ -243,8 +243,8 @@ internal sealed class RunVerb
         return ExitCode.DrawingError;
     }
 
-    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin. A pipe is not tried, for its reader would take the end
-    /// of the trial for the end of everything.</summary>
+    /// <summary>Called before anything is sent: a job whose journal cannot be written must not start. A pipe is not tested, because its reader would take the
+    /// end of the test for the end of the file.</summary>
     /// <exception cref="UsageException">The file cannot be written.</exception>
     private static void CheckWritable(string path)
     {

@@ -8,7 +8,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver script</c>: the commands of the desktop without a desktop, from a file.</summary>
+/// <summary><c>engraver script</c>: runs the commands of the desktop from a file, without a window.</summary>
 internal sealed class ScriptVerb
 {
     private readonly VerbHost _host;
@@ -39,29 +39,29 @@ internal sealed class ScriptVerb
         {
             InputResult.Done => telling.SawError ? ExitCode.DrawingError : ExitCode.Done,
             InputResult.Asking => Unfinished(session, parsed.GetRequiredValue(_file)),
-            InputResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // a crash report tells where
+            InputResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // The crash report has the details.
             InputResult.Failed failed => Code(failed.Why),
             InputResult.Cancelled => throw new OperationCanceledException(stop),
             _ => ExitCode.Usage,
         };
     }
 
-    /// <summary>Reports connecting and disconnecting. After the operator's stop the verb itself disconnects, and the program waits for that.</summary>
+    /// <summary>Reports connecting and disconnecting. After the operator's stop the verb disconnects, and the program waits for that.</summary>
     private void Follow(MachineSession machine, CancellationToken stop)
     {
         var isConnected = machine.Description is not null;
         if (isConnected || !stop.IsCancellationRequested) _host.Machine.Follow(isConnected);
     }
 
-    /// <summary>Stops the machine on the calling thread, because a stage that computes may have filled the pool, and then lets it go.</summary>
+    /// <summary>Stops the machine on the calling thread, because a computing stage may have filled the thread pool, then disconnects it.</summary>
     private void StopAndLetGo(MachineSession machine)
     {
         machine.Stop();
         _ = Task.Run(() => LetGoAsync(machine), CancellationToken.None);
     }
 
-    /// <summary>Brakes and disconnects a machine on which no job runs; a job under way brakes by itself and ends its command. A stage that computes
-    /// meanwhile is left behind.</summary>
+    /// <summary>Brakes and disconnects a machine on which no job runs; a running job decelerates on its own and ends its command. A computing stage is
+    /// abandoned.</summary>
     private async Task LetGoAsync(MachineSession machine)
     {
         if (machine.IsRunning) return;

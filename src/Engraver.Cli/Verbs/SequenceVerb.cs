@@ -12,7 +12,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver sequence</c>: contours, their order, and where they are broken.</summary>
+/// <summary><c>engraver sequence</c>: contours, their order and their gaps.</summary>
 internal static class SequenceVerb
 {
     public static Command Build(VerbHost host)
@@ -41,7 +41,7 @@ internal static class SequenceVerb
         return command;
     }
 
-    /// <summary>What is cut: as it is drawn, or compensated for the radius of the tool.</summary>
+    /// <summary>Chains the cut entities, as drawn or compensated for the tool radius.</summary>
     private static (CutTable Cut, SequencingOptions Options, ChainedTable Chained) Chain(Drawing drawing, DrawingSettings settings)
     {
         var cut = JobPreparation.ToCut(drawing, settings);

@@ -61,23 +61,24 @@ internal static class SimulateVerb
             }
             catch (OperationCanceledException) when (stop.IsCancellationRequested)
             {
-                // A signal may come before everything has been said; it ends the serving like any other.
+                // A signal may arrive before all lines are written; it ends the serving like any other.
             }
         }
 
         return served.RecordFailure is { } failure ? throw new UsageException(Wording.Get("Simulate.Incomplete", record, failure.Message), failure) : ExitCode.Done;
     }
 
-    /// <summary>At a speed of its own the controller offers its clock to hosts that keep step with it (docs/simulator-fidelity.md, "The clock").</summary>
+    /// <summary>At a speed other than real time the controller offers its clock to hosts that synchronise with it (docs/simulator-fidelity.md, "The
+    /// clock").</summary>
     private static async Task OfferClockAsync(VerbHost host, ServedSimulator controller, CancellationToken stop)
     {
         var place = await controller.ListenClockAsync(stop).ConfigureAwait(false);
         await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"clock 127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
     }
 
-    /// <summary>Listens on every transport that was asked for, says so, and serves until the signal.</summary>
+    /// <summary>Listens on every requested transport, reports it, and serves until the signal.</summary>
     /// <exception cref="OperationCanceledException">The signal.</exception>
-    /// <exception cref="InvalidOperationException">A bug of the simulator; its clients are cut off.</exception>
+    /// <exception cref="InvalidOperationException">Internal error of the simulator; its clients are disconnected.</exception>
     private static async Task ServeAsync(VerbHost host, ServedSimulator controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
     {
         if (port is not null || (serial is null && datagrams is null)) await ListenAsync(host, "tcp", controller.ListenTcpAsync, port ?? 0, stop).ConfigureAwait(false);

@@ -6,7 +6,7 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver terminal</c>: a conversation with a controller, line by line, typed or piped.</summary>
+/// <summary><c>engraver terminal</c>: a line terminal to a controller, typed or piped.</summary>
 internal static class TerminalVerb
 {
     private static readonly TimeSpan s_poll = TimeSpan.FromMilliseconds(20);

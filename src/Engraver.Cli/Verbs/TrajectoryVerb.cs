@@ -81,10 +81,10 @@ internal sealed class TrajectoryVerb
         Offset = parsed.GetValue(_offset) is { } distance ? new TrajectoryOffset(distance, Enum.Parse<OffsetSide>(parsed.GetValue(_side)!, ignoreCase: true), (int)parsed.GetValue(_passes), parsed.GetValue(_step) ?? 0.0) : null,
     };
 
-    /// <summary>A length of steps alone asks for equal steps.</summary>
+    /// <summary>A step length alone selects equal steps.</summary>
     private bool IsUniform(CommandResult result) => result.GetResult(_density) is { Implicit: false, Tokens: [var value, ..] } ? value.Value == "uniform" : result.GetResult(_segment) is { Implicit: false };
 
-    /// <summary>Refuses options that go together and do not come together, instead of ignoring one.</summary>
+    /// <summary>Refuses options that require each other if one is missing, instead of ignoring the other.</summary>
     private void Check(CommandResult result)
     {
         bool Has(Option option) => result.GetResult(option) is { Implicit: false };

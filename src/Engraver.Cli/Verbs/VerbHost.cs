@@ -12,7 +12,7 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary>What every verb needs around it: the streams, the global options, and the way diagnostics are printed and turned into an exit code.</summary>
+/// <summary>The services of every verb: streams, global options, and printing diagnostics and converting them to an exit code.</summary>
 internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)
 {
     public TextWriter Out => streams.Out;
@@ -21,21 +21,21 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
 
     public TextReader In => streams.In;
 
-    /// <summary>For a verb that connects to a machine and lets it go as it likes; others are a <see cref="MachineCommand"/>.</summary>
+    /// <summary>For a verb that connects to a machine and disconnects during its run; others are a <see cref="MachineCommand"/>.</summary>
     public MachineInHand Machine => machine;
 
-    /// <summary>True when a person types and watches.</summary>
+    /// <summary>True on an interactive terminal.</summary>
     public bool Interactive => streams.Interactive;
 
-    /// <summary>Takes the next key that was pressed; null where nobody has keys.</summary>
+    /// <summary>Returns the next pressed key; null without an interactive terminal.</summary>
     public Func<ConsoleKeyInfo?>? Keys => streams.Keys;
 
     public bool Quiet(ParseResult parsed) => global.Quiet(parsed);
 
     public bool Verbose(ParseResult parsed) => global.Verbose(parsed);
 
-    /// <summary>Prints what was found (warnings and errors; with --verbose also infos, with --quiet only errors).</summary>
-    /// <returns>The exit code that the findings ask for.</returns>
+    /// <summary>Prints findings (warnings and errors; with --verbose also infos, with --quiet only errors).</summary>
+    /// <returns>The exit code for the findings.</returns>
     public int Report(ParseResult parsed, string file, IReadOnlyCollection<Diagnostic> diagnostics)
     {
         var least = global.Quiet(parsed) ? Severity.Error : global.Verbose(parsed) ? Severity.Info : Severity.Warning;
@@ -43,25 +43,25 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         return diagnostics.Any(d => d.Severity == Severity.Error) ? ExitCode.DrawingError : ExitCode.Done;
     }
 
-    /// <summary>Prints the list before a start (with --quiet only what prevents it), without the findings of the drawing, which are printed already.</summary>
+    /// <summary>Prints the start checks (with --quiet only the failed ones), without the findings of the drawing, which are already printed.</summary>
     public void Print(ParseResult parsed, ArmingChecklist list)
     {
         foreach (var check in list.Checks.Where(check => !check.Passed || (!global.Quiet(parsed) && !check.IsFinding))) Error.WriteLine(check.Line);
     }
 
-    /// <summary>Adds a job to the history; that it cannot be kept is said, and changes nothing else.</summary>
+    /// <summary>Adds a job to the history; a write failure is only reported.</summary>
     public void Remember(HistoryEntry entry)
     {
         if (new JobHistory(JobHistory.FolderIn(null)).Add(entry).Failure is { } failure) SayNotKept(failure);
     }
 
-    /// <summary>Notes in the history how a program was read back, where the history knows it.</summary>
+    /// <summary>Records the result of reading a program back in its history entry, if there is one.</summary>
     public void NoteReadBack(string program, HistoryReadBack found)
     {
         if (new JobHistory(JobHistory.FolderIn(null)).NoteReadBack(program, found) is { } failure) SayNotKept(failure);
     }
 
-    /// <summary>The start that is kept beside a program; that a file of it is not used is said.</summary>
+    /// <summary>The start position saved beside a program; reports a file that is not used.</summary>
     /// <returns>Drawing millimetres; null for none.</returns>
     public Point2D? KeptStart(ParseResult parsed, string program)
     {
@@ -70,13 +70,13 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         return kept.Place;
     }
 
-    /// <summary>A run that begins is in the history from now on.</summary>
+    /// <summary>Adds a run that starts to the history.</summary>
     public OpenJob Begin(HistoryEntry entry) => new(new JobHistory(JobHistory.FolderIn(null)), entry, SayNotKept);
 
     private void SayNotKept(string failure) => Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));
 
-    /// <summary>Writes a result to a file, whole or not at all, or to standard output when no file is named.</summary>
-    /// <exception cref="UsageException">The place cannot be written.</exception>
+    /// <summary>Writes a result atomically to a file, or to standard output when no file is named.</summary>
+    /// <exception cref="UsageException">The path cannot be written.</exception>
     public void Write(string? path, Action<TextWriter> write)
     {
         if (path is null)
@@ -88,17 +88,17 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         Attempt(path, () => OutputFile.Write(path, write));
     }
 
-    /// <summary>Keeps beside a program that was written where it begins, where its form does not say it.</summary>
-    /// <exception cref="UsageException">The place cannot be written.</exception>
+    /// <summary>Saves the start position beside a written program whose format does not contain it.</summary>
+    /// <exception cref="UsageException">The path cannot be written.</exception>
     public static void Keep(string program, PostForecast? forecast) => Attempt(program + ProgramStart.Ending, () => ProgramStart.Keep(program, forecast));
 
-    /// <summary>For a result that comes only once: the place of the result can be written.</summary>
+    /// <summary>Checks before a long operation that its result can be written.</summary>
     /// <exception cref="UsageException">It cannot.</exception>
     public static void CheckPlace(string path) => Attempt(path, () => OutputFile.Check(path));
 
-    /// <summary>A result of another kind does not take the place of what it is made from.</summary>
-    /// <param name="path">Of the result; null for standard output.</param>
-    /// <exception cref="UsageException">The two are one file.</exception>
+    /// <summary>Refuses to overwrite the source of a result with the result.</summary>
+    /// <param name="path">Path of the result; null for standard output.</param>
+    /// <exception cref="UsageException">Both are the same file.</exception>
     public static void KeepApart(string source, string? path)
     {
         if (path is not null && Path.GetFullPath(path) == Path.GetFullPath(source) && !FileKind.IsStream(path)) throw new UsageException(Wording.Get("Verbs.OutputIsInput", path));

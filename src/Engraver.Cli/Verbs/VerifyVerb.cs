@@ -76,8 +76,8 @@ internal sealed class VerifyVerb
     private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value
         : result.GetResult(_program) is { Tokens: [var file] } ? Found(file.Value, null).Target : PostTable.All[0].Post.Name;
 
-    /// <summary>What the file looks like, and the first entry of the table where it looks like nothing.</summary>
-    /// <param name="asked">The dialect that was typed; null: as the file says.</param>
+    /// <summary>The detected format of the file; the first entry of the table if it is not recognised.</summary>
+    /// <param name="asked">The dialect from the command line; null: from the file.</param>
     private static (string Target, string? Dialect) Found(string file, string? asked) => ProgramForm.Of(file) is { } found ? (found.Entry.Post.Name, asked ?? found.Dialect) : (PostTable.All[0].Post.Name, asked);
 
     /// <summary>Null for a target of trajectories.</summary>

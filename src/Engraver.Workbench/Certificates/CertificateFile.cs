@@ -5,20 +5,20 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>The file of a certificate: JSON beside the drawing, one for each target: <c>part.certificate.json</c> for the program that <c>part.dxf</c> is
-/// run with, <c>part.agie.certificate.json</c> and the like for the others.</summary>
+/// <summary>The file of a certificate: JSON beside the drawing, one for each target: <c>part.certificate.json</c> for the program that <c>part.dxf</c> is run
+/// with, <c>part.agie.certificate.json</c> and similar names for other targets.</summary>
 public static class CertificateFile
 {
     public const string Ending = ".certificate.json";
 
-    /// <summary>The usual place.</summary>
+    /// <summary>The default path.</summary>
     /// <param name="target">Name of the post.</param>
-    /// <param name="dialect">The kind of controller; null for the usual one.</param>
+    /// <param name="dialect">The kind of controller; null for the default.</param>
     public static string PathOf(string drawing, string target, string? dialect = null) =>
         Path.ChangeExtension(drawing, null) + (target == PostTable.All[0].Post.Name ? "" : $".{target}") + (dialect is null ? "" : $"-{dialect}") + Ending;
 
-    /// <summary>Writes it whole or not at all.</summary>
-    /// <exception cref="IOException">The place cannot be written.</exception>
+    /// <summary>Writes the file atomically.</summary>
+    /// <exception cref="IOException">The path cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">The same.</exception>
     public static void Write(string path, JobCertificate certificate) => OutputFile.Write(path, output => output.WriteLine(Text(certificate)));
 
@@ -26,7 +26,7 @@ public static class CertificateFile
     public static string Text(JobCertificate certificate) => JsonSerializer.Serialize(certificate, CertificateJson.Default.JobCertificate);
 
     /// <summary>Reads it.</summary>
-    /// <returns>Neither, when there is no file; a certificate; or why what is there is none, without a full stop.</returns>
+    /// <returns>The certificate, or why the file is invalid, without a full stop; neither if there is no file.</returns>
     public static (JobCertificate? Certificate, string? Problem) Read(string path)
     {
         if (!File.Exists(path) || FileKind.IsStream(path)) return (null, null);

@@ -7,34 +7,34 @@ using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>Whether a certificate holds for a job as it is now.</summary>
+/// <summary>Whether a certificate is valid for the current job.</summary>
 public enum CertificateState
 {
-    /// <summary>There is none.</summary>
+    /// <summary>No certificate.</summary>
     None,
 
-    /// <summary>Drawing, settings, profile and program are those that were read back.</summary>
+    /// <summary>Drawing, settings, profile and program match the certificate.</summary>
     Stands,
 
-    /// <summary>Something has changed since, or what is there cannot be read.</summary>
+    /// <summary>Something has changed, or the file cannot be read.</summary>
     Stale,
 }
 
-/// <summary>How a job stands to the certificate beside its drawing.</summary>
+/// <summary>The status of the certificate beside a job's drawing.</summary>
 /// <param name="Differs">What has changed: <c>drawing</c>, <c>profile</c>, <c>target</c>, <c>program</c> and keys of settings; empty unless it is
 /// stale.</param>
-/// <param name="Certificate">Null where none can be read.</param>
+/// <param name="Certificate">Null when none can be read.</param>
 public sealed record CertificateStanding(CertificateState State, IReadOnlyList<string> Differs, JobCertificate? Certificate)
 {
     public static CertificateStanding None { get; } = new(CertificateState.None, [], null);
 
-    /// <summary>Why the file is no certificate, without a full stop; null where it is one.</summary>
+    /// <summary>Why the file is not a valid certificate, without a full stop; null when it is.</summary>
     public string? Problem { get; private init; }
 
-    /// <summary>The job runs trajectories instead of the drawing; a certificate is of the drawing.</summary>
+    /// <summary>The job runs trajectories instead of the drawing; a certificate covers the drawing only.</summary>
     private bool RunsTrajectories { get; init; }
 
-    /// <summary>For people, without a full stop; settings and commands as their keys.</summary>
+    /// <summary>The displayed sentence without a full stop; settings and commands are named by their keys.</summary>
     public string Sentence => State switch
     {
         CertificateState.None when RunsTrajectories => Wording.Get("Certificate.Trajectories"),
@@ -44,11 +44,11 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
         _ => Wording.Get("Certificate.Stale", string.Join(", ", Differs.Select(Said))),
     };
 
-    /// <summary>The line of the list before a start. A job runs without a certificate too; one that is of another job must have been read.</summary>
+    /// <summary>The start check. A job runs without a certificate too; a stale certificate must be acknowledged.</summary>
     public ArmingCheck Check => new(true, Sentence + ".") { IsWarning = State == CertificateState.Stale, IsNote = State == CertificateState.None };
 
-    /// <summary>Of a job that a machine runs, by the certificate of what it is sent, at its usual place.</summary>
-    /// <param name="program">Of the job, made fit for the link.</param>
+    /// <summary>Status for a job that a machine runs, from the certificate of the sent program at its default path.</summary>
+    /// <param name="program">The job's program with feeds limited to the link.</param>
     public static CertificateStanding OfRun(PreparedJob job, MotionProgram program)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -58,7 +58,7 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
         return File.Exists(path) ? Of(path, JobIdentity.OfRun(job, program)) : None;
     }
 
-    /// <summary>Of a job, by a certificate file.</summary>
+    /// <summary>Status for a job from a certificate file.</summary>
     public static CertificateStanding Of(string path, JobIdentity job)
     {
         var (certificate, problem) = CertificateFile.Read(path);
@@ -66,7 +66,7 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
         return certificate is null ? None : Of(certificate, job);
     }
 
-    /// <summary>Of a job, by a certificate. The program is made only where everything else is the same.</summary>
+    /// <summary>Status for a job from a certificate. The program is generated only if everything else matches.</summary>
     public static CertificateStanding Of(JobCertificate certificate, JobIdentity job)
     {
         ArgumentNullException.ThrowIfNull(certificate);
@@ -77,7 +77,7 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
         return new CertificateStanding(differs.Count == 0 ? CertificateState.Stands : CertificateState.Stale, differs, certificate);
     }
 
-    /// <summary>One of <see cref="Differs"/> for people; settings as their keys.</summary>
+    /// <summary>One of <see cref="Differs"/> as displayed; settings by their keys.</summary>
     internal static string Said(string part) => part switch
     {
         "drawing" or "profile" or "target" or "program" => Wording.Get("CertificateDiffers." + part),

@@ -3,8 +3,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>Keeps how the job of the document stands to its certificate, for a list that is drawn often. Looks in the background, once for each job and
-/// after a certificate was made.</summary>
+/// <summary>Caches the certificate status of the document's job for a list that is redrawn often. Checks in the background, once for each job and after a
+/// certificate was issued.</summary>
 /// <remarks>Any thread.</remarks>
 public sealed class CertificateWatch
 {
@@ -13,17 +13,17 @@ public sealed class CertificateWatch
     private CertificateStanding? _found;
     private int _turn;
 
-    /// <summary>Raised after a job's standing is known, on the thread that found it.</summary>
+    /// <summary>Raised when the status of a job is known, on the thread that determined it.</summary>
     public event EventHandler? Changed;
 
-    /// <summary>Null while nobody has looked.</summary>
+    /// <summary>Null before the first check.</summary>
     public CertificateStanding? StandingOf(PreparedJob job)
     {
         lock (_guard) return ReferenceEquals(job, _job) ? _found : null;
     }
 
-    /// <summary>Looks at the certificate of a job.</summary>
-    /// <param name="program">Of the job, made fit for the link.</param>
+    /// <summary>Checks the certificate of a job.</summary>
+    /// <param name="program">The job's program with feeds limited to the link.</param>
     public Task<CertificateStanding> LookAsync(PreparedJob job, MotionProgram program, CancellationToken cancellation)
     {
         int turn;
@@ -31,7 +31,7 @@ public sealed class CertificateWatch
         return Task.Run(() => Looked(job, CertificateStanding.OfRun(job, program), turn), cancellation);
     }
 
-    /// <summary>There is no job any more: what was known of the last one is not kept.</summary>
+    /// <summary>Discards the status: there is no job.</summary>
     public void Forget()
     {
         lock (_guard)
@@ -45,7 +45,7 @@ public sealed class CertificateWatch
     {
         lock (_guard)
         {
-            if (turn != _turn) return found; // another job, or another certificate, has been looked at since
+            if (turn != _turn) return found; // Another job, or another certificate, was checked meanwhile.
             (_job, _found) = (job, found);
         }
 

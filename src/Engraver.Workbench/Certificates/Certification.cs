@@ -13,13 +13,13 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>Reads a job's program back and writes down what was found.</summary>
+/// <summary>Reads a job's program back and creates the certificate.</summary>
 public static class Certification
 {
-    /// <summary>Posts the job unless a program is given, reads it back by the target's own reader, and compares both ways.</summary>
-    /// <returns>Without a certificate when there is no program to read; a certificate that is not ok when the program is not what is drawn.</returns>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
-    /// <exception cref="ArgumentException">Nothing reads programs of this target.</exception>
+    /// <summary>Posts the job unless a program is given, reads it back with the target's reader, and compares both with the drawing.</summary>
+    /// <returns>Without a certificate when there is no program to read; a certificate that is not ok when the program differs from the drawing.</returns>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
+    /// <exception cref="ArgumentException">There is no reader for this target.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static async Task<Certified> CertifyAsync(CertificationRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
@@ -34,7 +34,7 @@ public static class Certification
         return new Certified(Certificate(request, job, fitted, text, report, findings), findings);
     }
 
-    /// <summary>By what the job of a request is known again: its program is the given one, or the one that would be posted now.</summary>
+    /// <summary>The identity of the job of a request. Its program is the given one, or the one that would be posted now.</summary>
     public static JobIdentity IdentityOf(CertificationRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
@@ -47,7 +47,7 @@ public static class Certification
         }
     }
 
-    /// <returns>The program, and its motion as the link can carry it where the machine of the profile runs it.</returns>
+    /// <returns>The program, and its motion with feeds limited to the link if the machine of the profile runs it.</returns>
     private static (PostedProgram Posted, MotionProgram? Fitted) Posted(CertificationRequest request, PreparedJob job)
     {
         var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
@@ -99,37 +99,37 @@ public static class Certification
 }
 
 /// <summary>What is to be certified.</summary>
-/// <param name="Drawing">As it was read.</param>
-/// <param name="DrawingHash">Of its file, taken before it was read: a file that changes meanwhile makes a certificate that does not stand.</param>
+/// <param name="Drawing">The drawing as read.</param>
+/// <param name="DrawingHash">Hash of its file, taken before reading: if the file changes meanwhile, the certificate is stale.</param>
 /// <param name="Target">An entry whose programs can be read back.</param>
 /// <param name="Now">The date of the certificate.</param>
 public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, DrawingSettings Settings, PostEntry Target, DateTimeOffset Now)
 {
-    /// <summary>A program that was posted before, with its file; null: it is posted now.</summary>
+    /// <summary>An existing program with its file name; null: it is posted now.</summary>
     public (string File, string Text)? Program { get; init; }
 
-    /// <summary>With what that program was posted, as far as it decides how it is judged; null for the defaults.</summary>
+    /// <summary>Post parameters of that program that affect its verification; null for the defaults.</summary>
     public PostedWith? Posted { get; init; }
 
-    /// <summary>The kind of controller that the program is written for and by whose rules it is read back; null for the usual one of the target.</summary>
+    /// <summary>The kind of controller that the program is written for and by whose rules it is read back; null for the default of the target.</summary>
     public string? Dialect { get; init; }
 
-    /// <summary>The reader of the target and the dialect; null where nothing reads it.</summary>
+    /// <summary>The reader of the target and the dialect; null if there is none.</summary>
     internal IProgramReader? Reader => Dialect is null ? Target.Reader : Target.Dialects[Dialect];
 
-    /// <summary>Of the post: those that decide what is read back.</summary>
+    /// <summary>Post options that affect the program.</summary>
     public IReadOnlyDictionary<string, string> Options => Dialect is null ? PostedProgram.NoOptions : new Dictionary<string, string> { ["dialect"] = Dialect };
 
-    /// <summary>The link that the machine's own program is sent over, which may have to be cut slower there; null for none.</summary>
+    /// <summary>The link to the machine, which may limit the feed; null for none.</summary>
     public ControllerAddress? Address { get; init; }
 
-    /// <summary>How the machine runs it.</summary>
+    /// <summary>The execution mode of the machine.</summary>
     public JobMode Mode { get; init; }
 }
 
-/// <summary>What came of it.</summary>
+/// <summary>Result of a certification.</summary>
 /// <param name="Certificate">Null when there is no program.</param>
-/// <param name="Diagnostics">Of every stage, of the post and of the reading.</param>
+/// <param name="Diagnostics">Findings of all stages, the post and the reader.</param>
 public sealed record Certified(JobCertificate? Certificate, IReadOnlyList<Diagnostic> Diagnostics)
 {
     /// <summary>Why there is no program, without a full stop.</summary>

@@ -8,19 +8,19 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Certificates;
 
-/// <summary>By what a job is known again: hashes of the drawing's bytes, of the machine profile and of the program, and the settings themselves.</summary>
-/// <param name="Drawing">SHA-256 of the drawing's file; null where there is no such file to read.</param>
-/// <param name="Settings">As <see cref="SettingWords"/> has them.</param>
-/// <param name="Profile">SHA-256 of the profile in its own full form: a field that is left out and one that is given with its default are the same.</param>
+/// <summary>Identity of a job: hashes of the drawing's bytes, of the machine profile and of the program, and the settings themselves.</summary>
+/// <param name="Drawing">SHA-256 of the drawing's file; null if the file cannot be read.</param>
+/// <param name="Settings">As in <see cref="SettingWords"/>.</param>
+/// <param name="Profile">SHA-256 of the profile in its full form: an omitted field equals one with the default value.</param>
 /// <param name="Target">Name of the post.</param>
-/// <param name="Program">SHA-256 of the program's text; computed when it is asked for, null when there is none.</param>
+/// <param name="Program">SHA-256 of the program's text; computed on demand, null when there is none.</param>
 public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, string> Settings, string Profile, string Target, Lazy<string?> Program)
 {
-    /// <summary>The kind of controller that the program is written for; null for the usual one of the target.</summary>
+    /// <summary>The kind of controller that the program is written for; null for the default of the target.</summary>
     public string? Dialect { get; init; }
 
-    /// <summary>Of a job that a machine runs: its program is the post of the same motion in the style of the mode.</summary>
-    /// <param name="program">Of <paramref name="job"/>, made fit for the link.</param>
+    /// <summary>Identity of a job that a machine runs: its program is the post of the same motion in the style of the mode.</summary>
+    /// <param name="program">Program of <paramref name="job"/> with feeds limited to the link.</param>
     public static JobIdentity OfRun(PreparedJob job, MotionProgram program)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -30,7 +30,7 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
         return Of(job.Drawing.FileName, job.Settings, post.Name, () => PostedProgram.FromJob(sent, post, PostedProgram.NoOptions).Text is { } text ? ContentHash.OfText(text) : null);
     }
 
-    /// <summary>Of a program that was posted.</summary>
+    /// <summary>Identity of a posted program.</summary>
     /// <param name="drawing">The drawing's file.</param>
     /// <param name="program">Computes the hash of the program.</param>
     public static JobIdentity Of(string drawing, DrawingSettings settings, string target, Func<string?> program)
@@ -39,7 +39,7 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
         return new JobIdentity(ContentHash.OfFile(drawing), SettingWords.Of(settings), OfProfile(settings.Machine), target, new Lazy<string?>(program));
     }
 
-    /// <summary>What is not the same as it was: <c>drawing</c>, keys of settings, <c>profile</c>.</summary>
+    /// <summary>The differences: <c>drawing</c>, keys of settings, <c>profile</c>.</summary>
     public IReadOnlyList<string> Differences(string? drawing, IReadOnlyDictionary<string, string> settings, string? profile)
     {
         ArgumentNullException.ThrowIfNull(settings);

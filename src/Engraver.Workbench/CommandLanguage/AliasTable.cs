@@ -10,14 +10,13 @@ public sealed class AliasTable
 
     public static AliasTable Empty { get; } = new(new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase), []);
 
-    /// <summary>One sentence for each line that could not be used; a line for a command that this program does not have is ignored without one, so that a
-    /// file made for AutoCAD can be used.</summary>
+    /// <summary>One sentence for each invalid line. A line for an unknown command is ignored, so that a file made for AutoCAD can be used.</summary>
     public IReadOnlyList<string> Findings { get; }
 
     /// <summary>Alias and command, both in capitals.</summary>
     public IReadOnlyDictionary<string, string> Commands => _commands;
 
-    /// <summary>This table with the lines of a file over it.</summary>
+    /// <summary>This table overridden by the lines of a file.</summary>
     /// <param name="isAllowed">Says whether an alias may stand for a command; false refuses the line with a finding.</param>
     public AliasTable With(string text, Func<string, string, bool> isAllowed)
     {

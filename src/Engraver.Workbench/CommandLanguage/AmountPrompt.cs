@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for an amount between two limits (both allowed): typed as a number, or shown by two points, each as a <see cref="PointPrompt"/> takes it,
-/// whose distance or angle is measured.</summary>
+/// <summary>Asks for an amount between two limits (both allowed): typed as a number, or measured as distance or angle between two points, each entered as in a
+/// <see cref="PointPrompt"/>.</summary>
 /// <param name="Measure">Turns the vector from the first point to the second, drawing units, into the amount.</param>
 public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Measure) : ValuePrompt<Amount>(Instruction)
 {
@@ -12,10 +12,10 @@ public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Mea
 
     public required double Most { get; init; }
 
-    /// <summary>First point of the measured vector, drawing units; null: the point that is given is the first one, and the second is asked for next.</summary>
+    /// <summary>First point of the measured vector, drawing units; null: the entered point is the first one, and the second is asked next.</summary>
     public Point2D? From { get; init; }
 
-    /// <summary>What a place would give (<see cref="PointAim.Ghost"/>).</summary>
+    /// <summary>Preview for a cursor position (<see cref="PointAim.Ghost"/>).</summary>
     public GhostOf? Ghost { get; init; }
 
     public override PointAim Aim => new(PointUse.Place, From) { Ghost = Ghost };
@@ -46,6 +46,6 @@ public abstract record Amount
     /// <summary>In the unit of the prompt: degrees, a length in drawing units, a factor.</summary>
     public sealed record Number(double Of) : Amount;
 
-    /// <summary>The first point of the vector that shows the amount, drawing units.</summary>
+    /// <summary>The first point of the measured vector, drawing units.</summary>
     public sealed record Beginning(Point2D At) : Amount;
 }

@@ -3,18 +3,18 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>How measured lengths and angles are printed: rounded to so many decimals, without zeros at the end. The one place that decides it for prompts,
-/// DIST, ID, AREA, LIST, the properties and the coordinates at the cursor.</summary>
+/// <summary>Format of measured lengths and angles: rounded to a number of decimals, without trailing zeros. Used by prompts, DIST, ID, AREA, LIST, the
+/// properties and the coordinates at the cursor.</summary>
 /// <param name="LengthPlaces">Decimals of lengths, coordinates and areas (LUPREC).</param>
 /// <param name="AnglePlaces">Decimals of angles in degrees (AUPREC).</param>
 public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
 {
-    /// <summary>Digits that a small number keeps where it is a default, so that a tolerance of 0.00002 does not read 0.</summary>
+    /// <summary>Minimum significant digits of a default, so that a tolerance of 0.00002 is not shown as 0.</summary>
     private const int LeastDigits = 4;
 
     private const int MostPlaces = 15;
 
-    /// <summary>As at the first start.</summary>
+    /// <summary>The initial settings.</summary>
     public static Figures Usual { get; } = new(4, 2);
 
     /// <summary>A length, coordinate or factor.</summary>
@@ -25,16 +25,16 @@ public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
 
     public string Degrees(Angle angle) => Rounded(angle.Degrees, AnglePlaces);
 
-    /// <summary>A place as <c>x,y</c>.</summary>
+    /// <summary>A point as <c>x,y</c>.</summary>
     public string Place(Point2D place) => $"{Length(place.X)},{Length(place.Y)}";
 
-    /// <summary>A length or coordinate at the cursor: with the zeros at its end, so that the text does not change its width while the cursor moves.</summary>
+    /// <summary>A length or coordinate at the cursor: with trailing zeros, so that the width of the text does not change while the cursor moves.</summary>
     public string MovingLength(double value) => Fixed(value, LengthPlaces);
 
     /// <summary>An angle at the cursor.</summary>
     public string MovingDegrees(Angle angle) => Fixed(angle.Degrees, AnglePlaces);
 
-    /// <summary>A bound of error: three digits, at most six places, never rounded down; 0.000001 stands for everything below it.</summary>
+    /// <summary>An error bound: three digits, at most six decimals, never rounded down; smaller values are shown as 0.000001.</summary>
     public static string Bound(double bound)
     {
         if (!(bound > 0.0)) return "0";
@@ -42,8 +42,8 @@ public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
         return (Math.Max(1.0, Math.Ceiling((bound / scale) - 1e-9)) * scale).ToString("0.######", CultureInfo.InvariantCulture);
     }
 
-    /// <summary>A default as a prompt shows it: a number, or a place, with no more decimals than are of use; any other text as it is.</summary>
-    /// <remarks>Enter still takes the whole number.</remarks>
+    /// <summary>A default as shown in a prompt: a number or point with a limited number of decimals; other text unchanged.</summary>
+    /// <remarks>Enter still uses the unrounded number.</remarks>
     public string Default(string standard)
     {
         ArgumentNullException.ThrowIfNull(standard);
@@ -54,7 +54,7 @@ public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
         return string.Join(',', shown);
     }
 
-    /// <summary>Numbers with a point are shortened; whole numbers, names and handles never.</summary>
+    /// <summary>Numbers with a point are shortened; integers, names and handles are not.</summary>
     private static bool IsLongNumber(string text) => text.Length > 0 && (text.Contains('.', StringComparison.Ordinal) || text.All(letter => char.IsAsciiDigit(letter) || letter == '-')) && NumberPrompt.TryNumber(text, out _);
 
     private static string Shortened(string text, int places)
@@ -69,6 +69,6 @@ public readonly record struct Figures(int LengthPlaces, int AnglePlaces)
 
     private static string Fixed(double value, int places) => At(value, places).ToString("0." + new string('0', places), CultureInfo.InvariantCulture);
 
-    /// <summary>Rounded; a zero has no minus before it.</summary>
+    /// <summary>Rounds; negative zero becomes zero.</summary>
     private static double At(double value, int places) => Math.Abs(value) < 1e15 ? Math.Round(value, places, MidpointRounding.AwayFromZero) + 0.0 : value;
 }

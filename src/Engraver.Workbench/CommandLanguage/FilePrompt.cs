@@ -3,8 +3,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for the name of a file. It may be typed with quotes round it, from the home folder (<c>~/plate.dxf</c>), or as a file address; a desktop
-/// with a window shows its file dialog instead.</summary>
+/// <summary>Asks for the name of a file. It may be quoted, relative to the home folder (<c>~/plate.dxf</c>), or a file URL; a desktop shows its file dialog
+/// instead.</summary>
 /// <param name="Wanted">Which files fit.</param>
 public sealed record FilePrompt(string Instruction, FileWanted Wanted) : ValuePrompt<string>(Instruction)
 {
@@ -16,34 +16,34 @@ public sealed record FilePrompt(string Instruction, FileWanted Wanted) : ValuePr
 }
 
 /// <summary>The files that fit a prompt.</summary>
-/// <param name="Kind">What they are, by a word of the program (<c>drawing</c>, <c>script</c>); the folder that was used last is kept for each.</param>
-/// <param name="Writes">The file is written, and may have to be made.</param>
-/// <param name="Endings">With their dots, the usual one first; none where every file fits.</param>
+/// <param name="Kind">Kind of file, an internal key (<c>drawing</c>, <c>script</c>); the last folder is remembered for each.</param>
+/// <param name="Writes">The file is written and need not exist.</param>
+/// <param name="Endings">File extensions with their dots, the default first; empty if every file fits.</param>
 public sealed record FileWanted(string Kind, bool Writes, params IReadOnlyList<string> Endings)
 {
     public const string Drawing = "drawing";
 
-    /// <summary>Full path that a dialog offers; null for none.</summary>
+    /// <summary>Full path suggested by a dialog; null for none.</summary>
     public string? Suggested { get; init; }
 
-    /// <summary>Enter alone is an answer: the result is shown in the command window and written nowhere.</summary>
+    /// <summary>Enter alone is allowed: the result is shown in the command window and not written.</summary>
     public bool MayShow { get; init; }
 
-    /// <summary>The name with the usual ending, unless it has one that fits or a stream stands there.</summary>
+    /// <summary>The name with the default extension, unless it already has a matching one or is a stream.</summary>
     public string WithEnding(string name)
     {
         ArgumentNullException.ThrowIfNull(name);
         return Endings.Count == 0 || Fits(name) || Path.EndsInDirectorySeparator(name) || FileKind.IsStream(name) ? name : name.TrimEnd('.') + Endings[0];
     }
 
-    /// <summary>True for a file of one of the endings.</summary>
+    /// <summary>True for a file with one of the extensions.</summary>
     public bool Fits(string name) => Endings.Count == 0 || Endings.Any(ending => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase));
 }
 
-/// <summary>The name of a file as people type and paste it.</summary>
+/// <summary>File names as typed or pasted.</summary>
 public static class TypedFileName
 {
-    /// <summary>The name without the quotes round it, <c>~</c> as the home folder, a file address as its path.</summary>
+    /// <summary>Removes quotes, replaces <c>~</c> by the home folder and a file URL by its path.</summary>
     public static string Read(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -52,11 +52,11 @@ public static class TypedFileName
         return name == "~" || name.StartsWith("~/", StringComparison.Ordinal) || name.StartsWith("~\\", StringComparison.Ordinal) ? AtHome(name) : name;
     }
 
-    /// <summary>The path as it has to be written at a prompt, so that it is read back as it is.</summary>
+    /// <summary>The path in the form that a prompt reads back unchanged.</summary>
     public static string Write(string path) => Read(path) == path && path.Trim() == path ? path : $"\"{path}\"";
 
-    /// <summary>True for what can only be the beginning of a file's name: a quote, a path from the root or from the home folder, a file address. No
-    /// command, option or point begins so.</summary>
+    /// <summary>True for a text that can only start a file name: a quote, an absolute path, a path from the home folder, a file URL. No command, option or
+    /// point starts like this.</summary>
     public static bool IsPath(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks which way a jog goes: a step <c>x,y</c> in mm, or the name and sign of an axis (<c>X+</c>).</summary>
+/// <summary>Asks for the direction of a jog: a step <c>x,y</c> in mm, or the name and sign of an axis (<c>X+</c>).</summary>
 /// <param name="HasHeight">The machine has a Z axis.</param>
 internal sealed record JogStepPrompt(string Instruction, bool HasHeight) : ValuePrompt<JogStep>(Instruction)
 {
@@ -26,8 +26,8 @@ internal sealed record JogStepPrompt(string Instruction, bool HasHeight) : Value
     };
 }
 
-/// <summary>Which way a jog goes.</summary>
+/// <summary>Direction of a jog.</summary>
 /// <param name="Way">Millimetres of the drawing's axes; a direction has length 1.</param>
-/// <param name="Height">The same up or down.</param>
-/// <param name="IsWhole">It is a whole step; a direction still needs its distance.</param>
+/// <param name="Height">The same for Z.</param>
+/// <param name="IsWhole">The distance is included; otherwise only the direction is given.</param>
 internal sealed record JogStep(Vector2D Way, double Height, bool IsWhole);

@@ -3,30 +3,29 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>An option of a prompt. The capital letters and digits of its spelling are the accepted short form, wherever they stand: <c>Window</c>,
-/// <c>eXit</c>, <c>ALL</c>. It is shown in the language of now, and answers to that and to English; <c>_Window</c> is English whatever is spoken, as in
-/// AutoCAD.</summary>
-/// <param name="Name">In English: what commands and scripts know it by.</param>
+/// <summary>An option of a prompt. The capital letters and digits of its spelling are the accepted short form, at any position: <c>Window</c>, <c>eXit</c>,
+/// <c>ALL</c>. It is shown in the current language and accepted in that language and in English; <c>_Window</c> is always English, as in AutoCAD.</summary>
+/// <param name="Name">The English name used by commands and scripts.</param>
 public sealed record Keyword(string Name)
 {
-    /// <summary>Set where another language has a different word for this use of the name: its text is <c>Keyword/Name.Use</c>.</summary>
+    /// <summary>Set if another language has a different word for this use of the name: its text is <c>Keyword/Name.Use</c>.</summary>
     public string? Use { get; init; }
 
-    /// <summary>As it is shown: in the language of now.</summary>
+    /// <summary>The name in the current language.</summary>
     public string Shown => LanguageFile.For(CultureInfo.CurrentUICulture)?.Find(nameof(Keyword), Use is null ? Name : $"{Name}.{Use}") ?? Name;
 
     /// <summary>The capital letters and digits of its English name.</summary>
     public string Short => ShortOf(Name);
 
-    /// <summary>True for the capitals of the English name, the whole word, and every beginning that reaches the last capital; case does not matter.</summary>
+    /// <summary>True for the capitals of the English name, the whole word, and every prefix that includes the last capital; case-insensitive.</summary>
     public bool Means(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
         return Means(Name, typed);
     }
 
-    /// <summary>The option that was typed, in the language of now before English: a whole word before a short form, a short form before a beginning; null
-    /// when none was.</summary>
+    /// <summary>The typed option, in the current language before English: a whole word before an abbreviation, an abbreviation before a prefix; null if none
+    /// matches.</summary>
     public static Keyword? Find(IReadOnlyList<Keyword> options, string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -35,7 +34,7 @@ public sealed record Keyword(string Name)
             : Find(options, typed, option => option.Shown) ?? Find(options, typed, option => option.Name);
     }
 
-    /// <summary>How a default is shown that is the name of one of the options; every other default is shown as it is.</summary>
+    /// <summary>The displayed text of a default: an option in the current language, other text unchanged.</summary>
     public static string ShowDefault(IReadOnlyList<Keyword> options, string standard) => TextCatalogue.Fact(options.FirstOrDefault(option => option.Name == standard)?.Shown ?? standard);
 
     /// <summary>Options from their English spellings.</summary>

@@ -3,8 +3,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for a machine position: <c>x,y</c> by the controller's own zero, and where it may have a height <c>x,y,z</c> too. A click on the canvas
-/// and <c>@</c> are no answers, because they are places of the drawing.</summary>
+/// <summary>Asks for a machine position: <c>x,y</c> relative to the controller's zero, and <c>x,y,z</c> if a height is allowed. Clicks on the canvas and
+/// <c>@</c> are not accepted, because they are points of the drawing.</summary>
 public sealed record MachinePlacePrompt(string Instruction) : ValuePrompt<MachinePlace>(Instruction)
 {
     /// <summary>A third number, the height, is allowed.</summary>
@@ -21,15 +21,15 @@ public sealed record MachinePlacePrompt(string Instruction) : ValuePrompt<Machin
     }
 }
 
-/// <summary>A place by the controller's own zero, mm.</summary>
-/// <param name="Z">Null where no height was given.</param>
+/// <summary>A position relative to the controller's zero, mm.</summary>
+/// <param name="Z">Null if no height was given.</param>
 public sealed record MachinePlace(double X, double Y, double? Z = null)
 {
     public Point2D Plane => new(X, Y);
 
-    /// <summary>True when the controller can count there.</summary>
+    /// <summary>True if the position is in the counter range of the controller.</summary>
     public bool IsCountable(CountsScale scale) => scale.Holds(Bounds2D.FromCorners(Plane, Plane), default) && scale.HoldsHeight(Z ?? 0.0);
 
-    /// <summary>Counts; the height is 0 where none was given.</summary>
+    /// <summary>Counts; the height is 0 if none was given.</summary>
     public CountsPoint ToCounts(CountsScale scale) => scale.ToCounts(Plane) with { Z = scale.ToHeight(Z ?? 0.0) };
 }

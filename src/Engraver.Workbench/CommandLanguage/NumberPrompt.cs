@@ -23,7 +23,7 @@ public sealed record NumberPrompt(string Instruction) : ValuePrompt<double>(Inst
         ? Wording.Get("NumberPrompt.TooSmall", typed, Least)
         : Wording.Get("NumberPrompt.OutOfRange", typed, Least, Most);
 
-    /// <summary>A finite number, spelled with a point whatever the culture.</summary>
+    /// <summary>Parses a finite number with a decimal point in any culture.</summary>
     public static bool TryNumber(string typed, out double value) =>
         double.TryParse(typed, NumberStyles.Float & ~NumberStyles.AllowLeadingWhite & ~NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture, out value) && double.IsFinite(value);
 

@@ -3,13 +3,13 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Places of the machine as the operator reads them, mm: <c>x,y</c>, and with the height of its axis where it has one <c>x,y,z</c>.</summary>
+/// <summary>Machine positions for display, mm: <c>x,y</c>, or <c>x,y,z</c> with a Z axis.</summary>
 public static class PlaceText
 {
     /// <param name="at">Counts.</param>
     /// <param name="scale">Of the machine; without a Z axis the height is left out.</param>
     public static string Show(CountsPoint at, CountsScale scale) => Show(scale.ToMillimetres(at.X, at.Y), scale.Z == 0.0 ? null : scale.ToMillimetres(at.Z));
 
-    /// <param name="height">Null on a machine without a Z axis, or where nobody knows it.</param>
+    /// <param name="height">Null on a machine without a Z axis, or when unknown.</param>
     public static string Show(Point2D at, double? height) => height is { } z ? $"{PointPrompt.Show(at)},{z.ToString("0.######", System.Globalization.CultureInfo.InvariantCulture)}" : PointPrompt.Show(at);
 }

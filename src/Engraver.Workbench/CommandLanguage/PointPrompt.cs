@@ -10,13 +10,13 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
     /// <summary>What the point is for.</summary>
     public PointUse Use { get; init; }
 
-    /// <summary>Where the line to the point begins, or the first corner, drawing units; null when the point stands alone.</summary>
+    /// <summary>Where the line to the point begins, or the first corner, drawing units; null without such a point.</summary>
     public Point2D? From { get; init; }
 
-    /// <summary>What a place would give (<see cref="PointAim.Ghost"/>).</summary>
+    /// <summary>Preview for a cursor position (<see cref="PointAim.Ghost"/>).</summary>
     public GhostOf? Ghost { get; init; }
 
-    /// <summary>What is pointed at is taken out of what was picked (<see cref="PointAim.Removes"/>).</summary>
+    /// <summary>The picked object is removed from the selection (<see cref="PointAim.Removes"/>).</summary>
     public bool Removes { get; init; }
 
     public override PointAim Aim => new(Use, From) { Ghost = Ghost, Removes = Removes };
@@ -42,43 +42,43 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
             : null;
     }
 
-    /// <summary>A point as it is shown and as it can be typed again.</summary>
+    /// <summary>A point as displayed, in the form that can be typed.</summary>
     public static string Show(Point2D point) => string.Create(CultureInfo.InvariantCulture, $"{point.X:0.######},{point.Y:0.######}");
 }
 
-/// <summary>What a command would draw if this place were given, drawing units; empty for nothing. It is called while the cursor moves, on any thread, and
-/// must not change anything.</summary>
+/// <summary>The preview of a command for a cursor position, drawing units; may be empty. Called while the cursor moves, on any thread, and must not change
+/// state.</summary>
 public delegate IReadOnlyList<Segment> GhostOf(Point2D place);
 
-/// <summary>A place of the drawing that is asked for.</summary>
-/// <param name="From">Where the line to the place begins, or the first corner, drawing units; null when the place stands alone.</param>
+/// <summary>A request for a point of the drawing.</summary>
+/// <param name="From">Start of the line to the point, or the first corner, drawing units; null without such a point.</param>
 public sealed record PointAim(PointUse Use, Point2D? From)
 {
-    /// <summary>What a click at a place would give, so that it can be seen before; null when there is nothing to be seen beforehand.</summary>
+    /// <summary>Preview of a click at a position; null without a preview.</summary>
     public GhostOf? Ghost { get; init; }
 
-    /// <summary>What is pointed at is taken out of what was picked.</summary>
+    /// <summary>The picked object is removed from the selection.</summary>
     public bool Removes { get; init; }
 
-    /// <summary>What stands before the coordinates of a click with Shift; null when Shift means nothing here.</summary>
+    /// <summary>Prefix of the coordinates of a click with Shift; null when Shift has no meaning.</summary>
     public string? ShiftMark { get; init; }
 
-    /// <summary>A place that stands alone.</summary>
+    /// <summary>A point without a base point.</summary>
     public static PointAim Place { get; } = new(PointUse.Place, null);
 
-    /// <summary>The corner where a box begins.</summary>
+    /// <summary>The first corner of a box.</summary>
     public static PointAim FirstCorner { get; } = new(PointUse.Corner, null);
 }
 
-/// <summary>What a place of the drawing is asked for. It decides how the canvas helps to point at it.</summary>
+/// <summary>Purpose of a requested point. It determines the aids of the canvas.</summary>
 public enum PointUse
 {
-    /// <summary>A place, exactly: object snaps, the snap raster and ORTHO help.</summary>
+    /// <summary>An exact point: object snap, snap grid and ORTHO apply.</summary>
     Place,
 
-    /// <summary>A corner of a box: nothing snaps, because the corner stands beside the objects that the box holds.</summary>
+    /// <summary>A corner of a box: no snapping, because the corner is beside the objects in the box.</summary>
     Corner,
 
-    /// <summary>The object at the place: nothing snaps.</summary>
+    /// <summary>The object at the point: no snapping.</summary>
     Object,
 }

@@ -2,9 +2,9 @@ using System.Text;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Reads AutoCAD's script format: one stream of inputs, where a space and a line's end both are Enter. So a blank line is Enter alone, two spaces
-/// are one Enter too many, and a space at a
-/// line's end ends a selection. A line that begins with <c>;</c> is a comment; double quotes hold a file name with spaces together.</summary>
+/// <summary>Reads AutoCAD's script format: one stream of inputs, where a space and an end of line both mean Enter. So a blank line is Enter alone, two spaces
+/// include an extra Enter, and a trailing space ends a selection. A line that begins with <c>;</c> is a comment; double quotes hold a file name with spaces
+/// together.</summary>
 public static class ScriptText
 {
     public static IEnumerable<ScriptToken> Read(string text)
@@ -19,7 +19,7 @@ public static class ScriptText
         }
     }
 
-    /// <summary>An input as it must be written to be read back: what holds a space is quoted.</summary>
+    /// <summary>An input in the form that is read back unchanged: inputs with spaces are quoted.</summary>
     public static string Write(string input)
     {
         ArgumentNullException.ThrowIfNull(input);

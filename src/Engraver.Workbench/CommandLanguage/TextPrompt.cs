@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for a word or a file name. Where spaces end an answer (a script), double quotes hold it together.</summary>
+/// <summary>Asks for a word or a file name. If spaces end an answer (in a script), double quotes keep it together.</summary>
 public sealed record TextPrompt(string Instruction) : ValuePrompt<string>(Instruction)
 {
     public override bool TakesSpaces => true;

@@ -21,7 +21,7 @@ public sealed record ZoomPrompt(string Instruction) : ValuePrompt<ZoomRequest>(I
     }
 }
 
-/// <summary>What may be typed at ZOOM besides its options.</summary>
+/// <summary>The input at ZOOM besides its options.</summary>
 public abstract record ZoomRequest
 {
     private ZoomRequest()
@@ -32,6 +32,6 @@ public abstract record ZoomRequest
     public sealed record Corner(Point2D Point) : ZoomRequest;
 
     /// <param name="Factor">Above 0; larger is nearer.</param>
-    /// <param name="Relative">True for <c>2X</c>: relative to what is seen. False: relative to the whole drawing.</param>
+    /// <param name="Relative">True for <c>2X</c>: relative to the current view. False: relative to the extents.</param>
     public sealed record Scale(double Factor, bool Relative) : ZoomRequest;
 }

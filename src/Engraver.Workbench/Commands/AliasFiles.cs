@@ -2,12 +2,12 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>The built-in aliases and the operator's own over them.</summary>
+/// <summary>The built-in aliases, overridden by the operator's aliases.</summary>
 internal static class AliasFiles
 {
     private const int ShortestForMotion = 3;
 
-    /// <param name="userFile">Null or a file that is not there: the built-in ones alone.</param>
+    /// <param name="userFile">Null or a missing file: only the built-in aliases.</param>
     public static AliasTable Read(string? userFile, CommandCatalog catalog)
     {
         var table = AliasTable.Empty.With(BuiltIn(), IsAllowed);

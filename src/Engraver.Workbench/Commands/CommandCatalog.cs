@@ -26,10 +26,10 @@ public sealed class CommandCatalog
     /// <summary>By group, then by name.</summary>
     public IEnumerable<CommandInfo> All => _commands.Values.Select(command => command.Info).OrderBy(info => info.Group).ThenBy(info => info.Name, StringComparer.Ordinal);
 
-    /// <summary>The command of a whole name, any case; null when there is none.</summary>
+    /// <summary>The command with this full name, case-insensitive; null when there is none.</summary>
     public ICommand? Find(string name) => _commands.GetValueOrDefault(name);
 
-    /// <summary>Everything that is built.</summary>
+    /// <summary>All commands of the program.</summary>
     public static CommandCatalog Built() => new(
     [
         new NewCommand(), new OpenCommand(), new RecentCommand(), new HistoryCommand(), new CloseCommand(), new SaveAsCommand(), new QSaveCommand(), new ExportCommand(), new OptionsCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(), new QuitCommand(),

@@ -14,7 +14,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>What a running command works with: the document, the machine, and the operator whom it asks and tells.</summary>
+/// <summary>The services of a running command: document, machine, prompts and messages.</summary>
 public sealed class CommandContext
 {
     private readonly CommandSession _session;
@@ -34,22 +34,22 @@ public sealed class CommandContext
 
     public PlaybackSession Playback => _session.Playback;
 
-    /// <summary>Where AUTOSEQUENCE shows how far it has walked.</summary>
+    /// <summary>Progress of the AUTOSEQUENCE animation.</summary>
     internal SequenceWalk Walk => _session.Walk;
 
-    /// <summary>A person sits at a desktop and has typed or clicked the command.</summary>
+    /// <summary>True when an operator entered the command at the desktop.</summary>
     internal bool IsWatched => _session.Environment.RunNeedsArming && !IsScripted;
 
-    /// <summary>Every run and every program that was written.</summary>
+    /// <summary>The history of runs and posted programs.</summary>
     public JobHistory History => _session.History;
 
-    /// <summary>How the job of the document stands to its certificate.</summary>
+    /// <summary>The certificate status of the document's job.</summary>
     public CertificateWatch Certificates => _session.Certificates;
 
-    /// <summary>Where a long command reports its progress.</summary>
+    /// <summary>Progress of a long command.</summary>
     public CommandProgress Progress => _session.Progress;
 
-    /// <summary>Where CNCCOMMISSION tells which step it is at.</summary>
+    /// <summary>The current step of CNCCOMMISSION.</summary>
     internal CommissioningCourse Commissioning => _session.Commissioning;
 
     public CommandCatalog Catalog => _session.Catalog;
@@ -79,7 +79,7 @@ public sealed class CommandContext
         return answer;
     }
 
-    /// <summary>Asks for a value; the prompt must have neither options nor an end.</summary>
+    /// <summary>Asks for a value; the prompt must have no options and no empty answer.</summary>
     public async Task<T> ValueAsync<T>(ValuePrompt<T> prompt) => ((Answer<T>.Value)await AskAsync(prompt).ConfigureAwait(false)).Of;
 
     /// <summary>Asks for one of several options.</summary>
@@ -89,8 +89,8 @@ public sealed class CommandContext
     /// <summary>Asks a question whose Enter means no.</summary>
     public async Task<bool> ConfirmAsync(string question) => await ChoiceAsync(question, Keyword.List("Yes", "No"), "No").ConfigureAwait(false) == "Yes";
 
-    /// <summary>Asks whether a file that is there already is replaced; Enter means no.</summary>
-    /// <exception cref="CommandException">It is not to be.</exception>
+    /// <summary>Asks whether an existing file is replaced; Enter means no.</summary>
+    /// <exception cref="CommandException">The operator declined.</exception>
     public async Task ConfirmReplaceAsync(string name, string question)
     {
         var prompt = new ChoicePrompt(question) { Options = Keyword.List("Yes", "No"), Default = "No", Replaces = true };
@@ -99,7 +99,7 @@ public sealed class CommandContext
 
     public void Say(string text, MessageKind kind = MessageKind.Note) => _session.Say(kind, text);
 
-    /// <summary>Says a result of several lines, as a stage writes it.</summary>
+    /// <summary>Writes a result of several lines.</summary>
     public void SayResult(Action<TextWriter> write)
     {
         using var text = new StringWriter { NewLine = "\n" };
@@ -107,78 +107,76 @@ public sealed class CommandContext
         Say(text.ToString().TrimEnd('\n'), MessageKind.Result);
     }
 
-    /// <summary>Takes a document step under the command's own name.</summary>
-    /// <exception cref="OperationCanceledException">Esc came while the command was at work: nothing is changed.</exception>
-    /// <exception cref="CommandException">The command runs beside another one, which may need the document as it is.</exception>
+    /// <summary>Commits an undo step under the command's name.</summary>
+    /// <exception cref="OperationCanceledException">Esc was pressed while the command was running: nothing is changed.</exception>
+    /// <exception cref="CommandException">The command runs concurrently with another one that may use the document.</exception>
     public void Take(DocumentState next)
     {
         BeforeStep();
         Document.Take(_frame.Info.Name, next);
     }
 
-    /// <summary>Changes the document within the step that this command took before, so that undoing goes back behind both.</summary>
-    /// <exception cref="OperationCanceledException">Esc came while the command was at work: nothing is changed.</exception>
-    /// <exception cref="CommandException">The command runs beside another one, which may need the document as it is.</exception>
+    /// <summary>Changes the document within the last step of this command, so that undo reverts both.</summary>
+    /// <exception cref="OperationCanceledException">Esc was pressed while the command was running: nothing is changed.</exception>
+    /// <exception cref="CommandException">The command runs concurrently with another one that may use the document.</exception>
     public void Amend(DocumentState next)
     {
         BeforeStep();
         Document.Amend(next);
     }
 
-    /// <summary>Lights up what was picked for this command, until it ends or takes a step.</summary>
-    /// <param name="picked">Indices into the drawing's entities; null: nothing is picked any more.</param>
+    /// <summary>Highlights the objects picked for this command, until it ends or commits a step.</summary>
+    /// <param name="picked">Indices into the drawing's entities; null for none.</param>
     public void ShowPicked(IReadOnlyList<int>? picked) => _frame.Picked = picked;
 
-    /// <summary>How lengths and angles are printed (LUPREC, AUPREC).</summary>
+    /// <summary>Display precision of lengths and angles (LUPREC, AUPREC).</summary>
     public Figures Figures => Settings.Current.Figures();
 
     private void BeforeStep()
     {
         if (_frame.IsCancelled) throw new OperationCanceledException();
         RefuseBeside();
-        _frame.Picked = null; // its indices are those of the drawing before
+        _frame.Picked = null; // Its indices refer to the previous drawing.
     }
 
-    /// <summary>For the part of a command that changes the document, where another part of it only looks and is heard while another command is at
-    /// work.</summary>
-    /// <exception cref="CommandException">Another command is at work.</exception>
+    /// <summary>Called before the document is changed by a command of which another part may run concurrently with a running command.</summary>
+    /// <exception cref="CommandException">Another command is running.</exception>
     internal void RefuseBeside()
     {
         if (_frame.IsBeside) throw new CommandException(CommandFailure.Usage, Wording.Get("CommandSession.DrawingInUse", _frame.Info.Name, _session.Running ?? Wording.Get("CommandSession.AnotherCommand")));
     }
 
-    /// <summary>Asks a window to show its dialog instead of asking at the command line: not for a script, and not when a dash was typed before the
-    /// name.</summary>
-    /// <returns>False when there is no such window.</returns>
+    /// <summary>Opens the dialog of the command instead of prompting, except for scripts and for names typed with a dash.</summary>
+    /// <returns>False if there is no dialog.</returns>
     internal bool OpensDialog() => !_frame.HasNoDialog && !IsScripted && _session.OpensDialog(_frame.Info.Name);
 
-    /// <summary>The value that was used last at a prompt of this name, or a first one.</summary>
+    /// <summary>The last value at a prompt of this name, or the initial one.</summary>
     public string Remembered(string prompt, string first) => _session.Memory.GetValueOrDefault(prompt, first);
 
-    /// <summary>The value that was used last at a prompt of this name; null when there is none yet.</summary>
+    /// <summary>The last value at a prompt of this name; null if there is none.</summary>
     public string? Remembered(string prompt) => _session.Memory.GetValueOrDefault(prompt);
 
     public void Remember(string prompt, string value) => _session.Memory[prompt] = value;
 
-    /// <summary>A file to read: in the working folder, else beside the script that runs.</summary>
+    /// <summary>Path of a file to read: in the working folder, otherwise beside the running script.</summary>
     public string FileToRead(string name) => _session.FileToRead(name);
 
-    /// <summary>The path of a result that is called as the drawing is, beside it; null while none is open.</summary>
+    /// <summary>Path of a result beside the drawing, with the drawing's name; null if none is open.</summary>
     public string? BesideDrawing(string ending) => Document.FilePath is { } drawing ? Path.ChangeExtension(Path.GetFullPath(FileToWrite(drawing)), ending) : null;
 
-    /// <summary>A file to write, in the working folder.</summary>
+    /// <summary>Path of a file to write, in the working folder.</summary>
     public string FileToWrite(string name) => Path.Combine(_session.Environment.Folder, name);
 
-    /// <summary>Puts the inputs of a script before everything that is queued.</summary>
-    /// <exception cref="CommandException">Scripts call each other more than 16 levels deep.</exception>
+    /// <summary>Inserts the inputs of a script before all queued inputs.</summary>
+    /// <exception cref="CommandException">Scripts are nested more than 16 levels deep.</exception>
     public void QueueScript(string path, string text) => _session.QueueScript(path, text);
 
-    /// <summary>Where journals are for which nobody names a folder; null for the usual one.</summary>
+    /// <summary>Folder of journals without an explicit path; null for the default.</summary>
     internal string? RunJournalFolder => _session.Environment.RunJournalFolder;
 
     internal double SimulatorSpeed => _session.Environment.SimulatorSpeed;
 
-    /// <summary>A text whose settings and commands are named in the words of where it is read; what an operator typed is put in afterwards.</summary>
+    /// <summary>Names the settings and commands of a text as the current front end does; text typed by the operator must be inserted afterwards.</summary>
     internal string Spell(string text) => _session.Environment.Speech(text);
 
     internal string CommissionedProfile => _session.Environment.CommissionedProfile;
@@ -189,16 +187,16 @@ public sealed class CommandContext
 
     internal bool IsScripted => _session.IsScripted;
 
-    /// <summary>The name of the command inside which this one runs; null when it runs by itself.</summary>
+    /// <summary>Name of the enclosing command; null if this one is not nested.</summary>
     internal string? Outer => _session.Outer;
 
-    /// <summary>Adds a job to the history; that it cannot be kept is said.</summary>
+    /// <summary>Adds a job to the history; reports a write failure.</summary>
     internal void Remember(HistoryEntry entry)
     {
         if (History.Add(entry).Failure is { } failure) SayNotKept(failure);
     }
 
-    /// <summary>A run that begins is in the history from now on.</summary>
+    /// <summary>Adds a run that starts to the history.</summary>
     internal OpenJob Begin(HistoryEntry entry) => new(History, entry, SayNotKept);
 
     private void SayNotKept(string failure) => Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);
@@ -206,7 +204,7 @@ public sealed class CommandContext
     /// <summary>A path for the journal of a run that starts now.</summary>
     internal string NewRunJournal(string drawing) => _session.NewRunJournal(drawing);
 
-    /// <summary>Ends a command that threw what nothing expects, a bug: a job under way is stopped, and an alarm says what happened.</summary>
+    /// <summary>Ends a command that threw an unexpected exception: stops a running job and raises an alarm.</summary>
     internal InputResult Broken(Exception bug)
     {
         var name = _frame.Info.Name;
@@ -219,7 +217,7 @@ public sealed class CommandContext
         return new InputResult.Failed(CommandFailure.Internal, sentence) { Bug = bug };
     }
 
-    /// <summary>Reads the alias files anew.</summary>
+    /// <summary>Reads the alias files again.</summary>
     public AliasTable ReloadAliases() => _session.ReloadAliases();
 }
 
@@ -228,17 +226,17 @@ public sealed record CommandMessage(MessageKind Kind, string Text);
 
 public enum MessageKind
 {
-    /// <summary>A prompt and what was typed to it.</summary>
+    /// <summary>A prompt and its input.</summary>
     Echo,
 
-    /// <summary>What a command was asked for: figures, lists, program text.</summary>
+    /// <summary>The requested output of a command: figures, lists, program text.</summary>
     Result,
 
-    /// <summary>What a command says without being asked.</summary>
+    /// <summary>Additional information from a command.</summary>
     Note,
 
     Warning,
 
-    /// <summary>A finding of severity error, or an input that was not understood.</summary>
+    /// <summary>A finding of severity error, or invalid input.</summary>
     Error,
 }

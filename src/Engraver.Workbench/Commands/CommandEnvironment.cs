@@ -3,43 +3,43 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>The folders, files and switches that a command session is given from outside; a test gives it others.</summary>
+/// <summary>The environment of a command session: folders, files and switches. Tests use other values.</summary>
 public sealed record CommandEnvironment
 {
     public TimeProvider Time { get; init; } = TimeProvider.System;
 
-    /// <summary>File names that are not rooted are looked for and written here.</summary>
+    /// <summary>Folder for relative file names.</summary>
     public string Folder { get; init; } = Directory.GetCurrentDirectory();
 
-    /// <summary>The operator's own aliases, over the built-in ones; the file need not exist. Null: none.</summary>
+    /// <summary>File of the operator's aliases, which override the built-in ones; it need not exist. Null: none.</summary>
     public string? AliasFile { get; init; }
 
-    /// <summary>Where every input is written, one on a line, so that the text is a script that does the same again. Null: nowhere.</summary>
+    /// <summary>Receives every input, one on a line; the text is a script that repeats the session. Null: not recorded.</summary>
     public TextWriter? Journal { get; init; }
 
-    /// <summary>Where run journals go when no file is named; null: the operator's data folder.</summary>
+    /// <summary>Folder of run journals without an explicit path; null: the operator's data folder.</summary>
     public string? RunJournalFolder { get; init; }
 
-    /// <summary>Whether the history of jobs is kept, beside the journals; otherwise it lives as long as the session.</summary>
+    /// <summary>True to save the history of jobs beside the journals; otherwise it is lost when the session ends.</summary>
     public bool KeepsHistory { get; init; } = true;
 
-    /// <summary>Where the desktop's settings are kept; null: they live as long as the session.</summary>
+    /// <summary>File of the desktop's settings; null: they are lost when the session ends.</summary>
     public string? SettingsFile { get; init; }
 
-    /// <summary>Names the settings and commands of a text, <c>[zero]</c>, in the words of where it is read (<see cref="SettingWording"/>).</summary>
+    /// <summary>Names the settings and commands of a text, <c>[zero]</c>, as the current front end does (<see cref="SettingWording"/>).</summary>
     public Func<string, string> Speech { get; init; } = SettingWording.AtCommandLine;
 
-    /// <summary>The file that CNCCOMMISSION offers for the machine profile it ends with.</summary>
+    /// <summary>Default file name of the machine profile that CNCCOMMISSION creates.</summary>
     public string CommissionedProfile { get; init; } = "machine.json";
 
-    /// <summary>Where a bug is reported; null: in the history only.</summary>
+    /// <summary>Reports of internal errors; null: only in the command history.</summary>
     public FailureReports? Failures { get; init; }
 
-    /// <summary>How fast a simulated controller runs whose address does not say it: controller seconds per second of the wall, infinity as fast as it can
-    /// be computed. An operator at a desktop sees the machine move as it would.</summary>
+    /// <summary>Speed of a simulated controller whose address does not define it: controller seconds per wall-clock second; infinity for the maximum speed. The
+    /// desktop uses real time.</summary>
     public double SimulatorSpeed { get; init; } = double.PositiveInfinity;
 
-    /// <summary>True at a desktop, where a person starts jobs: CNCRUN then works only when armed (on a simulated controller a script may run it unarmed),
+    /// <summary>True at a desktop, where the operator starts jobs: CNCRUN then works only when armed (on a simulated controller a script may run it unarmed),
     /// and no script starts a machine that is not simulated.</summary>
     public bool RunNeedsArming { get; init; }
 }

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Commands;
 
-/// <summary>A command cannot go on. The message is the sentence for the operator; nothing of the document has changed.</summary>
+/// <summary>A command failed. The message is shown to the operator; the document is unchanged.</summary>
 public sealed class CommandException : Exception
 {
     public CommandException()

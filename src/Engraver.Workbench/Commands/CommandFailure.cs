@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Commands;
 
-/// <summary>Why a command did not do what it should; the runner turns each into its exit code.</summary>
+/// <summary>Why a command failed; the console runner maps each reason to an exit code.</summary>
 public enum CommandFailure
 {
     /// <summary>The drawing is unusable, or has errors that prevent the command.</summary>
@@ -9,15 +9,15 @@ public enum CommandFailure
     /// <summary>Wrong or missing input, a file that cannot be written, nothing open.</summary>
     Usage,
 
-    /// <summary>The controller refused.</summary>
+    /// <summary>The controller refused a command.</summary>
     Refused,
 
-    /// <summary>The link was lost or never came up.</summary>
+    /// <summary>The link was lost or could not be established.</summary>
     LinkLost,
 
     /// <summary>The operator stopped the machine.</summary>
     Stopped,
 
-    /// <summary>A bug. A job under way was stopped; the session goes on.</summary>
+    /// <summary>Internal error. A running job was stopped; the session continues.</summary>
     Internal,
 }

@@ -6,7 +6,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>One running command, which asks, is at work, or has ended.</summary>
+/// <summary>One command that is prompting, working or finished.</summary>
 internal sealed class CommandFrame : IDisposable
 {
     private readonly CancellationTokenSource _cancel = new();
@@ -19,25 +19,25 @@ internal sealed class CommandFrame : IDisposable
 
     public CommandInfo Info { get; }
 
-    /// <summary>It runs beside another command that is at work, and changes nothing that one may need.</summary>
+    /// <summary>It runs concurrently with another command and does not change what that one may use.</summary>
     public bool IsBeside { get; init; }
 
-    /// <summary>A dash was typed before its name: it asks at the command line, whatever windows there are.</summary>
+    /// <summary>A dash was typed before its name: it prompts at the command line instead of showing a dialog.</summary>
     public bool HasNoDialog { get; init; }
 
-    /// <summary>It was told to end.</summary>
+    /// <summary>Cancellation was requested.</summary>
     public bool IsCancelled => _isCancelled;
 
-    /// <summary>What it waits for; null while it is at work.</summary>
+    /// <summary>The pending prompt; null while it is working.</summary>
     public PendingAsk? Pending { get; private set; }
 
-    /// <summary>What the operator has picked for it so far, indices into the drawing's entities; null while nothing was asked for.</summary>
+    /// <summary>The objects picked for it so far, indices into the drawing's entities; null before the first request.</summary>
     public IReadOnlyList<int>? Picked { get; set; }
 
-    /// <summary>It has asked something, be it answered or not.</summary>
+    /// <summary>True after the first prompt, answered or not.</summary>
     public bool HasAsked { get; private set; }
 
-    /// <summary>How it ended; runs until then, also before it is started.</summary>
+    /// <summary>The result; incomplete until the command has ended.</summary>
     public Task<InputResult> Ended => _ended.Task;
 
     public void Start(ICommand command, CommandContext context) => _ = EndAsync(RunAsync(command, context));
@@ -50,8 +50,8 @@ internal sealed class CommandFrame : IDisposable
         return await pending.Answer.ConfigureAwait(false);
     }
 
-    /// <summary>Hands an input to the command that waits.</summary>
-    /// <returns>Null when it was an answer, otherwise what is wanted instead.</returns>
+    /// <summary>Passes an input to the waiting command.</summary>
+    /// <returns>Null if it was accepted, otherwise which input is expected.</returns>
     public string? Answer(string typed, Core.Geometry.Point2D lastPoint)
     {
         var pending = Pending ?? throw new InvalidOperationException("The command does not ask.");
@@ -65,11 +65,11 @@ internal sealed class CommandFrame : IDisposable
         }
         finally
         {
-            if (!isAnswered) Await(pending); // also where reading the answer failed: the question stands
+            if (!isAnswered) Await(pending); // Also if reading the answer failed: the prompt remains.
         }
     }
 
-    /// <summary>Waits until the command asks or has ended. What was told to end asks nothing any more.</summary>
+    /// <summary>Waits until the command prompts or has ended. A cancelled command does not prompt again.</summary>
     public async Task<InputResult> SettledAsync(CancellationToken cancellation)
     {
         await using var stop = cancellation.Register(Cancel).ConfigureAwait(false);
@@ -86,7 +86,7 @@ internal sealed class CommandFrame : IDisposable
         }
         catch (ObjectDisposedException)
         {
-            return; // it has ended meanwhile: Esc comes from another thread
+            return; // It has ended meanwhile: Esc comes from another thread.
         }
 
         Pending?.Cancel();
@@ -94,11 +94,11 @@ internal sealed class CommandFrame : IDisposable
 
     public void Dispose() => _cancel.Dispose();
 
-    /// <summary>From now on the question waits; where Esc came just before it (from another thread), it ends at once.</summary>
+    /// <summary>Sets the pending prompt; if Esc was pressed just before on another thread, the prompt is cancelled at once.</summary>
     private void Await(PendingAsk pending)
     {
         (Pending, HasAsked) = (pending, true);
-        Interlocked.MemoryBarrier(); // the question is seen by Cancel, or Cancel is seen here
+        Interlocked.MemoryBarrier(); // Either Cancel sees the prompt or the cancellation is seen here.
         if (IsCancelled) pending.Cancel();
         _asks.TrySetResult();
     }
@@ -140,7 +140,7 @@ internal sealed class CommandFrame : IDisposable
         {
             return new InputResult.Cancelled();
         }
-        catch (Exception bug) // any exception is a bug here: it is reported, a job is stopped, and the desktop stays open
+        catch (Exception bug) // Any other exception is an internal error: it is reported, a job is stopped, and the desktop stays open.
         {
             return context.Broken(bug);
         }

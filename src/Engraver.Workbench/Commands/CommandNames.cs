@@ -3,18 +3,18 @@ using Engraver.Workbench.Commands.Machine;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>Finds the command of a typed name, alias or beginning of one.</summary>
+/// <summary>Finds commands by name, alias or prefix.</summary>
 internal static class CommandNames
 {
-    /// <summary>The command of a name or alias; null when there is none.</summary>
+    /// <summary>The command with this name or alias; null when there is none.</summary>
     public static ICommand? Find(string input, CommandCatalog catalog, AliasTable aliases)
     {
         var name = CommandWord.Bare(input);
         return catalog.Find(name) ?? (aliases.CommandOf(name) is { } meant ? catalog.Find(meant) : null);
     }
 
-    /// <summary>All commands that match: aliases that begin with what is typed (the one that is meant exactly comes first), then names that begin so
-    /// (CNCSTOP before the others of CNC), then names that hold it inside.</summary>
+    /// <summary>All commands that match: aliases that start with the input (an exact match first), then names that start with it (CNCSTOP before the other CNC
+    /// commands), then names that contain it.</summary>
     public static IReadOnlyList<CommandSuggestion> Suggest(string typed, CommandCatalog catalog, AliasTable table)
     {
         var name = CommandWord.Bare(typed);
@@ -29,25 +29,24 @@ internal static class CommandNames
         var inside = catalog.All.Where(info => info.Name.IndexOf(name, StringComparison.OrdinalIgnoreCase) > 0).Select(info => new CommandSuggestion(null, info));
         return [.. aliases, .. names.OrderByDescending(IsStop), .. inside];
 
-        static bool IsStop(CommandSuggestion suggestion) => suggestion.Command.Name == CncStopCommand.Name; // who begins to type CNC in a hurry means this one
+        static bool IsStop(CommandSuggestion suggestion) => suggestion.Command.Name == CncStopCommand.Name; // CNC typed in a hurry most likely means CNCSTOP.
     }
 }
 
-/// <summary>A completion of what is typed: alias first where there is one, as in <c>M (MOVE)</c>.</summary>
+/// <summary>A completion of the input, with the alias first if there is one, as in <c>M (MOVE)</c>.</summary>
 /// <param name="Alias">Null for the command's own name.</param>
 public sealed record CommandSuggestion(string? Alias, CommandInfo Command)
 {
     public string Text => Alias is null ? Command.Name : $"{Alias} ({Command.Name})";
 }
 
-/// <summary>A typed command name and AutoCAD's prefixes before it: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a
-/// dialog.</summary>
+/// <summary>A typed command name with AutoCAD's prefixes: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a dialog.</summary>
 internal static class CommandWord
 {
     private const string Prefixes = "'_.-";
 
     public static string Bare(string typed) => typed.TrimStart([.. Prefixes]);
 
-    /// <summary>A dash stands among the prefixes.</summary>
+    /// <summary>True if the prefixes include a dash.</summary>
     public static bool HasDash(string typed) => typed[..^Bare(typed).Length].Contains('-', StringComparison.Ordinal);
 }

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Commands;
 
-/// <summary>How far a command that takes long is. Any thread.</summary>
+/// <summary>Progress of a long command. Any thread.</summary>
 public sealed class CommandProgress : IProgress<double>
 {
     private const double None = -1.0;
@@ -14,7 +14,7 @@ public sealed class CommandProgress : IProgress<double>
 
     public void Report(double value) => Take(Math.Clamp(value, 0.0, 1.0));
 
-    /// <summary>Nothing is reported any more.</summary>
+    /// <summary>Ends the report.</summary>
     public void End()
     {
         if (Fraction is not null) Take(None);

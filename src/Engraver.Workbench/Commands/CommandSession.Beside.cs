@@ -2,19 +2,20 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Commands;
 
-/// <content>The commands that run beside one that is at work: what changes neither the drawing nor the machine, and what must always be heard.</content>
+/// <content>Commands that run concurrently with another one: those that change neither drawing nor machine, and those that must always work, such as
+/// CNCSTOP.</content>
 public sealed partial class CommandSession
 {
     private CommandFrame? _aside;
 
-    /// <summary>A job runs or something moves: nothing is kept to be run behind it.</summary>
+    /// <summary>A job runs or the machine moves: inputs are not queued.</summary>
     internal bool IsMachineAtWork => Machine.IsRunning || Machine.Status.State.IsMotion();
 
-    /// <summary>A command beside the one at work waits for an answer.</summary>
+    /// <summary>A concurrent command waits for an answer.</summary>
     public bool AsksBeside => _aside is { Pending: not null };
 
-    /// <summary>While a command is at work: this input is taken at once, beside it, for it is a command that is heard then or the answer to one.</summary>
-    /// <remarks>While another drawing is brought, what is typed about view and drawing is meant for that one and waits.</remarks>
+    /// <summary>While a command works: true if this input is a concurrent command or the answer to one, and is processed at once.</summary>
+    /// <remarks>While another drawing is being opened, inputs about view and drawing apply to the new drawing and are queued.</remarks>
     public bool Hears(string input)
     {
         ArgumentNullException.ThrowIfNull(input);
@@ -22,32 +23,31 @@ public sealed partial class CommandSession
         return Meant(input) is { Info: { IsHeardBeside: true } info } && (info.Group == CommandGroup.Machine || _frames.Top is not { Info.BringsDrawing: true });
     }
 
-    /// <summary>This input must not wait for anything: it stops the machine, holds it, or says how it is.</summary>
+    /// <summary>This input must be processed at once: it stops the machine, holds it or shows its state.</summary>
     public bool IsUrgent(string input)
     {
         ArgumentNullException.ThrowIfNull(input);
         return Meant(input) is { Info: { HeardDuringJob: true, Transparent: true, Group: CommandGroup.Machine } };
     }
 
-    /// <summary>Why this command is not run while the one at work is, a sentence; null when it is heard or not known.</summary>
+    /// <summary>Why this command cannot run concurrently, a sentence; null if it can or is unknown.</summary>
     public string? WhyNotBeside(string input) => Meant(input) is { Info: { IsHeardBeside: false } info } ? ReasonFor(info) : null;
 
-    /// <summary>Ends a command that asks or works beside the one at work; that one goes on. A command between two questions ends too: nothing is asked any
-    /// more.</summary>
-    /// <returns>True when it had asked something; false also when there is none.</returns>
+    /// <summary>Ends a concurrent command; the other one continues. A command between two prompts ends too and does not prompt again.</summary>
+    /// <returns>True if it had prompted; false also if there is none.</returns>
     public async Task<bool> EndBesideAsync()
     {
         if (_aside is not { } aside || Interlocked.CompareExchange(ref _aside, null, aside) != aside) return false;
         aside.Cancel();
         await aside.Ended.ConfigureAwait(false);
-        Interlocked.CompareExchange(ref _aside, null, aside); // its question may have come in the same moment
+        Interlocked.CompareExchange(ref _aside, null, aside); // Its prompt may have appeared at the same moment.
         aside.Dispose();
         return aside.HasAsked;
     }
 
-    /// <summary>Takes an input while a command is at work: only a command that is heard then is run.</summary>
-    /// <remarks>Answers may follow the command's name in the same input; what is still asked then is answered by the next input.</remarks>
-    /// <param name="shown">The input as the history shows it; null: as it is.</param>
+    /// <summary>Processes an input while a command works: only commands that may run concurrently are started.</summary>
+    /// <remarks>Answers may follow the command's name in the same input; further prompts are answered by the next inputs.</remarks>
+    /// <param name="shown">The input as shown in the history; null: unchanged.</param>
     private async Task<InputResult> HearAsync(string input, CancellationToken cancellation, string? shown = null)
     {
         if (_aside is { Pending: { } asks } asking)

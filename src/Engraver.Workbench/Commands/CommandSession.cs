@@ -15,10 +15,10 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>What the command line is to AutoCAD: takes one input at a time, runs commands on the document and the machine, and always says what it waits
-/// for.</summary>
-/// <remarks>One caller at a time, except that while a command is at work those that are heard beside it (CNCSTOP, ZOOM, LIST) and <see cref="CancelAsync"/>
-/// may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
+/// <summary>The command line, as in AutoCAD: processes one input at a time, runs commands on the document and the machine, and shows the current
+/// prompt.</summary>
+/// <remarks>One caller at a time, except that concurrent commands (CNCSTOP, ZOOM, LIST) and <see cref="CancelAsync"/> may come from another caller. Prompts and
+/// inputs follow hmi-conventions.md section 4.</remarks>
 public sealed partial class CommandSession : IAsyncDisposable
 {
     private readonly FrameStack _frames = new();
@@ -45,61 +45,60 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
     public event EventHandler<CommandMessage>? Said;
 
-    /// <summary>A window's dialogs: it is given the name of a command and answers whether it shows one for it. On the thread of the command; null where
-    /// there is no window.</summary>
+    /// <summary>Shows the dialog of the command with this name; false if there is none. Called on the thread of the command; null without a window.</summary>
     public Func<string, bool>? Dialogs { get; set; }
 
     public DocumentSession Document { get; } = new();
 
     public MachineSession Machine { get; }
 
-    /// <summary>The view and its switches.</summary>
+    /// <summary>The view and its toggles.</summary>
     public ViewSession View { get; } = new();
 
-    /// <summary>The settings that the desktop keeps between two starts.</summary>
+    /// <summary>The persistent settings of the desktop.</summary>
     public SettingsSession Settings { get; }
 
-    /// <summary>Strokes, job, findings and plan of the document.</summary>
+    /// <summary>Results derived from the document: strokes, job, findings and plan.</summary>
     public DerivationSession Derivation { get; }
 
-    /// <summary>How the job of the document stands to its certificate.</summary>
+    /// <summary>The certificate status of the document's job.</summary>
     public CertificateWatch Certificates { get; } = new();
 
-    /// <summary>Every run and every program that was written.</summary>
+    /// <summary>The history of runs and posted programs.</summary>
     public JobHistory History { get; }
 
-    /// <summary>Plays the planned motion of the document that was derived last.</summary>
+    /// <summary>Playback of the planned motion of the last derived document.</summary>
     public PlaybackSession Playback { get; }
 
-    /// <summary>How far AUTOSEQUENCE has walked.</summary>
+    /// <summary>Progress of the AUTOSEQUENCE animation.</summary>
     public SequenceWalk Walk { get; } = new();
 
-    /// <summary>The progress of the command at work.</summary>
+    /// <summary>The progress of the running command.</summary>
     public CommandProgress Progress { get; } = new();
 
-    /// <summary>The steps of CNCCOMMISSION and where they stand.</summary>
+    /// <summary>The steps of CNCCOMMISSION and their states.</summary>
     public CommissioningCourse Commissioning { get; } = new(() => CncCommissionCommand.StepNames);
 
     public CommandCatalog Catalog { get; }
 
-    /// <summary>The command that Enter would repeat; null for none, and for one that starts motion.</summary>
+    /// <summary>The command that Enter repeats; null if there is none or it starts motion.</summary>
     public string? Repeatable => _last is { Info: { StartsMotion: false } info } ? info.Name : null;
 
-    /// <summary>What becomes of inputs that are typed while a command works.</summary>
+    /// <summary>Handles inputs typed while a command works.</summary>
     public TypedAhead Ahead { get; }
 
     public AliasTable Aliases { get; private set; }
 
-    /// <summary>True while a command is at work and asks nothing.</summary>
+    /// <summary>True while a command works without prompting.</summary>
     public bool IsBusy => Volatile.Read(ref _taking) != 0 || _frames.Top is { Pending: null };
 
-    /// <summary>Name of the command that is at work or asks, the outer one; null while none runs.</summary>
+    /// <summary>Name of the running command, the outermost one; null if none runs.</summary>
     public string? Running => _frames.Outermost?.Info.Name;
 
-    /// <summary>The command at work was told to end (Esc) and has not ended yet.</summary>
+    /// <summary>The running command was cancelled (Esc) and has not ended yet.</summary>
     public bool IsEnding => IsBusy && _frames.Outermost is { IsCancelled: true };
 
-    /// <summary>What is waited for now.</summary>
+    /// <summary>The current prompt.</summary>
     public PromptView Prompt
     {
         get
@@ -112,47 +111,46 @@ public sealed partial class CommandSession : IAsyncDisposable
         }
     }
 
-    /// <summary>What the operator sees lit up, indices into the drawing's entities: what was picked for the command that runs, else the selection.</summary>
+    /// <summary>The highlighted objects, indices into the drawing's entities: those picked for the running command, otherwise the selection.</summary>
     public IReadOnlyList<int> Lit => _frames.Picked ?? Document.Current.Selection;
 
-    /// <summary>File names that are not rooted are looked for and written here.</summary>
+    /// <summary>Folder for relative file names.</summary>
     public string Folder => Environment.Folder;
 
     internal CommandEnvironment Environment { get; }
 
-    /// <summary>A machine that is not simulated moves only after CNCARM, whoever starts it; a simulated one also when a script says so, and where the
-    /// environment wants no arming.</summary>
+    /// <summary>A machine that is not simulated moves only after CNCARM; a simulated one also from a script or if the environment requires no arming.</summary>
     internal bool RunNeedsArming => !Machine.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
 
-    /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but a machine that is not simulated is started by a
-    /// person.</summary>
+    /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but only the operator starts a machine that is not
+    /// simulated.</summary>
     internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.IsSimulation;
 
     /// <summary>True while inputs come from a script.</summary>
     internal bool IsScripted => _scripts.IsRunnable;
 
-    /// <summary>The name of the command inside which another runs; null when none does.</summary>
+    /// <summary>Name of the outer command while a nested one runs; otherwise null.</summary>
     internal string? Outer => _frames.IsNested ? _frames.Outermost!.Info.Name : null;
 
     internal bool OpensDialog(string command) => Dialogs?.Invoke(command) ?? false;
-    /// <summary>Where a number alone is measured from, towards the cursor, when a place is asked for (direct distance entry), drawing units; null when it
-    /// is no place, or one that stands alone.</summary>
+    /// <summary>Base point of direct distance entry (a number is measured towards the cursor), drawing units; null if no point is requested or it has no base
+    /// point.</summary>
     public Point2D? DistanceFrom => _frames.Top is { Pending.Prompt: PointPrompt { Use: PointUse.Place, From: { } from } } ? from : null;
 
     internal Point2D LastPoint { get; set; }
 
     internal ConcurrentDictionary<string, string> Memory { get; } = new(StringComparer.Ordinal);
 
-    /// <summary>Takes one input, as typed up to Enter (or Space, where the prompt does not take spaces). Empty is Enter alone: the default, the end of a
-    /// list, or the last command again.</summary>
-    /// <param name="cancellation">The operator's stop: a job under way is ended, with the machine standing, before this returns.</param>
+    /// <summary>Processes one input, as typed up to Enter (or Space, if the prompt allows no spaces). Empty is Enter alone: the default, the end of a list, or
+    /// the last command again.</summary>
+    /// <param name="cancellation">The operator's stop: a running job is ended and the machine stopped before this returns.</param>
     public Task<InputResult> EnterAsync(string input, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(input);
         return EnterAsync(input.Trim(), input.Trim(), cancellation);
     }
 
-    /// <summary>Takes a place that was pointed at, exactly; the history shows it as lengths are printed.</summary>
+    /// <summary>Processes a picked point with full precision; the history shows it with the display precision.</summary>
     /// <param name="cancellation">As for one input.</param>
     public Task<InputResult> PointAsync(Point2D place, CancellationToken cancellation) =>
         EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}"), Settings.Current.Figures().Place(place), cancellation);
@@ -172,8 +170,8 @@ public sealed partial class CommandSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is
-    /// a letter. With nothing asked it begins by itself.</summary>
+    /// <summary>Starts a nested command while another prompts, for keys and buttons. Typed commands have an apostrophe as prefix, which would be ambiguous in a
+    /// text answer. Without a prompt it starts normally.</summary>
     /// <param name="cancellation">As for one input.</param>
     public async Task<InputResult> EnterInsideAsync(string command, CancellationToken cancellation)
     {
@@ -191,8 +189,7 @@ public sealed partial class CommandSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is
-    /// taken.</summary>
+    /// <summary>Processes several lines, such as pasted text, as a script. They are rejected while a command works.</summary>
     /// <param name="cancellation">As for one input.</param>
     public async Task<InputResult> EnterLinesAsync(string lines, CancellationToken cancellation)
     {
@@ -210,8 +207,8 @@ public sealed partial class CommandSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Esc: ends what asks and clears the selection. A command at work is cancelled (a job stops the machine first); the caller that entered it
-    /// gets the result.</summary>
+    /// <summary>Esc: ends the prompting command and clears the selection. A working command is cancelled (a job stops the machine first); its caller receives
+    /// the result.</summary>
     public async Task CancelAsync()
     {
         if (await EndBesideAsync().ConfigureAwait(false)) return;
@@ -229,7 +226,7 @@ public sealed partial class CommandSession : IAsyncDisposable
         if (Document.Current.Selection.Count > 0) Document.Select([], Document.Current.Previous);
     }
 
-    /// <summary>Commands whose name or alias begins with what is typed; an alias that is meant exactly comes first.</summary>
+    /// <summary>Commands whose name or alias starts with the input; an exactly matching alias comes first.</summary>
     public IReadOnlyList<CommandSuggestion> Suggest(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -247,7 +244,7 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     internal void Say(MessageKind kind, string text) => Said?.Invoke(this, new CommandMessage(kind, text));
 
-    /// <summary>Queues the inputs of a script. SCRIPT is no command to repeat then, or a blank line at the script's beginning would run it again.</summary>
+    /// <summary>Queues the inputs of a script. SCRIPT is not repeatable then, otherwise a blank line at the start of the script would run it again.</summary>
     internal void QueueScript(string path, string text)
     {
         _scripts.Add(path, text);
@@ -332,7 +329,7 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
 
-    /// <summary>Enters what is queued, until a command fails or the inputs are used up.</summary>
+    /// <summary>Processes the queued inputs until a command fails or none is left.</summary>
     private async Task<InputResult> RunScriptsAsync(CancellationToken cancellation)
     {
         InputResult result = new InputResult.Done();
@@ -348,22 +345,22 @@ public sealed partial class CommandSession : IAsyncDisposable
     }
 }
 
-/// <summary>What the command window shows before the cursor.</summary>
-/// <param name="Command">Name of the command that asks; null when a command is awaited.</param>
+/// <summary>The prompt as shown in the command window.</summary>
+/// <param name="Command">Name of the prompting command; null if a command name is expected.</param>
 /// <param name="Text">The whole line, <c>&gt;&gt;</c> before it inside a transparent command.</param>
-/// <param name="Options">To be clicked or completed.</param>
-/// <param name="Default">What Enter alone means; null when nothing.</param>
-/// <param name="TakesSpaces">True when Space is a letter and not Enter.</param>
-/// <param name="Aim">The place that a click on the canvas answers with (its coordinates are entered); null when it is no answer.</param>
+/// <param name="Options">Options for clicking and completion.</param>
+/// <param name="Default">The value of Enter alone; null without a default.</param>
+/// <param name="TakesSpaces">True if Space is part of the input and not Enter.</param>
+/// <param name="Aim">The requested point (a click on the canvas enters its coordinates); null if no point is requested.</param>
 public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
 {
-    /// <summary>What Enter alone would lead to (<see cref="CommandLanguage.Prompt.Preview"/>); null when there is nothing to be seen.</summary>
+    /// <summary>Preview of Enter alone (<see cref="CommandLanguage.Prompt.Preview"/>); null without a preview.</summary>
     public GhostOf? Preview { get; init; }
 
-    /// <summary>The files that fit, where the name of one is asked for; null where none is.</summary>
+    /// <summary>The requested file; null if no file is requested.</summary>
     public FileWanted? File { get; init; }
 
-    /// <summary>The question whether a file is replaced.</summary>
+    /// <summary>True for the question whether a file is replaced.</summary>
     public bool Replaces { get; init; }
 
     public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);

@@ -1,7 +1,7 @@
 namespace Engraver.Workbench.Commands;
 
-/// <summary>The steps of CNCCOMMISSION and how far the last one has come, for a page that shows them. Any thread.</summary>
-/// <param name="names">What each step finds out, in the language of now.</param>
+/// <summary>The steps of CNCCOMMISSION and the state of the last run, for display. Any thread.</summary>
+/// <param name="names">The names of the steps in the current language.</param>
 public sealed class CommissioningCourse(Func<IReadOnlyList<string>> names)
 {
     private volatile IReadOnlyDictionary<int, CommissioningState> _states = new Dictionary<int, CommissioningState>();
@@ -17,29 +17,29 @@ public sealed class CommissioningCourse(Func<IReadOnlyList<string>> names)
     /// <param name="step">From 0.</param>
     internal void Set(int step, CommissioningState state) => _states = new Dictionary<int, CommissioningState>(_states) { [step] = state };
 
-    /// <summary>It ended, whichever way; a step that was under way is open again.</summary>
+    /// <summary>Ends the run; a step in progress becomes open again.</summary>
     internal void End() => (_states, _isUnderWay) = (_states.Where(step => step.Value != CommissioningState.Now).ToDictionary(), false);
 }
 
-/// <summary>A step as it is shown.</summary>
+/// <summary>A displayed step.</summary>
 /// <param name="Number">From 1.</param>
 public sealed record CommissioningStepView(int Number, string Name, CommissioningState State);
 
-/// <summary>Where a step stands.</summary>
+/// <summary>State of a step.</summary>
 public enum CommissioningState
 {
-    /// <summary>Not asked yet, or broken off.</summary>
+    /// <summary>Not started, or cancelled.</summary>
     Open,
 
-    /// <summary>Its question is asked, or it is under way.</summary>
+    /// <summary>The step is asked about or in progress.</summary>
     Now,
 
-    /// <summary>Gone through to its end; what was answered with Enter stays as it was found.</summary>
+    /// <summary>Completed; values answered with Enter are unchanged.</summary>
     Through,
 
-    /// <summary>The operator left it out.</summary>
+    /// <summary>Skipped by the operator.</summary>
     LeftOut,
 
-    /// <summary>Begun, and left before its end: a move was stopped, refused or not wanted, or something has to be mended first.</summary>
+    /// <summary>Started but not completed: a move was stopped, refused or declined, or something has to be repaired first.</summary>
     Unfinished,
 }

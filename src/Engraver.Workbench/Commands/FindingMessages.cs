@@ -5,7 +5,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>Says what the stages found, worst first.</summary>
+/// <summary>Writes the findings of the stages, worst first.</summary>
 internal static class FindingMessages
 {
     public static void Say(CommandContext context, string file, IEnumerable<Diagnostic> diagnostics, Severity least)

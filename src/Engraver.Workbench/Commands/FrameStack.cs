@@ -1,24 +1,24 @@
 namespace Engraver.Workbench.Commands;
 
-/// <summary>The running command, and the transparent one inside it.</summary>
+/// <summary>The running command, and the transparent one nested in it.</summary>
 internal sealed class FrameStack
 {
-    /// <summary>Innermost first. Replaced and never changed: Esc and the window look at it from other threads.</summary>
+    /// <summary>Innermost first. Immutable, replaced on change: Esc and the window read it from other threads.</summary>
     private volatile CommandFrame[] _frames = [];
 
-    /// <summary>The innermost; null while none runs.</summary>
+    /// <summary>The innermost; null if none runs.</summary>
     public CommandFrame? Top => _frames is [var top, ..] ? top : null;
 
-    /// <summary>The one that was begun first; null while none runs.</summary>
+    /// <summary>The outermost command; null if none runs.</summary>
     public CommandFrame? Outermost => _frames is [.., var first] ? first : null;
 
-    /// <summary>What was picked for the innermost command that asked for objects; null while none did.</summary>
+    /// <summary>Objects picked for the innermost command that asked for objects; null if there is none.</summary>
     public IReadOnlyList<int>? Picked => Array.Find(_frames, frame => frame.Picked is not null)?.Picked;
 
-    /// <summary>A command runs inside another.</summary>
+    /// <summary>True while a nested command runs.</summary>
     public bool IsNested => _frames.Length > 1;
 
-    /// <summary>Stands before the prompt of a command inside another.</summary>
+    /// <summary>Prefix of the prompt of a nested command.</summary>
     public string Before => IsNested ? new string('>', 2 * (_frames.Length - 1)) : "";
 
     public CommandFrame Push(CommandInfo info, bool hasNoDialog)
@@ -28,7 +28,7 @@ internal sealed class FrameStack
         return frame;
     }
 
-    /// <summary>Waits until the command asks or has ended. A command that ends by an exception is removed too, so that the next one can begin.</summary>
+    /// <summary>Waits until the command prompts or has ended. A command that ends with an exception is removed too, so that the next one can start.</summary>
     public async Task<InputResult> SettledAsync(CommandFrame frame, CancellationToken cancellation)
     {
         try
@@ -41,13 +41,13 @@ internal sealed class FrameStack
         }
     }
 
-    /// <summary>Tells all to end.</summary>
+    /// <summary>Cancels all commands.</summary>
     public void Cancel()
     {
         foreach (var frame in _frames) frame.Cancel();
     }
 
-    /// <summary>Ends all and waits for it.</summary>
+    /// <summary>Ends all commands and waits for them.</summary>
     public async Task EndAllAsync()
     {
         Cancel();

@@ -1,16 +1,16 @@
 namespace Engraver.Workbench.Commands;
 
-/// <summary>One command of the operator. A menu item, a key, a typed word, a script line and a test all run the same one.</summary>
+/// <summary>A command. Menu items, keys, typed input, scripts and tests run the same commands.</summary>
 public interface ICommand
 {
     CommandInfo Info { get; }
 
-    /// <summary>Asks for what it needs, then does it. A document step is taken at the very end, so that Esc anywhere leaves everything as it was.</summary>
-    /// <exception cref="CommandException">It cannot be done; the sentence says why.</exception>
+    /// <summary>Prompts for its input, then runs. The document step is committed at the end, so that Esc at any prompt leaves the document unchanged.</summary>
+    /// <exception cref="CommandException">The command failed; the message states the reason.</exception>
     Task RunAsync(CommandContext context, CancellationToken cancellation);
 }
 
-/// <summary>What a command is for; the order is that of the help.</summary>
+/// <summary>Groups of commands, in the order of the help.</summary>
 public enum CommandGroup
 {
     File,
@@ -24,33 +24,32 @@ public enum CommandGroup
     Setting,
 }
 
-/// <summary>What is known of a command before it runs.</summary>
-/// <param name="Name">In capitals, as it is typed.</param>
+/// <summary>Static properties of a command.</summary>
+/// <param name="Name">In capitals, as typed.</param>
 public sealed record CommandInfo(string Name, CommandGroup Group)
 {
     /// <summary>One sentence for the help.</summary>
     public string Summary => Wording.Get("Command." + Name);
 
-    /// <summary>True when it may be used inside another command, with an apostrophe before it, because it changes neither the drawing nor the
-    /// machine.</summary>
+    /// <summary>True if it may be nested in another command, with an apostrophe before it, because it changes neither the drawing nor the machine.</summary>
     public bool Transparent { get; init; }
 
-    /// <summary>True when machine parts may move: Enter never repeats it and no alias under 3 letters may stand for it.</summary>
+    /// <summary>True if the machine may move: Enter does not repeat it and its aliases have at least 3 letters.</summary>
     public bool StartsMotion { get; init; }
 
-    /// <summary>True when it runs other commands, whatever they do.</summary>
+    /// <summary>True if it runs other commands.</summary>
     public bool RunsOthers { get; init; }
 
-    /// <summary>True when it is heard while another command is at work, a job or a computation, though it may not be used inside one that asks. What it
-    /// asks is asked beside the other.</summary>
+    /// <summary>True if it may run while another command works (a job or a computation), but not nested in a prompting one. Its prompts appear
+    /// concurrently.</summary>
     public bool HeardDuringJob { get; init; }
 
-    /// <summary>False when Enter alone does not run it once more.</summary>
+    /// <summary>False if Enter alone does not repeat it.</summary>
     public bool IsRepeated { get; init; } = true;
 
-    /// <summary>True when it is run at once while another command is at work.</summary>
+    /// <summary>True if it runs at once while another command works.</summary>
     public bool IsHeardBeside => HeardDuringJob || Transparent;
 
-    /// <summary>True when another drawing is there behind it: what is typed about the view meanwhile is meant for that one.</summary>
+    /// <summary>True if it opens another drawing: view commands typed meanwhile apply to the new drawing.</summary>
     public bool BringsDrawing { get; init; }
 }

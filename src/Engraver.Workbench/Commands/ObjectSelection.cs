@@ -5,17 +5,17 @@ using Engraver.Workbench.Commands.Settings;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>"Select objects:" as AutoCAD asks it, verb first or noun first. Coordinates are drawing units.</summary>
+/// <summary>"Select objects:" as in AutoCAD, verb-noun or noun-verb. Coordinates are drawing units.</summary>
 internal static class ObjectSelection
 {
-    /// <summary>Without a canvas a pick reaches as far as on one of so many pixels that shows the drawing, or the view where that is smaller: one percent
-    /// of it at the first value of PICKBOX.</summary>
+    /// <summary>Assumed height in pixels of a missing canvas that shows the drawing, or the view if that is smaller: the pick radius is then one percent of it
+    /// at the initial PICKBOX.</summary>
     private const double PixelsWithoutCanvas = 500.0;
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
 
-    /// <summary>The objects that were selected before the command, else those that the operator selects now.</summary>
-    /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
+    /// <summary>The previously selected objects, otherwise prompts for a selection.</summary>
+    /// <exception cref="CommandException">No drawing is open, or nothing was selected.</exception>
     public static async Task<IReadOnlyList<int>> TakeAsync(CommandContext context)
     {
         _ = context.Drawing;
@@ -25,19 +25,19 @@ internal static class ObjectSelection
         return before;
     }
 
-    /// <summary>The same, of which a command changes or erases the objects: without those on locked layers.</summary>
-    /// <exception cref="CommandException">Nothing is open, nothing was selected, or all of it is locked.</exception>
+    /// <summary>The same for commands that change or erase objects: without those on locked layers.</summary>
+    /// <exception cref="CommandException">No drawing is open, nothing was selected, or all objects are locked.</exception>
     public static async Task<IReadOnlyList<int>> TakeToChangeAsync(CommandContext context) => Unlocked(context, await TakeAsync(context).ConfigureAwait(false));
 
-    /// <summary>Those of some objects that may be changed; says how many lie on locked layers.</summary>
-    /// <exception cref="CommandException">All of them do.</exception>
+    /// <summary>The editable ones of some objects; reports how many are on locked layers.</summary>
+    /// <exception cref="CommandException">All of them are.</exception>
     public static IReadOnlyList<int> Unlocked(CommandContext context, IReadOnlyList<int> objects)
     {
         var free = WithoutLocked(context, objects);
         return free.Count > 0 || objects.Count == 0 ? free : throw new CommandException(CommandFailure.Refused, Wording.Get("ObjectSelection.AllLocked"));
     }
 
-    /// <summary>The same, where it is no failure that nothing is left.</summary>
+    /// <summary>The same, but an empty result is allowed.</summary>
     public static IReadOnlyList<int> WithoutLocked(CommandContext context, IReadOnlyList<int> objects)
     {
         var drawing = context.Drawing;
@@ -47,13 +47,13 @@ internal static class ObjectSelection
         return free;
     }
 
-    /// <summary>Asks for objects again and again until Enter.</summary>
-    /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
+    /// <summary>Prompts for objects until Enter.</summary>
+    /// <exception cref="CommandException">No drawing is open, or nothing was selected.</exception>
     public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context) =>
         await PickAsync(context, Wording.Get("ObjectSelection.SelectObjects")).ConfigureAwait(false) is { Count: > 0 } picked ? picked : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
 
     /// <summary>The same with another instruction; empty when nothing was selected.</summary>
-    /// <exception cref="CommandException">Nothing is open.</exception>
+    /// <exception cref="CommandException">No drawing is open.</exception>
     public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context, string instruction)
     {
         var drawing = context.Drawing;
@@ -81,8 +81,8 @@ internal static class ObjectSelection
         Options = s_options, EnterEnds = true, Use = PointUse.Object, Removes = !adding,
     };
 
-    /// <summary>Asks for one object until there is one at the place, and lights it up.</summary>
-    /// <returns>Its index in the drawing's entities, and the place, drawing units.</returns>
+    /// <summary>Prompts for one object until one is found at the picked point, and highlights it.</summary>
+    /// <returns>Its index in the drawing's entities, and the point, drawing units.</returns>
     public static async Task<(int Entity, Point2D At)> OneAsync(CommandContext context, string instruction)
     {
         int? found = null;
@@ -92,11 +92,10 @@ internal static class ObjectSelection
         return (found.Value, place);
     }
 
-    /// <summary>The visible object under a point; null when there is none.</summary>
+    /// <summary>The visible object under a point; null if there is none.</summary>
     public static int? At(CommandContext context, Point2D point) => DrawingPick.Nearest(context.Drawing, point, Reach(context));
 
-    /// <summary>How far a pick reaches, drawing units: half the side of the pickbox (PICKBOX), as the canvas draws it and lights up what lies under
-    /// it.</summary>
+    /// <summary>Pick radius, drawing units: half the side of the pickbox (PICKBOX) as shown on the canvas.</summary>
     public static double Reach(CommandContext context)
     {
         var (pickbox, view) = (context.Settings.Current.Variable("PICKBOX"), context.View.Current);
@@ -116,7 +115,7 @@ internal static class ObjectSelection
         _ => ByLayer(drawing, await context.ValueAsync(new TextPrompt(Wording.Get("ObjectSelection.EnterLayerName"))).ConfigureAwait(false)),
     };
 
-    /// <summary>On an object: that one. On empty space: a box, to the right a window, to the left a crossing.</summary>
+    /// <summary>On an object: that object. On empty space: a box, a window to the right, a crossing to the left.</summary>
     private static async Task<IReadOnlyList<int>> ByPointAsync(CommandContext context, Drawing drawing, Point2D point)
     {
         if (At(context, point) is { } entity) return [entity];
@@ -138,7 +137,7 @@ internal static class ObjectSelection
     private static IReadOnlyList<int> ByLayer(Drawing drawing, string name) =>
         [.. DrawingPick.Visible(drawing).Where(entity => drawing.Layers[drawing.Entities[entity].Layer].Name.Equals(name, StringComparison.OrdinalIgnoreCase))];
 
-    /// <summary>What has been picked so far.</summary>
+    /// <summary>The objects picked so far.</summary>
     private sealed class Picking
     {
         private readonly Stack<IReadOnlyList<int>> _before = new();
@@ -147,7 +146,7 @@ internal static class ObjectSelection
 
         public IReadOnlyList<int> Selected { get; private set; } = [];
 
-        /// <returns>AutoCAD's line: how many were found, how many of them again, how many there are now.</returns>
+        /// <returns>AutoCAD's message: number found, number of duplicates, total.</returns>
         public string Take(IReadOnlyList<int> found)
         {
             _before.Push(Selected);

@@ -4,7 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>A command that waits for a value of a kind. Answering runs the command on the caller's thread to its next question.</summary>
+/// <summary>A command that waits for a value of a type. Answering runs the command on the caller's thread to its next prompt.</summary>
 internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt)
 {
     private readonly TaskCompletionSource<Answer<T>> _answer = new();
@@ -39,10 +39,10 @@ internal abstract class PendingAsk(Prompt prompt)
 {
     public Prompt Prompt => prompt;
 
-    /// <summary>Hands an input to the waiting command.</summary>
-    /// <returns>Null when it was an answer; otherwise what is wanted instead, and the command goes on waiting.</returns>
+    /// <summary>Passes an input to the waiting command.</summary>
+    /// <returns>Null if it was accepted; otherwise which input is expected, and the command continues to wait.</returns>
     public abstract string? TryAnswer(string typed, Point2D lastPoint);
 
-    /// <summary>Esc: the command ends where it waits.</summary>
+    /// <summary>Esc: the command ends at the prompt.</summary>
     public abstract void Cancel();
 }

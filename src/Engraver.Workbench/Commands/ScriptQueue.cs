@@ -2,14 +2,14 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>The scripts under way: one that another calls comes first, then the rest of the caller.</summary>
+/// <summary>The running scripts: a called script runs first, then the rest of its caller.</summary>
 internal sealed class ScriptQueue
 {
-    /// <summary>Deepest nesting of scripts, so that one that calls itself ends.</summary>
+    /// <summary>Maximum nesting of scripts, which ends endless recursion.</summary>
     private const int Deepest = 16;
 
     private readonly Stack<(string Path, IEnumerator<ScriptToken> Tokens)> _scripts = new();
-    private readonly Lock _guard = new(); // Esc clears it from another thread
+    private readonly Lock _guard = new(); // Esc clears it from another thread.
 
     public bool IsRunnable
     {
@@ -19,7 +19,7 @@ internal sealed class ScriptQueue
         }
     }
 
-    /// <summary>A file in the working folder, else beside the script under way; where there is none, the path in the working folder.</summary>
+    /// <summary>Path of a file in the working folder, otherwise beside the running script; if neither exists, the path in the working folder.</summary>
     public string FileToRead(string folder, string name)
     {
         var here = Path.Combine(folder, name);
@@ -44,7 +44,7 @@ internal sealed class ScriptQueue
         lock (_guard) return _scripts.TryPeek(out script);
     }
 
-    /// <summary>The next input; null when all scripts are through.</summary>
+    /// <summary>The next input; null if all scripts have ended.</summary>
     public ScriptInput? Next()
     {
         lock (_guard)
@@ -69,10 +69,10 @@ internal sealed class ScriptQueue
     }
 }
 
-/// <summary>An input of a script with its place, for the sentence that ends the script.</summary>
+/// <summary>An input of a script with its location, for error messages.</summary>
 internal sealed record ScriptInput(string Path, ScriptToken Token)
 {
-    /// <summary>The result with the file and line of the input before its sentence; a result that is no failure stays as it is.</summary>
+    /// <summary>Adds file and line of the input to the message of a failure; other results are unchanged.</summary>
     public InputResult Placed(InputResult result) => result switch
     {
         InputResult.Failed failed => failed with { Sentence = Place(failed.Sentence) },

@@ -5,7 +5,7 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>Carries changes of one part of a session (document, machine, derivation, playback) to the others, until it is disposed.</summary>
+/// <summary>Propagates changes of one part of a session (document, machine, derivation, playback) to the others until disposed.</summary>
 internal sealed class SessionTies : IDisposable
 {
     private readonly DocumentSession _document;
@@ -32,8 +32,8 @@ internal sealed class SessionTies : IDisposable
         _machine.Changed -= OnMachineChanged;
     }
 
-    /// <summary>The machine session gets the profile of the settings. An armed job is disarmed, because another drawing or other settings would run now,
-    /// and the progress of the last job is no longer shown.</summary>
+    /// <summary>Passes the profile of the settings to the machine session. Disarms an armed job, because the drawing or the settings have changed, and hides
+    /// the progress of the last job.</summary>
     private void OnDocumentChanged(object? sender, EventArgs e)
     {
         var state = _document.Current;
@@ -58,6 +58,6 @@ internal sealed class SessionTies : IDisposable
         _ = _certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Mode, job.Drawing).Program, _ended.Token);
     }
 
-    /// <summary>The planned time depends on the serial line that the job goes over.</summary>
+    /// <summary>The planned time depends on the serial line of the machine.</summary>
     private void OnMachineChanged(object? sender, EventArgs e) => _derivation.Line = _machine.Line;
 }

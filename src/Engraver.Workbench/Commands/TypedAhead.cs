@@ -2,21 +2,21 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>Inputs that were typed while a command works: they are run when it has ended as it should, in their order. None of them acts on the machine:
-/// nobody looks at a machine when words that were typed earlier come to it.</summary>
-/// <remarks>Whoever feeds the session asks <see cref="CommandSession.Hears"/> and <see cref="WhyNot"/> when an input is typed, and hands it to
-/// <see cref="EnterAsync"/> when its turn has come.</remarks>
+/// <summary>Inputs typed while a command works: they run in order after it has succeeded. None of them may act on the machine, because the operator may no
+/// longer watch it when they run.</summary>
+/// <remarks>The caller checks <see cref="CommandSession.Hears"/> and <see cref="WhyNot"/> when an input is typed, and later passes it to
+/// <see cref="EnterAsync"/>.</remarks>
 public sealed class TypedAhead(CommandSession session)
 {
     private int _flushed;
 
-    /// <summary>Changes whenever everything that waits is to be forgotten.</summary>
+    /// <summary>Incremented when all queued inputs are discarded.</summary>
     public int Flushed => Volatile.Read(ref _flushed);
 
-    /// <summary>Esc or a stop: what was typed before is not run any more. From any thread.</summary>
+    /// <summary>Esc or a stop: discards the inputs typed before. Any thread.</summary>
     public void Flush() => Interlocked.Increment(ref _flushed);
 
-    /// <summary>Why this input is not kept until the command at work has ended, a sentence; null when it is.</summary>
+    /// <summary>Why this input cannot be queued until the running command has ended, a sentence; null if it can.</summary>
     public string? WhyNot(string input)
     {
         ArgumentNullException.ThrowIfNull(input);
@@ -25,10 +25,10 @@ public sealed class TypedAhead(CommandSession session)
         return Meant(input) is { } command && MayMove(command) ? Wording.Get("TypedAhead.ActsOnTheMachine", command.Name) : null;
     }
 
-    /// <summary>Runs an input that was kept.</summary>
-    /// <param name="input">As it was typed.</param>
-    /// <param name="typedAt">What <see cref="Flushed"/> was then.</param>
-    /// <param name="before">How the input before it ended.</param>
+    /// <summary>Runs a queued input.</summary>
+    /// <param name="input">As typed.</param>
+    /// <param name="typedAt">Value of <see cref="Flushed"/> at that time.</param>
+    /// <param name="before">Result of the previous input.</param>
     public async Task<InputResult> EnterAsync(string input, int typedAt, InputResult before, CancellationToken cancellation)
     {
         if (typedAt != Flushed || before is not (InputResult.Done or InputResult.Asking)) return Dropped(Wording.Get("TypedAhead.NotRun", input));

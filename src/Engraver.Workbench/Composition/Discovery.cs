@@ -6,15 +6,15 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Looks which controllers answer: at addresses that are given, at the one that the desktop used last, and at the serial devices of this computer.
-/// Nothing is moved.</summary>
+/// <summary>Finds controllers that answer: at given addresses, at the last address of the desktop, and at the serial devices of this computer. Does not move a
+/// machine.</summary>
 public static class Discovery
 {
-    /// <summary>Nobody waits longer for one address.</summary>
+    /// <summary>Timeout for one address.</summary>
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(4);
 
-    /// <summary>Where to look, each address once, in the order in which it was found.</summary>
-    /// <param name="baud">Rate of the serial devices.</param>
+    /// <summary>The addresses to query, without duplicates, in the order in which they were found.</summary>
+    /// <param name="baud">Baud rate of the serial devices.</param>
     /// <param name="settings">File of the desktop's settings; it is only read.</param>
     public static IReadOnlyList<string> Candidates(IEnumerable<string> given, int baud, string settings, IEnumerable<string> devices)
     {
@@ -26,11 +26,11 @@ public static class Discovery
     /// <summary>The serial devices of this computer.</summary>
     public static IReadOnlyList<string> Devices => SerialDeviceList.Find();
 
-    /// <summary>The desktop's settings of this user.</summary>
+    /// <summary>The desktop's settings file of this user.</summary>
     public static string UserSettings => UserFiles.DesktopSettingsFile;
 
-    /// <summary>Asks one address who is there.</summary>
-    /// <param name="time">The clock of the patience.</param>
+    /// <summary>Queries one address.</summary>
+    /// <param name="time">The clock of the timeout.</param>
     public static async Task<DiscoveredController> AskAsync(string address, TimeProvider time, CancellationToken cancellation)
     {
         if (!ControllerAddress.TryParse(address, out var parsed)) return new DiscoveredController(address, null, null, Wording.Get("Discovery.NoAddress", ControllerAddress.Forms));
@@ -70,8 +70,8 @@ public static class Discovery
     }
 }
 
-/// <summary>What came of asking an address.</summary>
-/// <param name="Model">As the controller names itself; null where none answers.</param>
-/// <param name="Serial">Its own serial number; null where it has none.</param>
-/// <param name="WhyNot">Why nobody was found there; null where a controller answers.</param>
+/// <summary>Result of a query.</summary>
+/// <param name="Model">Model reported by the controller; null if none answers.</param>
+/// <param name="Serial">Its serial number; null if it has none.</param>
+/// <param name="WhyNot">Why no controller was found; null if one answers.</param>
 public sealed record DiscoveredController(string Address, string? Model, long? Serial, string? WhyNot);

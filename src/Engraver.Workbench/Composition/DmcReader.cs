@@ -8,14 +8,13 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Runs a posted DMC program in a simulated controller of its own, in virtual time: the interpreter and the motion that judge the program share no
-/// code with what wrote it.</summary>
+/// <summary>Runs a posted DMC program in a separate simulated controller in virtual time. The simulator shares no code with the post.</summary>
 public sealed class DmcReader : IProgramReader
 {
-    /// <summary>Longest time without motion, seconds of controller time, after which a program counts as stuck.</summary>
+    /// <summary>Time without motion, seconds of controller time, after which a program counts as stuck.</summary>
     private const int LongestRest = 60;
 
-    /// <summary>Steps of the simulator between two looks at the cancellation, some tens of milliseconds of the processor.</summary>
+    /// <summary>Simulator steps between two checks for cancellation, some tens of milliseconds of processor time.</summary>
     private const int SliceSteps = 20_000;
 
     private static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(LongestRest);
@@ -52,7 +51,7 @@ public sealed class DmcReader : IProgramReader
         return error ?? (endless is null ? null : VerificationRules.Endless.At(new SourceRef(chunk.FirstLine), endless));
     }
 
-    /// <returns>Null at the end of the program, otherwise why the replay gave up before it.</returns>
+    /// <returns>Null at the end of the program, otherwise why the replay was aborted.</returns>
     private static string? AdvanceToEnd(SimulatedController controller, TimeSpan longest, Action report, CancellationToken cancellation)
     {
         report();

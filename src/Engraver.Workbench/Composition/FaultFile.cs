@@ -5,12 +5,12 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Says what is wrong with a faults file (docs/simulator-fidelity.md), each with its line: it is written by hand.</summary>
+/// <summary>Checks a faults file (docs/simulator-fidelity.md), which is edited by hand, and reports errors with their lines.</summary>
 public static class FaultFile
 {
     private static readonly List<string> s_kinds = [.. Enum.GetNames<FaultKind>().Select(JsonNamingPolicy.CamelCase.ConvertName)];
 
-    /// <summary>Everything that is wrong; empty for a file by which a simulated controller can go wrong.</summary>
+    /// <summary>All errors; empty for a valid file.</summary>
     public static IReadOnlyList<Diagnostic> Findings(string json)
     {
         var fields = JsonFields.Read(json);
@@ -59,7 +59,7 @@ public static class FaultFile
         _ => Wording.Get("FaultFile.BelowZero", flaw.Field),
     };
 
-    /// <summary>The names that may stand in a field; null inside what is no object of the file.</summary>
+    /// <summary>The allowed names in an object; null if it is not an object of the file.</summary>
     private static List<string>? Known(string owner) => OwnerOf(owner) is { } type ? [.. Properties(type).Select(property => JsonNamingPolicy.CamelCase.ConvertName(property.Name))] : null;
 
     private static Type? OwnerOf(string owner) => owner.Length == 0 ? typeof(FaultPlan)
@@ -69,7 +69,7 @@ public static class FaultFile
 
     private static PropertyInfo[] Properties(Type type) => type.GetProperties(BindingFlags.Public | BindingFlags.Instance);
 
-    /// <summary>Of the value at a path; that of an entry of a list is an object.</summary>
+    /// <summary>Type of the value at a path; an entry of a list is an object.</summary>
     private static Type TypeOf(string path)
     {
         if (path.EndsWith(']')) return typeof(FaultPlan);

@@ -9,16 +9,15 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A run that was kept, said again byte by byte and at the same times to a simulated controller of its own: it moves as the machine did, sample
-/// for sample where the machine was a simulated one too. What happened to the machine itself (a jammed axis, a pressed switch) is not said and not
-/// repeated.</summary>
+/// <summary>Replays the recorded bytes of a run at the same times to a separate simulated controller. It moves as the machine did, sample for sample if the
+/// machine was simulated too. Events at the machine itself (a jammed axis, an active switch) are not replayed.</summary>
 public sealed class IncidentReplay : IAsyncDisposable
 {
-    /// <summary>After a conversation that broke off, the controller goes on for at most this long, and for this long at rest.</summary>
+    /// <summary>Maximum time that the controller continues after an interrupted recording, and maximum time at rest.</summary>
     private static readonly TimeSpan s_longest = TimeSpan.FromMinutes(10);
     private static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(10);
 
-    /// <summary>Steps of the simulator between two looks at the cancellation.</summary>
+    /// <summary>Simulator steps between two checks for cancellation.</summary>
     private const int SliceSteps = 20_000;
 
     private readonly SimulatedController _controller;
@@ -31,34 +30,34 @@ public sealed class IncidentReplay : IAsyncDisposable
         _controller = new SimulatedController(conversation.Clock == ConversationClock.RealTime ? options with { CommandCost = TimeSpan.Zero } : options);
     }
 
-    /// <summary>What the journal tells of the run: its header and, where it ended in order, how; null where it tells of no job.</summary>
+    /// <summary>The run in the journal: its header and, if it ended regularly, its end; null if the journal has no job.</summary>
     public InterruptedJob? Told { get; }
 
-    /// <summary>What was said.</summary>
+    /// <summary>The recorded conversation.</summary>
     public Conversation Conversation { get; }
 
-    /// <summary>By how much the replay came later with a line than the host did, at most, seconds: 0 with a simulated machine, some milliseconds where the
-    /// real controller answered faster than the simulated one does.</summary>
+    /// <summary>Maximum delay of a line in the replay relative to the host, seconds: 0 for a simulated machine, some milliseconds if the real controller
+    /// answered faster than the simulated one.</summary>
     public double LateSeconds { get; private set; }
 
-    /// <summary>Rows of motion and of changed outputs.</summary>
+    /// <summary>Number of samples with motion or changed outputs.</summary>
     public int Samples => _controller.Record.Count;
 
-    /// <summary>Controller time of the last of them, seconds.</summary>
+    /// <summary>Controller time of the last sample, seconds.</summary>
     public double Seconds => Samples > 0 ? _controller.Record[Samples - 1].Seconds : 0.0;
 
-    /// <summary>Where the axes of the job came to rest, counts of the controller; null when nothing moved.</summary>
+    /// <summary>Final position of the job's axes, counts of the controller; null if nothing moved.</summary>
     public CountsPoint? FinalPosition => Samples == 0 ? null : new CountsPoint(At(0), At(1), Letters.Length > 2 ? At(2) : 0);
 
-    /// <summary>Whether it came to rest where the journal says; null where the journal does not say it, or nothing moved.</summary>
+    /// <summary>Whether the final position matches the journal; null if the journal has none or nothing moved.</summary>
     public bool? Agrees => Told?.End is { X: { } x, Y: { } y } && FinalPosition is { } found ? (x, y) == (found.X, found.Y) : null;
 
-    /// <summary>The letters of the job's axes; older journals do not tell them.</summary>
+    /// <summary>The letters of the job's axes; older journals do not contain them.</summary>
     private string Letters => Told?.Header.Axes is { Length: > 0 } letters ? letters : MachineAxes.Default.Letters;
 
     /// <summary>Replays the last run of a journal.</summary>
     /// <param name="wire">The conversation beside it.</param>
-    /// <returns>The replay, or what is lacking, without a full stop.</returns>
+    /// <returns>The replay, or which data is missing, without a full stop.</returns>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static async Task<(IncidentReplay? Replay, string? Lack)> RunAsync(string journal, string wire, CancellationToken cancellation)
     {
@@ -82,7 +81,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         }
         catch (IOException refused)
         {
-            await replay.DisposeAsync().ConfigureAwait(false); // more links than a controller has
+            await replay.DisposeAsync().ConfigureAwait(false); // More links than a controller has.
             return (null, Wording.Get("Replay.Unreadable", SystemReason.WithPath(refused)));
         }
 
@@ -90,12 +89,11 @@ public sealed class IncidentReplay : IAsyncDisposable
         return (replay, null);
     }
 
-    /// <summary>Writes the samples as <c>simulate --record</c> does.</summary>
+    /// <summary>Writes the samples in the format of <c>simulate --record</c>.</summary>
     public void WriteRecord(TextWriter output) => _controller.Record.WriteCsv(output);
 
-    /// <summary>Holds the samples against a record, line by line.</summary>
-    /// <returns>How many lines are the same, and the first one that is not, from 1, as it is there and here; null where one of the two only ends earlier
-    /// (its own is empty then) or none differs.</returns>
+    /// <summary>Compares the samples with a record line by line.</summary>
+    /// <returns>The number of matching lines and the first differing line of both; null for the one that ends earlier, or if nothing differs.</returns>
     public ReplayComparison CompareWith(TextReader record)
     {
         ArgumentNullException.ThrowIfNull(record);
@@ -131,7 +129,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         }
     }
 
-    /// <summary>A machine that had been moved before counts from where the journal says that it stood.</summary>
+    /// <summary>Sets the start position from the journal, if the machine had been moved before.</summary>
     private async Task PlaceAsync(JournalHeader header)
     {
         await using var link = _controller.OpenConnection();
@@ -163,11 +161,11 @@ public sealed class IncidentReplay : IAsyncDisposable
         }
         catch (IOException)
         {
-            // The controller has closed this link (a reset): what the host said then, it said to nobody either.
+            // The controller has closed this link (a reset): what the host sent then was lost too.
         }
     }
 
-    /// <summary>Lets controller time pass up to a moment.</summary>
+    /// <summary>Advances controller time to a moment.</summary>
     private static async Task UntilAsync(HostClock clock, long ticks)
     {
         var left = ticks - clock.GetTimestamp();
@@ -177,7 +175,7 @@ public sealed class IncidentReplay : IAsyncDisposable
         await reached.Task.ConfigureAwait(false);
     }
 
-    /// <summary>What the controller still does by itself: a host that is gone is noticed by its watchdog.</summary>
+    /// <summary>Simulates what the controller still does on its own: its watchdog detects the missing host.</summary>
     private void ComeToRest(CancellationToken cancellation)
     {
         var end = _controller.Status.Sample + s_longest.TotalMilliseconds;
@@ -190,10 +188,10 @@ public sealed class IncidentReplay : IAsyncDisposable
     }
 }
 
-/// <summary>How a replay and a record agree.</summary>
-/// <param name="Same">Lines from the beginning that are the same, the heading included.</param>
-/// <param name="There">The first other line of the record; null where it has ended, or nothing differs.</param>
-/// <param name="Here">The same of the replay.</param>
+/// <summary>Comparison of a replay and a record.</summary>
+/// <param name="Same">Number of matching lines from the start, including the heading.</param>
+/// <param name="There">First differing line of the record; null if it has ended or nothing differs.</param>
+/// <param name="Here">First differing line of the replay; null if it has ended or nothing differs.</param>
 public sealed record ReplayComparison(int Same, string? There, string? Here)
 {
     public bool IsSame => There is null && Here is null;

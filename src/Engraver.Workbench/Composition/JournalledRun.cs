@@ -4,19 +4,19 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>What a journal alone tells of its run, for one that the history does not know.</summary>
-/// <param name="Outcome">Null where the journal has no end: the run was killed, or goes on.</param>
+/// <summary>The run in a journal that has no entry in the history.</summary>
+/// <param name="Outcome">Null if the journal has no end: the run was killed or is still active.</param>
 /// <param name="Seconds">Controller time at its end.</param>
-/// <param name="Program">By what its motion program is known again (<see cref="ProgramFingerprint"/>); empty in older journals.</param>
+/// <param name="Program">Fingerprint of its motion program (<see cref="ProgramFingerprint"/>); empty in older journals.</param>
 public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double? Seconds, JobMode Mode, bool IsDryRun, string Program)
 {
-    /// <summary>Nothing is left to do: it ended, the controller was left as it was found, and it cannot be resumed.</summary>
+    /// <summary>True if the run ended, the controller was restored, and the run cannot be resumed.</summary>
     public bool IsSettled { get; private init; }
 
-    /// <summary>The copy of the program that was in the controller, beside a journal.</summary>
+    /// <summary>Path of the copy of the controller's program beside a journal.</summary>
     public static string ProgramCopyOf(string journal) => InterruptedJob.ProgramCopyOf(journal);
 
-    /// <returns>Null where the file tells of no job, or cannot be read.</returns>
+    /// <returns>Null if the file has no job or cannot be read.</returns>
     public static JournalledRun? Read(string journal)
     {
         try

@@ -6,8 +6,7 @@ using Engraver.Simulator.Clocks;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>The clock that a job on a machine goes by, for as long as this is held: the wall's, or that of a simulated controller which gives its
-/// own.</summary>
+/// <summary>The clock of a job on a machine until disposed: the wall clock, or the clock of a simulated controller.</summary>
 public sealed class MachineClock : IDisposable
 {
     private readonly IDisposable? _taken;
@@ -17,28 +16,28 @@ public sealed class MachineClock : IDisposable
 
     public TimeProvider Time { get; }
 
-    /// <summary>The system's clock, or a test's; disposing leaves it alone.</summary>
+    /// <summary>The system clock or a test clock; not disposed.</summary>
     public static MachineClock FromWall(TimeProvider wall) => new(wall, null, null);
 
-    /// <param name="clock">Owned: it is given back with this.</param>
+    /// <param name="clock">Owned: released with this object.</param>
     public static MachineClock FromSimulator(HostClock clock) => new(clock, clock, null);
 
-    /// <param name="clock">Owned: it is given back with this.</param>
+    /// <param name="clock">Owned: released with this object.</param>
     public static MachineClock FromOffer(OfferedClock clock)
     {
         ArgumentNullException.ThrowIfNull(clock);
         return new(clock, clock, clock.Heard);
     }
 
-    /// <summary>Shakes hands with a machine and goes by this clock; nothing of it is kept to be replayed.</summary>
-    /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
-    /// <exception cref="ControllerException">The link never came up.</exception>
+    /// <summary>Performs the handshake with a machine using this clock, without recording the conversation.</summary>
+    /// <param name="trace">Receives every line on the wire; null for none.</param>
+    /// <exception cref="ControllerException">The link could not be established.</exception>
     public Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, CancellationToken cancellation) => ShakeHandsAsync(connection, trace, conversation: null, cancellation);
 
-    /// <summary>Shakes hands with a machine and goes by this clock.</summary>
-    /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
-    /// <param name="conversation">Where every byte that is said is kept, to be replayed; null for nowhere.</param>
-    /// <exception cref="ControllerException">The link never came up.</exception>
+    /// <summary>Performs the handshake with a machine using this clock.</summary>
+    /// <param name="trace">Receives every line on the wire; null for none.</param>
+    /// <param name="conversation">Records every byte for a replay; null for none.</param>
+    /// <exception cref="ControllerException">The link could not be established.</exception>
     public async Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation) =>
         await GalilConnection.OpenAsync(
             async stop =>
@@ -50,11 +49,11 @@ public sealed class MachineClock : IDisposable
             Time,
             cancellation).ConfigureAwait(false);
 
-    /// <summary>Begins a trace of every line on the wire, timed by this clock.</summary>
+    /// <summary>Starts a trace of every line on the wire, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the trace.</param>
     public MachineTrace TraceTo(TextWriter file, TimeProvider wall) => new(new WireTrace(file, Time, wall: wall));
 
-    /// <summary>Begins to keep what is said, timed by this clock.</summary>
+    /// <summary>Starts recording the conversation, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the conversation.</param>
     public MachineConversation ConversationTo(TextWriter file, TimeProvider wall) => new(new ConversationRecorder(file, Time, _taken is null ? ConversationClock.Wall : ConversationClock.Controller, wall));
 
@@ -63,30 +62,30 @@ public sealed class MachineClock : IDisposable
     private IControllerLink Over(IControllerLink link) => _heard is null ? link : new ClockedLink(link, _heard);
 }
 
-/// <summary>The record of a link: every line on the wire.</summary>
+/// <summary>The trace of a link: every line on the wire.</summary>
 public sealed class MachineTrace
 {
     internal MachineTrace(WireTrace wire) => Wire = wire;
 
     internal WireTrace Wire { get; }
 
-    /// <summary>Why it ended early; null when it is whole.</summary>
+    /// <summary>Why it ended early; null if complete.</summary>
     public string? Failure => Wire.Failure;
 
-    /// <summary>Writes what is left and closes the file.</summary>
+    /// <summary>Flushes and closes the file.</summary>
     public Task CloseAsync(CancellationToken cancellation) => Wire.CloseAsync(cancellation);
 }
 
-/// <summary>What is said to a machine, kept to be replayed.</summary>
+/// <summary>The recorded conversation with a machine, for a replay.</summary>
 public sealed class MachineConversation
 {
     internal MachineConversation(ConversationRecorder recorder) => Recorder = recorder;
 
     internal ConversationRecorder Recorder { get; }
 
-    /// <summary>Why it was not kept whole; null while it is.</summary>
+    /// <summary>Why the recording is incomplete; null if complete.</summary>
     public string? Failure => Recorder.Failure;
 
-    /// <summary>Writes what is left and closes the file.</summary>
+    /// <summary>Flushes and closes the file.</summary>
     public Task CloseAsync(CancellationToken cancellation) => Recorder.CloseAsync(cancellation);
 }

@@ -8,11 +8,11 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller that lives in this process and is owned
-/// here.</summary>
+/// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller in this process, which this object
+/// owns.</summary>
 public sealed class MachineConnection : IAsyncDisposable
 {
-    /// <summary>Serial number of every simulated controller in this process; it is always the same, so that the records of equal runs are equal.</summary>
+    /// <summary>Serial number of every simulated controller in this process; constant, so that equal runs give equal records.</summary>
     internal const int SimulatedSerialNumber = 2143;
 
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
@@ -33,9 +33,9 @@ public sealed class MachineConnection : IAsyncDisposable
     /// <summary>The simulated controller of a <c>sim:</c> address; null for a real link.</summary>
     public SimulatedController? Simulator { get; }
 
-    /// <exception cref="PlatformNotSupportedException">A serial link on a machine for which it is not built; thrown when the link is opened.</exception>
-    /// <param name="keepsRecord">Whether a simulated controller keeps its record to be read afterwards; listeners get the motion in either case.</param>
-    /// <param name="profile">Where the switches of a simulated machine lie; null: it has none.</param>
+    /// <exception cref="PlatformNotSupportedException">Serial links are not supported on this system; thrown when the link is opened.</exception>
+    /// <param name="keepsRecord">Whether a simulated controller stores its record; listeners receive the motion in any case.</param>
+    /// <param name="profile">Switch positions of a simulated machine; null: it has none.</param>
     public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false, MachineProfile? profile = null) => MachineFamilies.Of(address).Connect(address, time, keepsRecord, profile);
 
     /// <summary>The entry of the DMC family.</summary>
@@ -56,25 +56,25 @@ public sealed class MachineConnection : IAsyncDisposable
     };
 
     /// <summary>A machine whose links are opened by a function of the caller.</summary>
-    /// <param name="description">Where it is, for people and for the journal.</param>
+    /// <param name="description">Its address for display and for the journal.</param>
     internal static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock) => new(description, simulator: null, open, takeClock);
 
     /// <summary>Opens one more link (one more handle of the controller).</summary>
     public Task<IControllerLink> OpenLinkAsync(CancellationToken cancellation) => _open(cancellation);
 
-    /// <summary>Opens a conversation line by line.</summary>
-    /// <exception cref="ControllerException">The link never came up.</exception>
+    /// <summary>Opens a line terminal.</summary>
+    /// <exception cref="ControllerException">The link could not be established.</exception>
     public async Task<IMachineTerminal> OpenTerminalAsync(TimeProvider time, CancellationToken cancellation) => await MachineTerminal.OpenAsync(OpenLinkAsync, time, cancellation).ConfigureAwait(false);
 
-    /// <summary>Shakes hands over links of its own, by the wall's clock or another: for those who look and do not run a job
+    /// <summary>Performs the handshake over separate links with the wall clock or another one: for polling, not for jobs
     /// (<see cref="MachineClock"/>).</summary>
-    /// <exception cref="ControllerException">Nobody answers.</exception>
+    /// <exception cref="ControllerException">The controller does not answer.</exception>
     public async Task<IMachineConnection> ShakeHandsAsync(TimeProvider time, CancellationToken cancellation) =>
         await GalilConnection.OpenAsync(OpenLinkAsync, trace: null, time, cancellation).ConfigureAwait(false);
 
-    /// <summary>The clock for a job. A simulated controller gives its own, one of another process if it is not at speed 1: its time then goes on only by
-    /// what the job says and while the job waits, until the clock is disposed.</summary>
-    /// <exception cref="ControllerLinkException">Nobody offers a clock where the address says.</exception>
+    /// <summary>The clock for a job. A simulated controller provides its own clock, one in another process only if its speed is not 1. Its time then advances
+    /// only with the job's commands and waits, until the clock is disposed.</summary>
+    /// <exception cref="ControllerLinkException">No clock is offered at the address.</exception>
     public MachineClock TakeClock() => _takeClock();
 
     public ValueTask DisposeAsync() => Simulator?.DisposeAsync() ?? ValueTask.CompletedTask;

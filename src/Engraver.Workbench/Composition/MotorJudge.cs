@@ -3,39 +3,39 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Compares where the motors were with the drawing: a servo that is blocked or too weak leaves the path that was commanded. Lengths in
-/// millimetres.</summary>
-/// <remarks>While the motors are where they were commanded, the judge of the commanded path knows all of it, and nothing is computed here. Not thread
+/// <summary>Compares the motor positions with the drawing: a blocked or weak servo leaves the commanded path. Lengths in millimetres.</summary>
+/// <remarks>While the motors are at their commanded positions nothing is computed, because the judge of the commanded path covers them. Not thread
 /// safe.</remarks>
-/// <param name="drawing">Makes the judge of places, which is needed only when a motor is off its command.</param>
+/// <param name="drawing">Creates the position judge, needed only if a motor deviates from its command.</param>
 internal sealed class MotorJudge(Func<ITraceJudge> drawing)
 {
-    /// <summary>A motor that is free again may cross more than this between two samples; the places between are judged too.</summary>
+    /// <summary>Maximum distance between two judged positions: a released motor may move farther between two samples, and intermediate positions are judged
+    /// too.</summary>
     private const double LargestWay = 0.05;
 
     private const int MostSteps = 400;
 
-    /// <summary>Between two samples of a record a motor goes straight, seconds; between two polls it goes along the path.</summary>
+    /// <summary>Maximum sample interval for straight interpolation, seconds; between two polls a motor follows the path.</summary>
     private const double LongestSample = 0.005;
 
     private ITraceJudge? _places;
     private TraceSample? _last;
 
-    /// <summary>The largest distance of the motors from their command while the tool cut; null while nobody has told it.</summary>
+    /// <summary>Largest following error while the tool cut; null before the first sample.</summary>
     public double? Following { get; private set; }
 
-    /// <summary>Where that was, by the commanded path.</summary>
+    /// <summary>Position of that error on the commanded path.</summary>
     public Point2D? FollowingAt { get; private set; }
 
-    /// <summary>The largest distance of a cutting motor from the drawing where it was off its command; 0 where it never was.</summary>
+    /// <summary>Largest deviation from the drawing while cutting with a following error; 0 if there was none.</summary>
     public double Deviation => Verdict?.MaxDeviation ?? 0.0;
 
     public Point2D? DeviationAt => Verdict?.DeviationAt?.Place;
 
     private TraceVerdict? Verdict => _places?.Verdict();
 
-    /// <param name="commanded">Where the axes were commanded to be.</param>
-    /// <param name="motor">Where the motors were at the same time; its distance from the command is known.</param>
+    /// <param name="commanded">Commanded position.</param>
+    /// <param name="motor">Motor position at the same time.</param>
     public void Add(in TraceSample commanded, in TraceSample motor)
     {
         if (motor.FollowingMm is not { } following) return;
@@ -44,7 +44,7 @@ internal sealed class MotorJudge(Func<ITraceJudge> drawing)
         _last = motor;
     }
 
-    /// <summary>The motors followed their command along here.</summary>
+    /// <summary>Notes a span without following error.</summary>
     public void Followed(bool isCutting)
     {
         if (isCutting) Following ??= 0.0;

@@ -15,8 +15,8 @@ using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Every format in which a job can be written. <c>post</c> and <c>verify</c> of the console, POST, EXPORT and docs/posts.md read it: a new format
-/// is its file and one line here.</summary>
+/// <summary>The table of output formats, used by <c>post</c> and <c>verify</c> of the console, POST, EXPORT and docs/posts.md. A new format adds one
+/// line.</summary>
 public static class PostTable
 {
     public static IReadOnlyList<PostEntry> All { get; } =
@@ -32,24 +32,24 @@ public static class PostTable
         new(new XpsPost(TrajectoryFormat.XpsPvt, "xps-pvt", ".xpspvt"), "xps-Pvt", new TrajectoryReader(ControllerLanguage.Pvt)),
     ];
 
-    /// <summary>Every entry, once for each kind of controller that it is written for.</summary>
+    /// <summary>Every entry, once for each dialect.</summary>
     public static IReadOnlyList<PostChoice> Choices { get; } = [.. All.SelectMany(entry => entry.OtherDialects.Select(other => new PostChoice(other.Key, entry, other.Value)).Prepend(new PostChoice(entry.Keyword, entry, null)))];
 
-    /// <summary>Every option of every post, each once.</summary>
+    /// <summary>All options of all posts, without duplicates.</summary>
     public static IReadOnlyList<PostOption> Options => [.. All.SelectMany(entry => entry.Post.Options).DistinctBy(option => option.Name)];
 
-    /// <summary>The entry of that name, whatever its case.</summary>
+    /// <summary>The entry with this name, case-insensitive.</summary>
     /// <exception cref="KeyNotFoundException">There is none.</exception>
     public static PostEntry Find(string name) =>
         All.FirstOrDefault(entry => entry.Post.Name.Equals(name, StringComparison.OrdinalIgnoreCase)) ?? throw new KeyNotFoundException($"There is no post '{name}'.");
 
-    /// <summary>The first entry that is written from a motion program of this style: what the machine's own controller runs.</summary>
+    /// <summary>The first entry posted from a motion program of this style: the program for the machine's controller.</summary>
     public static PostEntry ForMotion(MotionStyle style) => All.First(entry => entry.Post.Motion == style);
 
-    /// <summary>The first entry whose files end like this; null for none.</summary>
+    /// <summary>The first entry with this file extension; null if there is none.</summary>
     public static PostEntry? ForEnding(string ending) => All.FirstOrDefault(entry => entry.Post.Ending == ending);
 
-    /// <summary>Endings of the files that can be read back.</summary>
+    /// <summary>Extensions of the files that can be read back.</summary>
     public static IReadOnlyList<string> ReadEndings => [.. All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Ending).Distinct()];
 
     /// <summary>The text of docs/posts.md.</summary>
@@ -73,28 +73,28 @@ public static class PostTable
 }
 
 /// <summary>One format.</summary>
-/// <param name="Keyword">As POST offers it; the capitals are its short form.</param>
-/// <param name="Reader">What <c>verify</c> reads it back with; null when nothing does.</param>
+/// <param name="Keyword">Keyword at POST; the capitals are its abbreviation.</param>
+/// <param name="Reader">Reader used by <c>verify</c>; null if there is none.</param>
 public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reader = null)
 {
-    /// <summary>Readers by the rules of one kind of controller, by its name; empty where there is only one kind.</summary>
+    /// <summary>Readers by dialect; empty if there is only one.</summary>
     public IReadOnlyDictionary<string, IProgramReader> Dialects { get; init; } = new Dictionary<string, IProgramReader>();
 
-    /// <summary>The dialects that the post writes only when asked, by the keywords under which prompts offer them.</summary>
+    /// <summary>The non-default dialects, by their keywords at prompts.</summary>
     public IReadOnlyDictionary<string, string> OtherDialects { get; init; } = new Dictionary<string, string>();
 }
 
-/// <summary>A format and the kind of controller that it is written for.</summary>
-/// <param name="Keyword">As prompts offer it; the capitals are its short form.</param>
-/// <param name="Dialect">Null for the usual one of the entry.</param>
+/// <summary>A format in one dialect.</summary>
+/// <param name="Keyword">Keyword at prompts; the capitals are its abbreviation.</param>
+/// <param name="Dialect">Null for the default of the entry.</param>
 public sealed record PostChoice(string Keyword, PostEntry Entry, string? Dialect)
 {
-    /// <summary>What reads it back; null where nothing does.</summary>
+    /// <summary>The reader; null if there is none.</summary>
     public IProgramReader? Reader => Dialect is null ? Entry.Reader : Entry.Dialects[Dialect];
 
-    /// <summary>What the post has to be told to write it.</summary>
+    /// <summary>The post options that select the dialect.</summary>
     public IReadOnlyDictionary<string, string> Options => Dialect is null ? new Dictionary<string, string>() : new Dictionary<string, string> { ["dialect"] = Dialect };
 
-    /// <summary>As tables name it.</summary>
+    /// <summary>Name in tables.</summary>
     public string Name => $"{Entry.Post.Name} {Dialect ?? Entry.Dialects.Keys.Except(Entry.OtherDialects.Values).FirstOrDefault()}".TrimEnd();
 }

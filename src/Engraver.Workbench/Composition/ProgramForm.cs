@@ -5,14 +5,14 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>In which language a program file is written, by how it begins; where that says nothing, by the ending of its name.</summary>
+/// <summary>Detects the format of a program file from its first characters, otherwise from its extension.</summary>
 public static class ProgramForm
 {
-    /// <summary>Characters that are looked at.</summary>
+    /// <summary>Number of characters that are examined.</summary>
     private const int Looked = 4096;
 
-    /// <summary>The entry whose reader takes the file, and its dialect where the file itself names one.</summary>
-    /// <returns>Null where neither beginning nor ending tells.</returns>
+    /// <summary>The entry whose reader accepts the file, and its dialect if the file names one.</summary>
+    /// <returns>Null if neither is recognised.</returns>
     public static PostChoice? Of(string path)
     {
         ArgumentNullException.ThrowIfNull(path);
@@ -23,8 +23,7 @@ public static class ProgramForm
     private static (string Target, string? Dialect)? ByEnding(string path) =>
         PostTable.All.FirstOrDefault(entry => entry.Reader is not null && path.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) is { } entry ? (entry.Post.Name, null) : null;
 
-    /// <summary>Empty where the file cannot be read, which its reader will say, and for a stream: what comes out of a pipe comes once, and its reader needs
-    /// all of it.</summary>
+    /// <summary>The start of the file; empty if it cannot be read (its reader reports that), and for a stream, because a pipe can be read only once.</summary>
     private static string Beginning(string path)
     {
         try

@@ -5,18 +5,17 @@ using Engraver.Workbench.Sending;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A serial port as a line for programs, over the one serial link of this program. XON and XOFF are left to whoever sends, who counts by them; RTS
-/// and CTS are the driver's.</summary>
+/// <summary>A serial port for programs, based on the serial link of this program. The sender handles XON and XOFF; the driver handles RTS and CTS.</summary>
 public sealed class ProgramLine : IProgramLine
 {
     private readonly SerialLink _link;
 
     private ProgramLine(SerialLink link) => _link = link;
 
-    /// <summary>Opens the port for this program alone.</summary>
-    /// <param name="longestHold">Time in which a line with RTS and CTS may take no character.</param>
-    /// <exception cref="ControllerLinkException">There is no such device, it is no serial line, another program has it, or it does not do the rate.</exception>
-    /// <exception cref="PlatformNotSupportedException">Serial links are not built for this computer.</exception>
+    /// <summary>Opens the port exclusively.</summary>
+    /// <param name="longestHold">Maximum time in which a line with RTS and CTS accepts no character.</param>
+    /// <exception cref="ControllerLinkException">The device does not exist, is not a serial port, is in use, or does not support the rate.</exception>
+    /// <exception cref="PlatformNotSupportedException">Serial links are not supported on this system.</exception>
     public static ProgramLine Open(SendAddress address, TimeSpan longestHold, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(address);

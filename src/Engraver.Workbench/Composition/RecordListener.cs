@@ -6,8 +6,8 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Passes the motion of a simulated controller on to judges while it happens, in millimetres of the drawing. Nothing is kept.</summary>
-/// <remarks>Called by the controller under its lock; <see cref="Start"/> and <see cref="Verdicts"/> may come from elsewhere.</remarks>
+/// <summary>Forwards the motion of a simulated controller to judges as it happens, in millimetres of the drawing. Stores nothing.</summary>
+/// <remarks>Called by the controller under its lock; <see cref="Start"/> and <see cref="Verdicts"/> may be called from other threads.</remarks>
 internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[] judges) : IMotionListener
 {
     private const double RoundEnough = 1e-9;
@@ -19,10 +19,10 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
     private readonly int _y = IndexOf(profile.Axes.Y);
     private (double X, double Y, double Z)? _frame;
 
-    /// <summary>Keeps the places besides; null for nobody.</summary>
+    /// <summary>Also receives the positions; null for none.</summary>
     public RunTraceBuilder? Places { get; init; }
 
-    /// <summary>Compares the motors with the drawing besides; null for nobody.</summary>
+    /// <summary>Also compares the motors with the drawing; null for none.</summary>
     public MotorJudge? Motors { get; init; }
 
     /// <summary>Samples from now on belong to the job and are judged; earlier ones are ignored.</summary>
@@ -37,7 +37,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         }
     }
 
-    /// <summary>One for each judge.</summary>
+    /// <summary>One verdict for each judge.</summary>
     public TraceVerdict[] Verdicts()
     {
         lock (_gate)
@@ -55,7 +55,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         }
     }
 
-    /// <summary>The places that were kept; null when nobody did.</summary>
+    /// <summary>The collected trace; null without a builder.</summary>
     public RunTrace? Trace()
     {
         lock (_gate)
@@ -75,16 +75,16 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         }
     }
 
-    /// <summary>Samples hold the axes in the order of their letters.</summary>
+    /// <summary>Samples contain the axes in the order of their letters.</summary>
     private static int IndexOf(MachineAxis axis) => axis.Letter - 'A';
 
-    /// <summary>Of a tool that an axis holds every sample is judged by itself, also where the axes run at constant speed.</summary>
+    /// <summary>With a tool axis every sample is judged individually, also at constant speed.</summary>
     private void TellEach((double X, double Y, double Z) frame, MotionSpan span)
     {
         for (var i = 0L; i < span.Count; i++) Tell(frame, span[i]);
     }
 
-    /// <summary>The record holds where the motors were; the path that was commanded is so far from it as the controller's position error says.</summary>
+    /// <summary>The record contains motor positions; the commanded position differs from them by the controller's position error.</summary>
     private void Tell((double X, double Y, double Z) frame, in MotionSample sample)
     {
         var motor = Place(frame, sample[_x], sample[_y]);
@@ -104,7 +104,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
 
     private Point2D Place((double X, double Y, double Z) frame, double x, double y) => profile.Scale.ToMillimetres(x - frame.X, y - frame.Y);
 
-    /// <summary>Tells the judges of the straight line from one sample of a span to another.</summary>
+    /// <summary>Forwards the straight line from one sample of a span to another to the judges.</summary>
     private void Tell((double X, double Y, double Z) frame, MotionSpan span, long from, long to)
     {
         var (first, last) = (span.Exactly(from, _x, _y), span.Exactly(to, _x, _y));
@@ -119,8 +119,8 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
         Places?.Add(told);
     }
 
-    /// <summary>Tells the judges of an arc. Unequal axis scales make it an ellipse, which is told as chords within a twentieth of a count; no post of this
-    /// program writes such an arc.</summary>
+    /// <summary>Forwards an arc to the judges. Unequal axis scales make it an ellipse, which is forwarded as chords within a twentieth of a count; no post of
+    /// this program writes such an arc.</summary>
     private void TellArc((double X, double Y, double Z) frame, MotionSpan span, ArcCourse arc)
     {
         var (radiusX, radiusY) = (arc.RadiusX / profile.Scale.X, arc.RadiusY / profile.Scale.Y);

@@ -6,27 +6,27 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A simulated controller that other programs can connect to: by TCP, by UDP, on a serial line.</summary>
+/// <summary>A simulated controller for other programs: over TCP, UDP or a serial line.</summary>
 public sealed class ServedSimulator : IAsyncDisposable
 {
     private readonly SimulatedController _controller;
 
     private ServedSimulator(SimulatorOptions options) => (_controller, Speed) = (new SimulatedController(options), options.Speed);
 
-    /// <summary>Controller seconds for each second on the wall.</summary>
+    /// <summary>Controller seconds per wall-clock second.</summary>
     public double Speed { get; }
 
-    /// <summary>Ends with the bug of the simulator that ended its work; its clients are cut off then.</summary>
+    /// <summary>Faults with an internal error of the simulator; its clients are then disconnected.</summary>
     public Task Broken => _controller.Broken;
 
-    /// <summary>Why the record is incomplete; null while all is well. Final once the simulator is disposed.</summary>
+    /// <summary>Why the record is incomplete; null if complete. Final once the simulator is disposed.</summary>
     public IOException? RecordFailure => _controller.RecordFailure;
 
-    /// <param name="profile">Its speeds, accelerations and angle quantum are taken as its owner burned them, its switches lie where its travel and homing
-    /// say, the rest describes the host's work with it; null for a factory state.</param>
-    /// <param name="faults">What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md); null for nothing.</param>
-    /// <param name="signColumn">Only the column of the sign divides a negative number in a message from the one before it.</param>
-    /// <exception cref="JsonException">The text is no plan of faults.</exception>
+    /// <param name="profile">Speeds, accelerations and angle quantum are used as burned values, travel and homing define the switches, other fields are
+    /// ignored; null for the factory state.</param>
+    /// <param name="faults">Planned faults as JSON (docs/simulator-fidelity.md); null for none.</param>
+    /// <param name="signColumn">In messages only the sign column separates a negative number from the previous one.</param>
+    /// <exception cref="JsonException">The text is not a valid faults file.</exception>
     public static ServedSimulator Create(double speed, MachineProfile? profile, string? faults, bool signColumn, int? serialNumber = null)
     {
         var options = new SimulatorOptions
@@ -49,11 +49,11 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <param name="port">On loopback; 0 lets the system pick.</param>
     public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation) => _controller.ListenUdpAsync(port, cancellation);
 
-    /// <summary>Offers its clock to hosts in other processes.</summary>
+    /// <summary>Offers the controller's clock to hosts in other processes.</summary>
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation) => _controller.ListenClockAsync(cancellation);
 
-    /// <summary>The path becomes a link to a pseudo-terminal.</summary>
-    /// <param name="heard">Told all bytes as they pass on the line, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
+    /// <summary>Serves a pseudo-terminal; the path becomes a symbolic link to it.</summary>
+    /// <param name="heard">Receives all bytes on the line and whether the host sent them; on the transferring threads. Null for none.</param>
     public Task ServeSerialAsync(string path, int baud, Action<ReadOnlyMemory<byte>, bool>? heard, CancellationToken cancellation) => _controller.ServeSerialAsync(path, baud, heard, cancellation);
 
     /// <summary>Whether bytes on the serial line take no time (<see cref="SimulatedController.SerialCarriesAtOnce"/>).</summary>
@@ -63,9 +63,9 @@ public sealed class ServedSimulator : IAsyncDisposable
         set => _controller.SerialCarriesAtOnce = value;
     }
 
-    /// <summary>More faults beside those of the plan; one whose moment is past happens at once.</summary>
+    /// <summary>Adds faults; one whose time has passed occurs at once.</summary>
     /// <param name="faults">As for <see cref="Create"/>.</param>
-    /// <exception cref="JsonException">The text is no plan of faults.</exception>
+    /// <exception cref="JsonException">The text is not a valid faults file.</exception>
     public void Schedule(string faults)
     {
         foreach (var fault in FaultPlan.Parse(faults).Faults) _controller.Schedule(fault);

@@ -4,19 +4,19 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Where the switches and index pulses of a simulated machine lie, as a profile describes the real one: from where the simulated axes stand when
-/// they are switched on.</summary>
-/// <remarks>An axis that is homed is switched on away from its mark, so that it has to search; another stands at its machine zero. Limit switches lie 1 mm
-/// outside the travel.</remarks>
+/// <summary>Positions of switches and index pulses of a simulated machine from the profile of the real one, relative to the power-on position of the simulated
+/// axes.</summary>
+/// <remarks>An axis with homing starts away from its mark, so that it has to search; other axes start at machine zero. Limit switches are 1 mm outside the
+/// travel.</remarks>
 internal static class SimulatedMachine
 {
-    /// <summary>How far from its mark an axis stands at power-on, mm; within a third of its travel.</summary>
+    /// <summary>Distance of an axis from its mark at power-on, mm; at most a third of its travel.</summary>
     private const double FromMark = 25.0;
 
-    /// <summary>How far outside the travel the limit switches lie, mm.</summary>
+    /// <summary>Distance of the limit switches from the travel, mm.</summary>
     private const double OutsideTravel = 1.0;
 
-    /// <summary>How far behind the index pulse that is the mark the switch before it lies, mm.</summary>
+    /// <summary>Distance of the home switch from the index pulse that is the mark, mm.</summary>
     private const double BehindIndex = 0.7;
 
     public static IReadOnlyList<AxisSwitches> Switches(MachineProfile profile) => [.. profile.Axes.All.Where(axis => axis.Travel is not null || axis.Homing is not null).Select(Switches)];

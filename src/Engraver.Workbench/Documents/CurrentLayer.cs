@@ -2,13 +2,13 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The layer on which new objects are drawn: that of CLAYER, else layer 0.</summary>
+/// <summary>The layer on which new objects are drawn: CLAYER, otherwise layer 0.</summary>
 internal static class CurrentLayer
 {
     /// <summary>The layer that every drawing has in AutoCAD, and the current one of a drawing that was just opened.</summary>
     public const string First = "0";
 
-    /// <summary>Where a layer of this name (any case) stands in the drawing; null when it has none.</summary>
+    /// <summary>Index of the layer with this name, case-insensitive; null if there is none.</summary>
     public static int? IndexOf(Drawing drawing, string name)
     {
         for (var index = 0; index < drawing.Layers.Count; index++)
@@ -19,7 +19,7 @@ internal static class CurrentLayer
         return null;
     }
 
-    /// <summary>The index of the layer for new objects, and the drawing with that layer: layer 0 is added to one that has neither it nor the current
+    /// <summary>The index of the layer for new objects, and the drawing with that layer: layer 0 is added if the drawing has neither it nor the current
     /// layer.</summary>
     /// <param name="state">Its drawing must be open.</param>
     public static (Drawing Drawing, int Layer) In(DocumentState state)

@@ -2,9 +2,9 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Computes what follows from the document (<see cref="DerivedDocument"/>) in the background, once for each state. The work is given up when the
-/// state changes before it is done.</summary>
-/// <remarks>Any thread. Without <see cref="KeepsUp"/> nothing is computed until somebody asks.</remarks>
+/// <summary>Computes the derived document (<see cref="DerivedDocument"/>) in the background, once for each state. A computation is cancelled when the state
+/// changes before it is done.</summary>
+/// <remarks>Any thread. Without <see cref="KeepsUp"/> nothing is computed until requested.</remarks>
 public sealed class DerivationSession : IDisposable
 {
     private readonly Lock _guard = new();
@@ -22,23 +22,22 @@ public sealed class DerivationSession : IDisposable
         _document.Changed += OnDocumentChanged;
     }
 
-    /// <summary>Raised after <see cref="Current"/> has become another one, on a thread of the pool.</summary>
+    /// <summary>Raised after <see cref="Current"/> has changed, on a thread of the pool.</summary>
     public event EventHandler? Changed;
 
-    /// <summary>The stage that is computed now; null while nothing is. Its event comes on a thread of the pool.</summary>
+    /// <summary>The stage being computed; null while idle. Its event is raised on a thread of the pool.</summary>
     public DerivationProgress Progress { get; } = new();
 
-    /// <summary>The work on the document as it stands was ended by <see cref="GiveUp"/>: it is begun again when the document changes or somebody
-    /// asks.</summary>
+    /// <summary>The computation for the current document was cancelled by <see cref="GiveUp"/>: it restarts when the document changes or on request.</summary>
     public bool IsGivenUp => _givenUp is { } wanted && IsOf(wanted, _document.Current, _mode, _line);
 
-    /// <summary>The last one that was finished; it may lag behind the document.</summary>
+    /// <summary>The last completed result; it may be older than the document.</summary>
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
 
-    /// <summary>True when <see cref="Current"/> is of the document as it stands.</summary>
+    /// <summary>True if <see cref="Current"/> belongs to the current document.</summary>
     public bool IsCurrent => IsOf(Current, _document.Current, Mode, Line);
 
-    /// <summary>The execution strategy that jobs are prepared for.</summary>
+    /// <summary>The execution mode of prepared jobs.</summary>
     public JobMode Mode
     {
         get => _mode;
@@ -49,7 +48,7 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
-    /// <summary>The serial line that the machine is connected by; null for none. Another one makes another plan of the same job.</summary>
+    /// <summary>The serial line of the connected machine; null for none. The plan of a job depends on it.</summary>
     public SerialAddress? Line
     {
         get => _line;
@@ -61,7 +60,7 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
-    /// <summary>True: every new state is computed at once, as a desktop wants it.</summary>
+    /// <summary>True: every new state is computed at once, as needed by a desktop.</summary>
     public bool KeepsUp
     {
         get => _keepsUp;
@@ -72,13 +71,13 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
-    /// <summary>What is waited for before anything is computed for a document, of which nothing is known yet: a window shows a drawing before it plans it.
-    /// How that ends does not matter. Null: nothing. Asked under a lock, so it must not wait itself.</summary>
+    /// <summary>Task to await before computing a document without earlier results: a window shows a drawing before planning it. Its result is ignored. Null:
+    /// none. Called under a lock, so it must not block.</summary>
     public Func<DocumentState, Task>? Before { get; set; }
 
-    /// <summary>What follows from the document as it stands now. Never computes on the caller's thread.</summary>
-    /// <param name="cancellation">Ends the waiting; the work goes on for others.</param>
-    /// <exception cref="OperationCanceledException">The waiting was ended, or the document changed before the work was done.</exception>
+    /// <summary>The derived document of the current state. Does not compute on the caller's thread.</summary>
+    /// <param name="cancellation">Ends the waiting; the computation continues for other callers.</param>
+    /// <exception cref="OperationCanceledException">The waiting was cancelled, or the document changed before the computation was done.</exception>
     public Task<DerivedDocument> ForCurrentAsync(CancellationToken cancellation)
     {
         lock (_guard)
@@ -90,8 +89,8 @@ public sealed class DerivationSession : IDisposable
         }
     }
 
-    /// <summary>Ends the work under way; nothing is changed.</summary>
-    /// <returns>False when there is none.</returns>
+    /// <summary>Cancels the running computation.</summary>
+    /// <returns>False if there is none.</returns>
     public bool GiveUp()
     {
         lock (_guard)
@@ -136,7 +135,7 @@ public sealed class DerivationSession : IDisposable
 
     private async Task<DerivedDocument> FinishAsync(Task<DerivedDocument> work, CancellationTokenSource cancel)
     {
-        var derived = await UnlessFailedAsync(work, cancel).ConfigureAwait(ConfigureAwaitOptions.ForceYielding); // never inside the caller's lock
+        var derived = await UnlessFailedAsync(work, cancel).ConfigureAwait(ConfigureAwaitOptions.ForceYielding); // Never inside the caller's lock.
         lock (_guard)
         {
             cancel.Token.ThrowIfCancellationRequested();
@@ -180,18 +179,18 @@ public sealed class DerivationSession : IDisposable
     private sealed record Work(DerivedDocument Wanted, CancellationTokenSource Cancel, Task<DerivedDocument> Result);
 }
 
-/// <summary>How far the work on what follows from a document is. Any thread.</summary>
+/// <summary>Progress of the derivation. Any thread.</summary>
 public sealed class DerivationProgress
 {
     private volatile DerivationStage? _stage;
 
-    /// <summary>Raised with each stage and at the end, on the thread of the work.</summary>
+    /// <summary>Raised with each stage and at the end, on the computing thread.</summary>
     public event EventHandler? Changed;
 
-    /// <summary>What is computed now; null while nothing is.</summary>
+    /// <summary>The stage being computed; null while idle.</summary>
     public DerivationStage? Stage => _stage;
 
-    /// <summary>For one piece of work: what it reports behind its cancellation is not heard.</summary>
+    /// <summary>Creates the reporter of one computation; its reports after cancellation are ignored.</summary>
     internal IProgress<DerivationStage> For(CancellationToken cancellation) => new Work(this, cancellation);
 
     internal void End() => Take(null);
@@ -212,12 +211,12 @@ public sealed class DerivationProgress
     }
 }
 
-/// <summary>One stage of the work on a document.</summary>
-/// <param name="Key">Name of its text, <c>Derivation.KEY</c>.</param>
-/// <param name="Before">The part of the whole work that stands before it, 0 to 1: roughly, for a bar that moves. Other drawings take other shares.</param>
+/// <summary>One stage of the derivation.</summary>
+/// <param name="Key">Key of its text, <c>Derivation.KEY</c>.</param>
+/// <param name="Before">Estimated fraction of the work before this stage, 0 to 1, for a progress bar.</param>
 public sealed record DerivationStage(string Key, double Before)
 {
-    /// <summary>What is read, layers and arcs.</summary>
+    /// <summary>Entity table: units, layers and arcs.</summary>
     public static DerivationStage Table { get; } = new("Table", 0.0);
 
     /// <summary>Contours and their order.</summary>
@@ -230,6 +229,6 @@ public sealed record DerivationStage(string Key, double Before)
     /// <summary>The program text and its times.</summary>
     public static DerivationStage Program { get; } = new("Program", 0.80);
 
-    /// <summary>In words.</summary>
+    /// <summary>Displayed name.</summary>
     public string Name => Wording.Get("Derivation." + Key);
 }

@@ -11,15 +11,15 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Everything that follows from a document: table, strokes, job, findings, plan, program text. Immutable. What could not be made is null, and
-/// <see cref="Problem"/> or the findings say why.</summary>
-/// <param name="State">What it was made from (what is selected does not matter).</param>
-/// <param name="Mode">The execution strategy that the job was prepared for.</param>
+/// <summary>All results derived from a document: table, strokes, job, findings, plan, program text. Immutable. Missing results are null; <see cref="Problem"/>
+/// or the findings state the reason.</summary>
+/// <param name="State">The source state (the selection is irrelevant).</param>
+/// <param name="Mode">The execution mode of the job.</param>
 public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 {
     public static DerivedDocument Nothing { get; } = new(DocumentState.Nothing, JobMode.Stream);
 
-    /// <summary>The table of what is to be cut, as drawn.</summary>
+    /// <summary>The table of the entities to cut, as drawn.</summary>
     public EntityTable? Analysed => Job?.Analysed;
 
     /// <summary>Strokes in order, discontinuities, the table in sequence order.</summary>
@@ -27,10 +27,10 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     public PreparedJob? Job { get; init; }
 
-    /// <summary>The serial line that <see cref="Plan"/> counts; null: a network.</summary>
+    /// <summary>The serial line used for <see cref="Plan"/>; null: a network.</summary>
     public SerialAddress? Line { get; init; }
 
-    /// <summary>The planned time by kind, over <see cref="Line"/>; null when there is nothing to cut.</summary>
+    /// <summary>The planned times over <see cref="Line"/>; null if there is nothing to cut.</summary>
     public MotionTimes? Plan { get; init; }
 
     /// <summary>The planned motion; null when there is nothing to cut.</summary>
@@ -38,20 +38,20 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     private Lazy<PostText?> Posted { get; init; } = new((PostText?)null);
 
-    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut. Written when it is first asked for, which takes a
-    /// while: only a page that shows it asks.</summary>
+    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut. Generated on first access, which takes some time: only a
+    /// page that shows it reads this property.</summary>
     public PostText? Program => Posted.Value;
 
-    /// <summary>False while nobody has asked for <see cref="Program"/>.</summary>
+    /// <summary>True after the first access to <see cref="Program"/>.</summary>
     public bool IsPosted => Posted.IsValueCreated;
 
-    /// <summary>Findings of every stage, worst first, in the words of the command line.</summary>
+    /// <summary>Findings of every stage, worst first, with the names of the command line.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
 
-    /// <summary>A setting that does not fit the drawing, in one sentence; null when all do.</summary>
+    /// <summary>Message about a setting that does not fit the drawing; null if there is none.</summary>
     public string? Problem { get; init; }
 
-    /// <summary>All stages. Between two of them a cancellation is honoured.</summary>
+    /// <summary>Runs all stages. Cancellation is checked between stages.</summary>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static DerivedDocument Create(DocumentState state, JobMode mode, CancellationToken cancellation, IProgress<DerivationStage>? progress = null)
     {
@@ -70,7 +70,7 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         }
     }
 
-    /// <summary>The same document with its plan made for another serial line.</summary>
+    /// <summary>The same document with a plan for another serial line.</summary>
     internal DerivedDocument Over(SerialAddress? line)
     {
         if (line == Line) return this;

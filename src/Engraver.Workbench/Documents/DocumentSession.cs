@@ -4,10 +4,10 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The open drawing with its edits and settings, and every step that led there. One of the two objects that change over time (the other is the
-/// machine session); the states themselves never do.</summary>
-/// <remarks>Selecting is no step: it goes with the state in which it was made. Steps come from one thread at a time; a selection may come from another
-/// meanwhile.</remarks>
+/// <summary>The open drawing with its edits, settings and undo history. One of the two mutable objects (the other is the machine session); the states are
+/// immutable.</summary>
+/// <remarks>A selection is not a step: it belongs to the current state. Steps come from one thread at a time; a selection may come from another
+/// thread.</remarks>
 public sealed class DocumentSession
 {
     private readonly Lock _guard = new();
@@ -20,15 +20,15 @@ public sealed class DocumentSession
     private Sidecar _keptSidecar = Sidecar.Empty;
     private int _begun;
 
-    /// <summary>Raised after the current state has become another one.</summary>
+    /// <summary>Raised after the current state has changed.</summary>
     public event EventHandler? Changed;
 
     public DocumentState Current { get; private set; } = DocumentState.Nothing;
 
-    /// <summary>The drawing, or what belongs to it, is another edition than was opened or written last: leaving the program would lose it.</summary>
+    /// <summary>True if the drawing or its sidecar has unsaved changes.</summary>
     public bool IsEdited => IsDrawingEdited || (Current.Edition is not null && !Current.Sidecar.IsKeptBy(_keptSidecar));
 
-    /// <summary>The drawing itself is another edition.</summary>
+    /// <summary>True if the drawing itself has unsaved changes.</summary>
     public bool IsDrawingEdited => Current.Edition is { } edition && !ReferenceEquals(edition, _kept);
 
     /// <summary>Names of the steps that can be undone, the last one first.</summary>
@@ -37,8 +37,8 @@ public sealed class DocumentSession
     /// <summary>Names of the steps that can be redone, the next one first.</summary>
     public IEnumerable<string> RedoNames => _redo.Select(step => step.Name);
 
-    /// <summary>Takes a step. What had been undone before it can no longer be redone.</summary>
-    /// <param name="name">The command that takes it.</param>
+    /// <summary>Commits a step and clears the redo history.</summary>
+    /// <param name="name">The command of the step.</param>
     public void Take(string name, DocumentState next)
     {
         ArgumentNullException.ThrowIfNull(next);
@@ -53,13 +53,13 @@ public sealed class DocumentSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Joins the last step to the one before it, so that one undoing takes both back: a command that goes on is one step.</summary>
+    /// <summary>Joins the last step to the one before it, so that one undo reverts both: a continued command is one step.</summary>
     public void JoinLastSteps()
     {
         if (_undo.Count > 1) _undo.Pop();
     }
 
-    /// <summary>A drawing as it was read; its columns are those that a step of this session already keeps, where they say the same.</summary>
+    /// <summary>The drawing that was read, sharing equal columns with the drawings of this session's history to save memory.</summary>
     public Drawing Shared(Drawing read)
     {
         ArgumentNullException.ThrowIfNull(read);
@@ -71,7 +71,7 @@ public sealed class DocumentSession
         return read;
     }
 
-    /// <summary>Puts another state in the place of the current one, within the last step: undoing goes back behind both.</summary>
+    /// <summary>Replaces the current state within the last step: undo reverts both.</summary>
     public void Amend(DocumentState next)
     {
         ArgumentNullException.ThrowIfNull(next);
@@ -84,18 +84,16 @@ public sealed class DocumentSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Path of the file that the drawing belongs to: the one that was written last, else the one that was opened; null when no drawing is
-    /// open.</summary>
+    /// <summary>Path of the drawing's file: the one written last, otherwise the opened one; null if no drawing is open.</summary>
     public string? FilePath => Current.Drawing is { FileName: var opened } ? _saved.GetValueOrDefault(opened, opened) : null;
 
-    /// <summary>The drawing was opened from a file or has been saved in one.</summary>
+    /// <summary>True if the drawing was opened from or saved to a file.</summary>
     public bool HasFile => Current.Drawing is { } drawing && (!drawing.IsNew || _saved.ContainsKey(drawing.FileName));
 
-    /// <summary>The number of the drawing that is begun now: 1 for the first one of the session.</summary>
+    /// <summary>The number of the next new drawing; 1 is the first of the session.</summary>
     public int CountBegun() => ++_begun;
 
-    /// <summary>Notes that the drawing as it is now, and what belongs to it, stand in the file that was opened; or that nothing of a new one is worth
-    /// saving.</summary>
+    /// <summary>Marks the current drawing and sidecar as unchanged since opening; a new drawing has nothing to save.</summary>
     public void MarkOpened()
     {
         if (Current.Drawing is { FileName: var opened })
@@ -107,8 +105,8 @@ public sealed class DocumentSession
         (_kept, _keptSidecar) = (Current.Edition, Current.Sidecar);
     }
 
-    /// <summary>Notes that the drawing as it is now, and what belongs to it, were written.</summary>
-    /// <param name="path">Of the drawing, which belongs to this file from now on, unless it is a stream.</param>
+    /// <summary>Marks the current drawing and sidecar as saved.</summary>
+    /// <param name="path">Path of the drawing, from now on its file unless it is a stream.</param>
     public void MarkSaved(string path)
     {
         if (Current.Drawing is { FileName: var opened } drawing && !FileKind.IsStream(path))
@@ -121,30 +119,30 @@ public sealed class DocumentSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>The text of a sidecar file as this session read or wrote it last; null when it did neither.</summary>
-    /// <param name="path">Of the sidecar.</param>
+    /// <summary>The text of a sidecar file as last read or written by this session; null if neither.</summary>
+    /// <param name="path">Path of the sidecar.</param>
     public string? KnownSidecar(string path) => _sidecars.GetValueOrDefault(Path.GetFullPath(path));
 
-    /// <summary>For each handle of the drawing those of its entities in a file that this session wrote; empty where they are the same, as in the file that
-    /// was opened.</summary>
-    /// <param name="path">Of the drawing's file.</param>
+    /// <summary>Maps each handle of the drawing to the handles of its entities in a file written by this session; empty if they are equal, as in the opened
+    /// file.</summary>
+    /// <param name="path">Path of the drawing's file.</param>
     public IReadOnlyDictionary<string, IReadOnlyList<string>> HandlesIn(string path) => _handles.GetValueOrDefault(Path.GetFullPath(path)) ?? new Dictionary<string, IReadOnlyList<string>>();
 
-    /// <summary>Notes under which handles the entities of the drawing stand in a file.</summary>
+    /// <summary>Stores the handles of the drawing's entities in a file.</summary>
     public void MarkHandles(string path, IReadOnlyDictionary<string, IReadOnlyList<string>> handles) => _handles[Path.GetFullPath(path)] = handles;
 
-    /// <summary>Notes what stands in a sidecar file now.</summary>
+    /// <summary>Stores the current text of a sidecar file.</summary>
     public void MarkSidecar(string path, string text) => _sidecars[Path.GetFullPath(path)] = text;
 
-    /// <summary>Sets what is selected, without a step.</summary>
+    /// <summary>Sets the selection, without a step.</summary>
     public void Select(IReadOnlyList<int> selection, IReadOnlyList<int> previous)
     {
         lock (_guard) Current = Current with { Selection = selection, Previous = previous };
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Changes what is selected in a drawing, unless another one stands there meanwhile.</summary>
-    /// <param name="next">Gives the new selection from the present state.</param>
+    /// <summary>Changes the selection of a drawing, unless another one has been opened.</summary>
+    /// <param name="next">Returns the new selection for the current state.</param>
     public void SelectIn(Drawing drawing, Func<DocumentState, IReadOnlyList<int>> next)
     {
         ArgumentNullException.ThrowIfNull(next);
@@ -157,10 +155,9 @@ public sealed class DocumentSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Goes back to the state before the last step. While a drawing is open, undoing never closes it: the opening of the first drawing cannot be
-    /// undone, and one that was opened after another
-    /// was closed is replaced by that one.</summary>
-    /// <returns>The name of the step, null when there was none.</returns>
+    /// <summary>Goes back to the state before the last step. Undo does not close an open drawing: opening the first drawing cannot be undone, and a drawing
+    /// opened after closing another is replaced by that one.</summary>
+    /// <returns>The name of the step, null if there is none.</returns>
     public string? Undo()
     {
         var open = Current.Drawing is not null;
@@ -170,8 +167,8 @@ public sealed class DocumentSession
         return name;
     }
 
-    /// <summary>Takes the step again that was undone last.</summary>
-    /// <returns>The name of the step, null when there was none.</returns>
+    /// <summary>Repeats the step that was undone last.</summary>
+    /// <returns>The name of the step, null if there is none.</returns>
     public string? Redo() => Swap(_redo, _undo);
 
     private string? Swap(Stack<Step> from, Stack<Step> to)

@@ -4,8 +4,7 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Everything the operator has before them at one moment: the drawing with its edits, the settings, what is selected. Immutable, so going back to
-/// it is exact.</summary>
+/// <summary>A state of the document: drawing with edits, settings, selection. Immutable, so undo restores it exactly.</summary>
 public sealed record DocumentState
 {
     public static DocumentState Nothing { get; } = new();
@@ -17,25 +16,25 @@ public sealed record DocumentState
         init => (field, Edition) = (value, value);
     }
 
-    /// <summary>Which edition of the drawing it is: another one after every edit, the same one (set behind <see cref="Drawing"/>) while objects are only
-    /// hidden and shown, which no file keeps.</summary>
+    /// <summary>The edition of the drawing: changes with every edit, but not when objects are hidden and shown, which is not saved. Set after
+    /// <see cref="Drawing"/>.</summary>
     public Drawing? Edition { get; init; }
 
     public DrawingSettings Settings { get; init; } = new();
 
-    /// <summary>Name of the layer on which new objects are drawn (CLAYER). Where the drawing has no such layer, they go on layer 0
+    /// <summary>Name of the layer on which new objects are drawn (CLAYER). If the drawing has no such layer, layer 0 is used
     /// (<see cref="Documents.CurrentLayer"/>).</summary>
     public string CurrentLayer { get; init; } = Documents.CurrentLayer.First;
 
-    /// <summary>What belongs to the drawing and stands in a file of its own beside it: trajectories.</summary>
+    /// <summary>The content of the sidecar: trajectories.</summary>
     public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 
     /// <summary>Indices into the drawing's entities, each once, in the order in which they were picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];
 
-    /// <summary>What HIDEOBJECTS has hidden, by its indices: only that is shown again by UNISOLATEOBJECTS, not what the file itself hides.</summary>
+    /// <summary>Indices of the objects hidden by HIDEOBJECTS: only these are shown again by UNISOLATEOBJECTS, not objects hidden in the file.</summary>
     public IReadOnlyList<int> HiddenObjects { get; init; } = [];
 
-    /// <summary>What the last command worked on ("Previous").</summary>
+    /// <summary>The objects of the last command ("Previous").</summary>
     public IReadOnlyList<int> Previous { get; init; } = [];
 }

@@ -7,15 +7,15 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Reads a drawing from a file. The answer is a drawing whatever the file holds; what is wrong with the file is among the diagnostics.</summary>
+/// <summary>Reads a drawing from a file. Always returns a drawing; errors in the file are diagnostics.</summary>
 public static class DrawingFile
 {
-    /// <param name="settings">Only the unit and the choice of what else is cut are looked at.</param>
-    /// <param name="progress">Gets the part that has been read, 0 to 1; null for none.</param>
+    /// <param name="settings">Only the unit and the cut choice are used.</param>
+    /// <param name="progress">Receives the fraction read, 0 to 1; null for none.</param>
     public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation, IProgress<double>? progress = null) =>
         Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Progress = progress }, cancellation);
 
-    /// <summary>True when nothing of the file could be read. Results of an earlier drawing must then not be overwritten with empty ones.</summary>
+    /// <summary>True if no part of the file could be read. Results of an earlier drawing must then not be overwritten with empty ones.</summary>
     public static bool IsUnreadable(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);

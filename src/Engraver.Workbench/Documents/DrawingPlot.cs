@@ -7,11 +7,11 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The picture of a drawing, or of the path over it.</summary>
+/// <summary>Plots of a drawing, of its path, trajectories or runs.</summary>
 public static class DrawingPlot
 {
     /// <param name="asDrawn">True: curves in file order, no path.</param>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static PlotModel Create(Drawing drawing, DrawingSettings settings, bool asDrawn)
     {
         var title = Path.GetFileName(drawing.FileName);
@@ -19,8 +19,8 @@ public static class DrawingPlot
         return PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, JobPreparation.ToCut(drawing, settings), settings), settings), title);
     }
 
-    /// <summary>Trajectories over the drawing: those of the document, or those that stand beside the drawing, else one along each contour.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>Trajectories over the drawing: those of the document or of the sidecar, otherwise one along each contour.</summary>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static (PlotModel Plot, IReadOnlyList<Diagnostic> Findings) OfTrajectories(Drawing drawing, DrawingSettings settings, IReadOnlyList<DocumentTrajectory>? known)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -30,7 +30,7 @@ public static class DrawingPlot
 
     /// <summary>A run over the drawing.</summary>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
-    /// <exception cref="FormatException">The run is one of another drawing, or its following error was not kept.</exception>
+    /// <exception cref="FormatException">The run belongs to another drawing, or its following error was not recorded.</exception>
     public static PlotModel OfRun(Drawing drawing, DrawingSettings settings, RunTrace trace, RunMeasure measure)
     {
         ArgumentNullException.ThrowIfNull(drawing);

@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Builds a drawing anew from an old one, entity by entity: some stay, some are replaced by others. New ones get handles after the highest of the
+/// <summary>Builds a drawing from an old one, entity by entity: entities are kept, replaced or added. New ones get handles above the highest of the
 /// drawing.</summary>
 internal sealed class DrawingRebuild
 {
@@ -22,7 +22,7 @@ internal sealed class DrawingRebuild
     /// <summary>Number of entities so far, which is the index of the next one.</summary>
     public int Count => _entities.Count;
 
-    /// <summary>Takes an entity over as it is.</summary>
+    /// <summary>Copies an entity unchanged.</summary>
     public void Keep(int index)
     {
         _places[index] = Count;
@@ -30,11 +30,11 @@ internal sealed class DrawingRebuild
     }
 
     /// <summary>Adds a new entity.</summary>
-    /// <param name="like">Layer and source line are taken from it.</param>
+    /// <param name="like">Entity whose layer and source line are copied.</param>
     public void Add(in DrawingEntity like, CurveType type, bool closed, IReadOnlyList<DrawingPart> parts) =>
         Append(like with { Type = type, Closed = closed, Handle = ++_handle, PartCount = parts.Count }, parts);
 
-    /// <summary>Takes an entity over with another shape; it stays the same one, with its handle.</summary>
+    /// <summary>Copies an entity with a new shape; it keeps its handle.</summary>
     public void Change(int index, CurveType type, bool closed, IReadOnlyList<DrawingPart> parts)
     {
         _places[index] = Count;
@@ -48,10 +48,10 @@ internal sealed class DrawingRebuild
         return DrawingPart.FreeCurve(0, curve.Kind, _drawing.Curves.Count + _curves.Count - 1);
     }
 
-    /// <summary>The curve of a part that the old drawing has, or that was made here.</summary>
+    /// <summary>The curve of a part of the old drawing or of a new part.</summary>
     public Core.Geometry.RationalCurve CurveOf(in DrawingPart part) => part.CurveIndex < _drawing.Curves.Count ? _drawing.Curves[part.CurveIndex] : _curves[part.CurveIndex - _drawing.Curves.Count];
 
-    /// <summary>Where entities of the old drawing stand now; those that were replaced are left out.</summary>
+    /// <summary>New indices of entities of the old drawing, without replaced ones.</summary>
     public IReadOnlyList<int> Places(IEnumerable<int> indices) => [.. indices.Where(_places.ContainsKey).Select(index => _places[index])];
 
     public Drawing Finish() => _drawing with { Entities = _entities, Parts = _parts, Curves = _curves.Count == 0 ? _drawing.Curves : [.. _drawing.Curves, .. _curves] };

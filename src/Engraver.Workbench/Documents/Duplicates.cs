@@ -3,10 +3,10 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Finds what was drawn twice.</summary>
+/// <summary>Finds duplicate entities.</summary>
 internal static class Duplicates
 {
-    /// <summary>Those of some entities that can be erased: every part of them lies on a part of another that stays.</summary>
+    /// <summary>The entities that can be erased: every part coincides with a part of a remaining entity.</summary>
     /// <param name="tolerance">Drawing units.</param>
     public static IReadOnlyList<int> Find(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
     {

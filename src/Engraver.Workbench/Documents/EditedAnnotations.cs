@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 namespace Engraver.Workbench.Documents;
 
 /// <summary>Decides what happens to the texts and points of a drawing when its curves are edited. They cannot be selected: they move with an edit of every
-/// visible curve, and otherwise stay where they are.</summary>
+/// visible curve, and otherwise do not move.</summary>
 internal sealed class EditedAnnotations
 {
     private readonly Drawing _drawing;
@@ -19,16 +19,17 @@ internal sealed class EditedAnnotations
         _points = drawing.Points.Count(takes);
     }
 
-    /// <summary>Texts that stay where they are.</summary>
+    /// <summary>Number of texts that do not move.</summary>
     public int TextsLeft => _drawing.Texts.Count - _texts.Count;
 
-    /// <summary>Points that stay where they are.</summary>
+    /// <summary>Number of points that do not move.</summary>
     public int PointsLeft => _drawing.Points.Count - _points;
 
-    /// <summary>What an edit of these curves takes along: everything when it takes all curves, what can be seen when it takes all that can be seen.</summary>
-    /// <param name="drawing">Before the edit.</param>
+    /// <summary>Selects the texts and points that move with an edit of these curves: all if all curves are edited, the visible ones if all visible curves are
+    /// edited.</summary>
+    /// <param name="drawing">The drawing before the edit.</param>
     /// <param name="selected">Indices of curves.</param>
-    /// <param name="takesLocked">Also what lies on locked layers: it is not changed, or the drawing as a whole is.</param>
+    /// <param name="takesLocked">Also those on locked layers: they are only copied, or the whole drawing is edited.</param>
     public static EditedAnnotations Along(Drawing drawing, IReadOnlyList<int> selected, bool takesLocked)
     {
         if (drawing.Texts.Count + drawing.Points.Count == 0) return new EditedAnnotations(drawing, [], _ => false);
@@ -40,28 +41,28 @@ internal sealed class EditedAnnotations
         bool IsFree(int layer) => takesLocked || !drawing.Layers[layer].Locked;
     }
 
-    /// <summary>The edited drawing with what goes along moved.</summary>
+    /// <summary>The edited drawing with the selected texts and points moved.</summary>
     public Drawing Moved(Drawing edited, Transform2D map) => edited with
     {
         Texts = _texts.Count == 0 ? _drawing.Texts : [.. _drawing.Texts.Select(text => _texts.Contains(text) ? Placed(text, map) : text)],
         Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Select(point => _takes(point) ? Placed(point, map) : point)],
     };
 
-    /// <summary>The edited drawing with a copy of what goes along for each map; copies of texts have no handle.</summary>
+    /// <summary>The edited drawing with a copy of the selected texts and points for each map; copies of texts have no handle.</summary>
     public Drawing Copied(Drawing edited, IReadOnlyList<Transform2D> maps) => edited with
     {
         Texts = [.. _drawing.Texts, .. maps.SelectMany(map => _drawing.Texts.Where(_texts.Contains).Select(text => Placed(text, map) with { Handle = 0 }))],
         Points = _points == 0 ? _drawing.Points : [.. _drawing.Points, .. maps.SelectMany(map => _drawing.Points.Where(_takes).Select(point => Placed(point, map)))],
     };
 
-    /// <summary>The edited drawing without what goes along.</summary>
+    /// <summary>The edited drawing without the selected texts and points.</summary>
     public Drawing Without(Drawing edited) => edited with
     {
         Texts = [.. _drawing.Texts.Where(text => !_texts.Contains(text))],
         Points = _points == 0 ? _drawing.Points : [.. _drawing.Points.Where(point => !_takes(point))],
     };
 
-    /// <summary>A mirrored text reads from the back, as what is engraved of a mirrored drawing does.</summary>
+    /// <summary>Mirrored text is mirror-inverted, like the rest of a mirrored drawing.</summary>
     private static PlacedText Placed(PlacedText text, Transform2D map) => text with
     {
         Position = At(text.Position, map),

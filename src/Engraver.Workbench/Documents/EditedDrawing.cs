@@ -4,20 +4,20 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing as it stands after edits, made ready to be written.</summary>
+/// <summary>Converts an edited drawing to a DXF sheet for writing.</summary>
 public static class EditedDrawing
 {
     private const int Foreground = 7;
 
-    /// <summary>$INSUNITS of a drawing that was read as millimetres because it did not say.</summary>
+    /// <summary>$INSUNITS of a drawing that was read as millimetres because it has no unit.</summary>
     private const int Millimetres = 4;
 
-    /// <summary>The same of one that was read as inches.</summary>
+    /// <summary>$INSUNITS of a drawing that was read as inches because it has no unit.</summary>
     private const int Inches = 1;
 
-    /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours as they are; behind them the texts and
-    /// points, where the file had them.</summary>
-    /// <param name="hiddenObjects">What the operator hid for the moment: written as visible. All else that is invisible is written so.</param>
+    /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours; followed by the texts and points in file
+    /// order.</summary>
+    /// <param name="hiddenObjects">Objects hidden temporarily by the operator: written as visible. Other invisible objects stay invisible.</param>
     public static DxfSheet SheetOf(Drawing drawing, IReadOnlyList<int> hiddenObjects)
     {
         var shown = hiddenObjects.ToHashSet();
@@ -31,8 +31,8 @@ public static class EditedDrawing
         };
     }
 
-    /// <summary>For each handle of the drawing those under which its entities stand in a written sheet.</summary>
-    /// <param name="sheet">As <see cref="SheetOf"/> made it of this drawing.</param>
+    /// <summary>Maps each handle of the drawing to the handles of its entities in a written sheet.</summary>
+    /// <param name="sheet">Created by <see cref="SheetOf"/> from this drawing.</param>
     public static IReadOnlyDictionary<string, IReadOnlyList<string>> HandlesIn(DxfSheet sheet, Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(sheet);
@@ -51,7 +51,7 @@ public static class EditedDrawing
     private static DxfSheetLayer LayerOf(Layer layer) =>
         new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Locked = layer.Locked, Rgb = layer.Colour.Rgb };
 
-    /// <summary>The entity, or its parts one by one where DXF has no polyline like it.</summary>
+    /// <summary>The entity, or its individual parts if DXF has no such polyline.</summary>
     private static IEnumerable<DxfSheetEntity> Written(Drawing drawing, int index, bool hidden)
     {
         var entity = drawing.Entities[index];

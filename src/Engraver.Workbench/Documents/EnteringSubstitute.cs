@@ -3,11 +3,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Finds the object that took the place of one that was joined, taken apart or erased as a double.</summary>
+/// <summary>Finds the object that replaces one that was joined, exploded or erased as a duplicate.</summary>
 internal static class EnteringSubstitute
 {
-    /// <param name="candidates">Objects of the edited drawing that may have taken its place.</param>
-    /// <returns>The handle of the one that runs along the lost object; null when there is none.</returns>
+    /// <param name="candidates">Candidate objects of the edited drawing.</param>
+    /// <returns>The handle of the one that coincides with the lost object; null if there is none.</returns>
     public static string? HandleOf(Drawing before, string lost, Drawing after, IEnumerable<int> candidates)
     {
         if (before.IndexOfHandle(lost) is not { } index) return null;

@@ -4,18 +4,18 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The offset of one object of a drawing, in drawing units: to the side on which a place lies, at a distance or through the place.</summary>
+/// <summary>The offset of one object of a drawing, in drawing units: to the side of a point, at a distance or through the point.</summary>
 internal static class EntityOffset
 {
-    /// <summary>Part of the way to a place at which its side is asked for: in the middle of a circle nothing of the offset through it would be left.</summary>
+    /// <summary>Fraction of the distance to a point used to test its side: at the centre of a circle the offset through the point vanishes.</summary>
     private const double NearlyThrough = 1.0 - 1e-6;
 
     /// <param name="drawing">The drawing.</param>
     /// <param name="entity">Index of the object.</param>
-    /// <param name="side">A place on the wanted side.</param>
-    /// <param name="distance">Above 0; null: through the place.</param>
-    /// <param name="maxErrorMm">Of the arcs that stand for an ellipse or spline.</param>
-    /// <returns>Nothing where nothing is left, or where the place lies on the object.</returns>
+    /// <param name="side">A point on the wanted side.</param>
+    /// <param name="distance">Above 0; null: through the point.</param>
+    /// <param name="maxErrorMm">Maximum error of the arcs that approximate an ellipse or spline.</param>
+    /// <returns>Empty if the offset vanishes or the point is on the object.</returns>
     public static IReadOnlyList<OffsetLoop> Create(Drawing drawing, int entity, Point2D side, double? distance, double maxErrorMm)
     {
         var contour = ContourOf(drawing, entity);
@@ -23,14 +23,14 @@ internal static class EntityOffset
         var away = contour.Segments.Count == 0 ? 0.0 : contour.Segments.Min(segment => SegmentDistance.Measure(segment, side));
         if (!(away > 0.0)) return [];
         var (left, right) = (Through(contour, NearlyThrough * away, OffsetSide.Left, options), Through(contour, NearlyThrough * away, OffsetSide.Right, options));
-        var isLeft = Away(left, side) <= Away(right, side); // the place lies on the offset of its side that goes through it
+        var isLeft = Away(left, side) <= Away(right, side); // The point is on the offset that passes through it.
         return Through(contour, distance ?? away, isLeft ? OffsetSide.Left : OffsetSide.Right, options);
     }
 
-    /// <summary>Adds loops to a drawing as lines, arcs, circles and polylines, behind all that is there.</summary>
-    /// <param name="rebuilt">Into which they go.</param>
-    /// <param name="drawing">Of the source.</param>
-    /// <param name="entity">The source: colour, height and, without another one, layer are taken from it.</param>
+    /// <summary>Adds loops to a drawing as lines, arcs, circles and polylines, at its end.</summary>
+    /// <param name="rebuilt">The drawing to extend.</param>
+    /// <param name="drawing">Drawing of the source.</param>
+    /// <param name="entity">The source, whose colour, height and, by default, layer are copied.</param>
     /// <param name="loops">Drawing units.</param>
     /// <param name="layer">Index of another layer; null for that of the source.</param>
     public static void Add(DrawingRebuild rebuilt, Drawing drawing, int entity, IReadOnlyList<OffsetLoop> loops, int? layer)

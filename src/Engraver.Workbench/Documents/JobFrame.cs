@@ -4,20 +4,20 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>What goes round a job, tool off, before it is cut.</summary>
+/// <summary>Shape of the frame run around a job, tool off.</summary>
 public enum FrameShape
 {
-    /// <summary>The smallest rectangle along the axes.</summary>
+    /// <summary>The axis-aligned bounding rectangle.</summary>
     Rectangle,
 
-    /// <summary>The convex hull of what is cut.</summary>
+    /// <summary>The convex hull of the cut.</summary>
     Hull,
 }
 
 /// <summary>The frame of a job as a motion program.</summary>
 public static class JobFrame
 {
-    /// <returns>Null when nothing of the job can be cut.</returns>
+    /// <returns>Null if no part of the job can be cut.</returns>
     public static MotionProgram? Of(PreparedJob job, FrameShape shape)
     {
         ArgumentNullException.ThrowIfNull(job);

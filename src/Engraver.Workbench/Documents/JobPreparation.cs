@@ -14,10 +14,10 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The stages from a drawing to its motion program, with the operator's settings translated into the options of each.</summary>
+/// <summary>The stages from a drawing to its motion program, with the operator's settings converted to the options of each.</summary>
 public static class JobPreparation
 {
-    /// <summary>Gap of contours that were computed, millimetres.</summary>
+    /// <summary>Join tolerance of computed contours, millimetres.</summary>
     private const double ExactJoint = 1e-6;
 
     /// <summary>The fixed-slot table of the selected layers, arcs analysed, file order.</summary>
@@ -28,7 +28,7 @@ public static class JobPreparation
         return ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, SelectionOf(settings)));
     }
 
-    /// <summary>Makes sure that the layers which the operator names are there. A drawing that could not be read has none, and has said so already.</summary>
+    /// <summary>Checks that the named layers exist. Skipped for a drawing that could not be read.</summary>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static void CheckLayers(Drawing drawing, DrawingSettings settings)
     {
@@ -42,8 +42,8 @@ public static class JobPreparation
     /// <summary>The layers that are cut.</summary>
     public static LayerSelection SelectionOf(DrawingSettings settings) => new(settings.Layers ?? [], settings.SkippedLayers);
 
-    /// <summary>The table that is cut: as it is drawn, or compensated for the radius of the tool.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>The table that is cut: as drawn, or compensated for the tool radius.</summary>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static CutTable ToCut(Drawing drawing, DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(settings);
@@ -55,17 +55,17 @@ public static class JobPreparation
         return new CutTable(kerf.Table, kerf, [.. chained.Diagnostics, .. kerf.Diagnostics]);
     }
 
-    /// <summary>Contours, order, discontinuities of what is cut. Compensated contours meet exactly: their segments may be shorter than the join
+    /// <summary>Contours, order and discontinuities of the cut table. Compensated contours meet exactly, because their segments may be shorter than the join
     /// tolerance.</summary>
-    /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
+    /// <exception cref="SettingException">The entry entity is not in the drawing.</exception>
     public static SequencingResult Sequence(Drawing drawing, CutTable cut, DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(cut);
         return Sequencer.Sequence(cut.Table, drawing, SequencingFor(drawing, cut, settings));
     }
 
-    /// <summary>The settings as options of the sequencer for what is cut.</summary>
-    /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
+    /// <summary>The settings as options of the sequencer for the cut table.</summary>
+    /// <exception cref="SettingException">The entry entity is not in the drawing.</exception>
     public static SequencingOptions SequencingFor(Drawing drawing, CutTable cut, DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(cut);
@@ -74,8 +74,8 @@ public static class JobPreparation
         return options with { JoinTolerance = kerf.KeepsOpen ? options.JoinTolerance : Math.Min(options.JoinTolerance, ExactJoint), KeepDuplicates = true, ArcTolerance = null };
     }
 
-    /// <summary>The table of what is cut in the order of cutting, with the findings of the compensation for the radius of the tool.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>The cut table in cutting order, with the findings of the tool radius compensation.</summary>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static (EntityTable Table, IReadOnlyList<Diagnostic> Findings) CutTableOf(Drawing drawing, DrawingSettings settings)
     {
         var cut = ToCut(drawing, settings);
@@ -83,12 +83,12 @@ public static class JobPreparation
     }
 
     /// <summary>Contours, order, discontinuities.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static SequencingResult Sequence(Drawing drawing, EntityTable analysed, DrawingSettings settings) =>
         Sequencer.Sequence(analysed, drawing, SequencingFor(drawing, settings));
 
     /// <summary>The settings as options of the sequencer.</summary>
-    /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
+    /// <exception cref="SettingException">The entry entity is not in the drawing.</exception>
     public static SequencingOptions SequencingFor(Drawing drawing, DrawingSettings settings) => new()
     {
         JoinTolerance = settings.JoinToleranceMm,
@@ -101,16 +101,16 @@ public static class JobPreparation
         CutsHeights = settings.Machine.Height is not null,
     };
 
-    /// <summary>The machine-neutral path from where the tool stands.</summary>
+    /// <summary>The machine-neutral path from the tool's start point.</summary>
     public static Toolpath PathOf(SequencingResult sequence, DrawingSettings settings) => ToolpathPlanner.Plan(sequence, settings.Start, settings.MaxErrorMm);
 
-    /// <summary>All stages.</summary>
-    /// <param name="style">Continuous for the stream and the posted sequences, calls for the subroutine calls of paper 000.</param>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>Runs all stages.</summary>
+    /// <param name="style">Continuous for streaming and posted sequences, calls for the subroutine calls of paper 000.</param>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style) => PrepareUnlessCancelled(drawing, settings, style, CancellationToken.None);
 
-    /// <summary>All stages; between two of them a cancellation is honoured.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>Runs all stages; cancellation is checked between them.</summary>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static PreparedJob PrepareUnlessCancelled(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation, IProgress<DerivationStage>? progress = null)
     {
@@ -128,17 +128,17 @@ public static class JobPreparation
         return job with { Kerf = cut.Kerf, Findings = [.. job.Findings, .. cut.FindingsBeside(sequence)] };
     }
 
-    /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say
-    /// where.</summary>
+    /// <summary>The last stages: the motion of a toolpath that matches the drawing. Otherwise there is no program, and the faults state the
+    /// positions.</summary>
     public static PreparedJob FromPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
     {
         var motion = MachineFamilies.Driver.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);
-        var program = faults.Count > 0 || motion.Program is not { } made ? null : made with { Finish = settings.Finish == FinishPlace.Origin ? made.Start : null }; // where it parks is a place of the machine, known once the job is placed
+        var program = faults.Count > 0 || motion.Program is not { } made ? null : made with { Finish = settings.Finish == FinishPlace.Origin ? made.Start : null }; // The park position is a machine position, known only after the job is placed.
         return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion with { Program = program }) { Faults = faults, Findings = Findings(drawing, settings) };
     }
 
-    /// <summary>Where the toolpath, whose coordinates are finite, is not what is drawn.</summary>
+    /// <summary>Positions where the toolpath, whose coordinates are finite, differs from the drawing.</summary>
     public static IReadOnlyList<Diagnostic> FaultsOf(Drawing drawing, DrawingSettings settings, EntityTable analysed, Toolpath toolpath) =>
         ToolpathCheck.Findings(analysed, toolpath, new ToolpathTolerances(settings.MaxErrorMm, settings.JoinToleranceMm, settings.RecoverArcs), drawing.SourceOf);
 
@@ -151,10 +151,10 @@ public static class JobPreparation
     };
 }
 
-/// <summary>What is cut.</summary>
-/// <param name="Table">Analysed rows: as drawn, or of the path that the centre of the tool follows.</param>
+/// <summary>The entities to cut.</summary>
+/// <param name="Table">Analysed rows: as drawn, or the path of the tool centre.</param>
 /// <param name="Kerf">The compensation; null without one.</param>
-/// <param name="Diagnostics">Of chaining what is drawn and of the compensation.</param>
+/// <param name="Diagnostics">Findings of chaining the drawing and of the compensation.</param>
 public sealed record CutTable(EntityTable Table, KerfResult? Kerf, IReadOnlyList<Diagnostic> Diagnostics)
 {
     /// <summary>The findings that the sequencing of the compensated table does not repeat.</summary>

@@ -12,12 +12,12 @@ namespace Engraver.Workbench.Documents;
 
 /// <summary>The offset of a drawing's contours, millimetres.</summary>
 /// <param name="Result">Loops and deviation.</param>
-/// <param name="Diagnostics">Of every stage on the way.</param>
+/// <param name="Diagnostics">Findings of all stages.</param>
 public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic> Diagnostics)
 {
     private const string Layer = "OFFSET";
 
-    /// <param name="drawing">Whose selected layers are chained to contours.</param>
+    /// <param name="drawing">Its selected layers are chained to contours.</param>
     /// <param name="settings">Layers, units and tolerances.</param>
     /// <param name="distance">Millimetres, above 0.</param>
     /// <param name="side">See <see cref="OffsetSide"/>.</param>
@@ -31,7 +31,7 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
         return new OffsetDrawing(result, [.. drawing.Diagnostics, .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);
     }
 
-    /// <summary>The contours of a chained drawing, in its direction.</summary>
+    /// <summary>The contours of a chained drawing, in drawing direction.</summary>
     public static IReadOnlyList<OffsetContour> ContoursOf(ChainedTable chained) => DrawnContours.From(chained);
 
     /// <summary>A closed run of lines and arcs is a closed polyline, a circle a circle.</summary>
@@ -44,7 +44,7 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
         return loop.Segments.Select(segment => new DxfSheetEntity(segment, Layer, null, 0, number));
     }
 
-    /// <summary>What is to be said of an offset.</summary>
+    /// <summary>The findings of an offset.</summary>
     internal static IEnumerable<Diagnostic> Findings(OffsetResult result, int contours, double distance)
     {
         if (result.WithoutInside > 0) yield return result.WithoutInside == contours ? OffsetRules.NoInside.At(default) : OffsetRules.WithoutInside.At(default, FactText.Of(result.WithoutInside));

@@ -11,12 +11,12 @@ namespace Engraver.Workbench.Documents;
 /// <summary>The pockets of a drawing, millimetres.</summary>
 /// <param name="Result">Passes, strokes, areas.</param>
 /// <param name="Cuts">The strokes at their depths, in the order of cutting.</param>
-/// <param name="Diagnostics">Of every stage on the way.</param>
+/// <param name="Diagnostics">Findings of all stages.</param>
 public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut> Cuts, IReadOnlyList<Diagnostic> Diagnostics)
 {
     private const string Layer = "POCKET";
 
-    /// <param name="drawing">Whose selected layers are chained to contours.</param>
+    /// <param name="drawing">Its selected layers are chained to contours.</param>
     /// <param name="settings">Layers, units and tolerances.</param>
     /// <param name="options">Tool and strategy; the tolerance is that of the settings.</param>
     /// <param name="depths">Levels and entry.</param>
@@ -30,7 +30,7 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, exact), .. Findings(cuts, depths)]);
     }
 
-    /// <summary>Every stroke as a polyline at its height, with the way down before it as a polyline in space; in the order of cutting.</summary>
+    /// <summary>Every stroke as a polyline at its height, preceded by its entry move as a 3D polyline; in the order of cutting.</summary>
     public DxfSheet ToSheet() => new([new DxfSheetLayer(Layer, 4)], [.. Cuts.SelectMany((cut, index) => EntitiesOf(cut, index + 1))]);
 
     private static IEnumerable<DxfSheetEntity> EntitiesOf(PocketCut cut, int number)
@@ -52,7 +52,7 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         foreach (var segment in segments) yield return new DxfSheetEntity(segment, Layer, null, 0, number) { Z = (cut.Z, cut.Z) };
     }
 
-    /// <summary>Lines, and arcs of half a turn at most, as a polyline has them.</summary>
+    /// <summary>Lines, and arcs of at most half a turn, as required in a polyline.</summary>
     internal static List<Segment> SegmentsOf(PocketStroke stroke)
     {
         var segments = new List<Segment>(stroke.Moves.Count);
@@ -72,7 +72,7 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         return segments;
     }
 
-    /// <summary>What is to be said of the passes.</summary>
+    /// <summary>The findings of the passes.</summary>
     internal static IEnumerable<Diagnostic> Findings(PocketResult result, PocketOptions options)
     {
         if (result.Regions == 0) yield return PocketRules.NoInside.At(default);
@@ -83,7 +83,7 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, FactText.Of(result.Unreached.Count), FactText.Of(result.Unreached.Sum(place => place.Area ?? 0.0)), FactText.Of(deepest.Depth), FactText.Of(deepest.Place.X), FactText.Of(deepest.Place.Y)) with { Place = deepest.Place };
     }
 
-    /// <summary>What is to be said of the ways down.</summary>
+    /// <summary>The findings of the entry moves.</summary>
     internal static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)
     {
         if (depths.Entry == PocketEntry.Plunge) yield break;

@@ -4,11 +4,11 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Polylines taken apart and put together.</summary>
+/// <summary>Explodes and joins polylines.</summary>
 internal static class PolylineEdit
 {
-    /// <summary>Every part of the polylines among some entities becomes an entity of its own, in the polyline's place.</summary>
-    /// <returns>The drawing, where the parts stand now, how the rest was moved, and how many polylines were taken apart.</returns>
+    /// <summary>Replaces polylines by their parts as separate entities.</summary>
+    /// <returns>The rebuilt drawing, the indices of the parts, and the number of exploded polylines.</returns>
     public static (DrawingRebuild Rebuilt, IReadOnlyList<int> Parts, int Count) Explode(Drawing drawing, IEnumerable<int> indices)
     {
         var chosen = indices.Where(index => drawing.Entities[index].Type is CurveType.LwPolyline or CurveType.Polyline).ToHashSet();
@@ -32,8 +32,8 @@ internal static class PolylineEdit
         return (rebuilt, places, chosen.Count);
     }
 
-    /// <summary>Lines, arcs and open polylines whose ends meet become polylines, in the place of their first entity and in its direction. Where ends
-    /// branch, what does not go together whole stays apart.</summary>
+    /// <summary>Joins lines, arcs and open polylines whose ends meet to polylines, at the index of their first entity and in its direction. At branches,
+    /// entities that cannot be joined completely stay separate.</summary>
     /// <param name="tolerance">Drawing units.</param>
     public static (DrawingRebuild Rebuilt, IReadOnlyList<int> Joined, int Count) Join(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
     {

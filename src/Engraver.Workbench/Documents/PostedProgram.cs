@@ -9,23 +9,23 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing as a program in one of the formats of the table of posts. Where nothing is cut there is no text, so that no earlier result is
-/// overwritten with an empty one.</summary>
-/// <param name="Text">Null when there is nothing that the machine can cut.</param>
-/// <param name="Diagnostics">Of every stage on the way.</param>
+/// <summary>A drawing as a program in one of the formats of the post table. If nothing is cut there is no text, to avoid overwriting an earlier result with an
+/// empty one.</summary>
+/// <param name="Text">Null if the machine can cut nothing.</param>
+/// <param name="Diagnostics">Findings of all stages.</param>
 public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagnostics)
 {
-    /// <summary>Every option of a post at its default.</summary>
+    /// <summary>All options of a post at their defaults.</summary>
     public static IReadOnlyDictionary<string, string> NoOptions { get; } = new Dictionary<string, string>();
 
-    /// <summary>Where the machine will be after each block, for a post that foretells it.</summary>
+    /// <summary>The machine position after each block, for posts with a forecast.</summary>
     public PostForecast? Forecast { get; init; }
 
     /// <summary>Why there is no text, without a full stop.</summary>
     public string WithoutProgram { get; init; } = "";
 
-    /// <param name="options">Of the post, by name; each one that it takes.</param>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <param name="options">All options of the post by name.</param>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static PostedProgram Create(Drawing drawing, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
     {
         ArgumentNullException.ThrowIfNull(post);
@@ -37,7 +37,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         return posted with { Diagnostics = [.. posted.Diagnostics, .. cut.FindingsBeside(sequence)] };
     }
 
-    /// <summary>The program of a job, which was prepared in the style of the post.</summary>
+    /// <summary>The program of a job that was prepared in the style of the post.</summary>
     public static PostedProgram FromJob(PreparedJob job, IPost post, IReadOnlyDictionary<string, string> options)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -50,7 +50,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
 
     /// <summary>The program of a post that writes the path in millimetres.</summary>
     /// <param name="analysed">The table that was sequenced.</param>
-    /// <param name="sequence">Of <paramref name="drawing"/>, with <paramref name="settings"/>.</param>
+    /// <param name="sequence">Sequence of <paramref name="drawing"/> with <paramref name="settings"/>.</param>
     public static PostedProgram FromSequence(Drawing drawing, EntityTable analysed, SequencingResult sequence, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
     {
         ArgumentNullException.ThrowIfNull(sequence);

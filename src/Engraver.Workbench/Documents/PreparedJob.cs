@@ -9,36 +9,36 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing with the result of every stage from table to motion program. Immutable; the findings are kept by stage and all together.</summary>
-/// <param name="Analysed">The table of what is to be cut, as drawn or compensated for the radius of the tool: what a run is judged by.</param>
+/// <summary>A drawing with the result of every stage from table to motion program. Immutable; findings are available by stage and combined.</summary>
+/// <param name="Analysed">The table of the entities to cut, as drawn or compensated for the tool radius; the reference for judging a run.</param>
 /// <param name="Sequence">The table chained and ordered.</param>
 /// <param name="Toolpath">Ordered moves, mm.</param>
-/// <param name="Motion">The motion program, or why there is none. There is none for a path that is not the drawing's (see <see cref="Faults"/>).</param>
+/// <param name="Motion">The motion program, or why there is none. There is none if the path differs from the drawing (see <see cref="Faults"/>).</param>
 public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, EntityTable Analysed, SequencingResult Sequence, Toolpath Toolpath, MotionGeneration Motion)
 {
-    /// <summary>What is seen and not cut, heights, size and place (<see cref="JobPreparation.Findings"/>).</summary>
+    /// <summary>Visible but uncut entities, heights, size and position (<see cref="JobPreparation.Findings"/>).</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
 
-    /// <summary>The compensation for the radius of the tool; null without one.</summary>
+    /// <summary>The compensation for the tool radius; null without one.</summary>
     public KerfResult? Kerf { get; init; }
 
-    /// <summary>The trajectories that are run instead of the drawing, and the document that they belong to; null for a job of the drawing.
-    /// <see cref="Drawing"/> is then theirs.</summary>
+    /// <summary>The trajectories that replace the drawing, and their document; null for a job of the drawing. <see cref="Drawing"/> then contains their
+    /// curves.</summary>
     public FollowedTrajectories? Followed { get; init; }
 
     /// <summary>The document's drawing.</summary>
     public Drawing DocumentDrawing => Followed?.Drawing ?? Drawing;
 
-    /// <summary>What is seen on the layers that are cut and gives no cut.</summary>
+    /// <summary>Visible entities on the cut layers that produce no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, JobPreparation.SelectionOf(Settings));
 
-    /// <summary>Where the toolpath is not what is drawn (VER0020 to VER0022), which no operator can accept; empty for every job that may be run or
+    /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), which cannot be accepted; empty for every job that may be run or
     /// posted.</summary>
     public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
 
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];
 
-    /// <summary>Why there is no motion program or nothing in it, without a full stop.</summary>
+    /// <summary>Why there is no motion program or it is empty, without a full stop.</summary>
     public string WithoutProgram => (Faults.Count, Motion.Program) switch
     {
         ( > 0, _) => NotAsDrawn(Faults),
@@ -46,7 +46,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
         _ => NothingCut(NotCut),
     };
 
-    /// <summary>True for the job of a document as it stands: its drawing and settings, and its trajectories where these are run.</summary>
+    /// <summary>True if this is the job of a document: same drawing and settings, and same trajectories if these are run.</summary>
     public bool IsOf(DocumentState state)
     {
         ArgumentNullException.ThrowIfNull(state);
@@ -54,10 +54,10 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
         return Followed is { } followed ? followed.Settings == state.Settings && ReferenceEquals(followed.Trajectories, state.Sidecar.Trajectories.All) : Settings == state.Settings;
     }
 
-    /// <summary>The toolpath has these faults; without a full stop.</summary>
+    /// <summary>Message about the faults of the toolpath, without a full stop.</summary>
     internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get("PreparedJob.ToolpathDeviates", Ids(faults));
 
-    /// <summary>No curve is left on the layers that are cut; without a full stop.</summary>
+    /// <summary>Message that the cut layers have no curve, without a full stop.</summary>
     internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? Wording.Get("PreparedJob.NothingToCut") : Wording.Get("PreparedJob.NothingToCutBecause", notCut.Clause);
 
     private static string Ids(IEnumerable<Diagnostic> findings) => string.Join(", ", findings.Select(finding => finding.Id).Distinct());

@@ -13,11 +13,11 @@ namespace Engraver.Workbench.Documents;
 
 /// <summary>The trajectories of a drawing's contours, with the names of their files.</summary>
 /// <param name="Trajectories">In the order of cutting.</param>
-/// <param name="Diagnostics">Of every stage on the way.</param>
+/// <param name="Diagnostics">Findings of all stages.</param>
 public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectories, IReadOnlyList<Diagnostic> Diagnostics)
 {
-    /// <param name="settings">Layers, units, tolerances, order; the machine's feed and acceleration are those of the formats that say how fast.</param>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <param name="settings">Layers, units, tolerances, order; the machine's feed and acceleration are used by formats with velocities.</param>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static TrajectoryDrawing Create(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -46,7 +46,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
             foreach (var stroke in sequence.Strokes) Add([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed, stroke.Moves, number => $"traj{number}_path");
         }
 
-        /// <summary>Outermost first, so that the last pass runs at the offset itself; each is made from what was drawn.</summary>
+        /// <summary>Outermost first, so that the last pass is at the offset itself; each pass is computed from the drawing.</summary>
         public void AddOffsets(SequencingResult sequence, TrajectoryOffset offset)
         {
             IReadOnlyList<OffsetContour> contours = [.. sequence.Strokes.Select(stroke => new OffsetContour([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed))];
@@ -77,7 +77,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
             Findings.AddRange(TrajectoryFindings.NotKept(result.Unproven, settings.MaxErrorMm));
         }
 
-        /// <summary>The entity that the first segment of a trajectory was drawn as; of an offset null.</summary>
+        /// <summary>Handle of the source entity of the first segment of a trajectory; null for an offset.</summary>
         private string? HandleOf(Segment first, IReadOnlyList<StrokeMove> moves)
         {
             var found = moves.Where(move => move.Segment.Start == first.Start).Concat(moves).Select(move => (int?)move.EntityIndex).FirstOrDefault();
@@ -86,7 +86,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
     }
 }
 
-/// <summary>What trajectories are wanted.</summary>
+/// <summary>Parameters of the requested trajectories.</summary>
 public sealed record TrajectoryRequest
 {
     public TrajectoryFormat Format { get; init; } = TrajectoryFormat.Sace;
@@ -103,13 +103,13 @@ public sealed record TrajectoryRequest
     public TrajectoryOffset? Offset { get; init; }
 }
 
-/// <summary>Trajectories beside the contours.</summary>
-/// <param name="Distance">Radius of what the tool removes, mm, above 0: the last pass.</param>
+/// <summary>Offset trajectories.</summary>
+/// <param name="Distance">Removal radius of the tool, mm, above 0: the offset of the last pass.</param>
 /// <param name="Passes">At least 1.</param>
 /// <param name="Step">Distance between two passes, mm.</param>
 public sealed record TrajectoryOffset(double Distance, OffsetSide Side, int Passes, double Step);
 
 /// <summary>A trajectory with the name of its file.</summary>
-/// <param name="Source">Handle of the entity with which it begins; null when that has none, and for an offset.</param>
-/// <param name="Seconds">That it took to compute.</param>
+/// <param name="Source">Handle of its first entity; null if that has none, and for an offset.</param>
+/// <param name="Seconds">Computation time.</param>
 public sealed record NamedTrajectory(string FileName, TrajectoryFile File, string? Source, double Seconds);

@@ -6,12 +6,11 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A trajectory of a document as files: its own points for controllers of splines, what it follows for those of lines and arcs or of
-/// velocities.</summary>
+/// <summary>A trajectory of a document as files: spline points, or its source curve for formats with lines and arcs or velocities.</summary>
 public static class TrajectoryExport
 {
-    /// <param name="machine">Feed, acceleration and travel are those of the formats that say or limit them.</param>
-    /// <returns>One file, or several where a controller must stop at corners; none when the format has no heights or cannot keep the error.</returns>
+    /// <param name="machine">Feed, acceleration and travel are used by formats that contain or limit them.</param>
+    /// <returns>One file, or several if the controller must stop at corners; none if the format has no heights or cannot keep the error.</returns>
     public static IReadOnlyList<TrajectoryFile> Files(DocumentTrajectory one, TrajectoryFormat format, MachineProfile machine)
     {
         ArgumentNullException.ThrowIfNull(one);
@@ -23,8 +22,7 @@ public static class TrajectoryExport
         return made.Unproven.Count > 0 ? [] : made.Files;
     }
 
-    /// <summary>Those whose equal steps do not keep the error that was asked for: nothing is written or run of them unless that is asked for all the
-    /// same.</summary>
+    /// <summary>Findings for trajectories whose equal steps exceed the requested error: they are not written or run unless the operator confirms it.</summary>
     public static IEnumerable<Diagnostic> NotKept(IEnumerable<DocumentTrajectory> trajectories) => trajectories
         .Where(one => one.SegmentLengthMm is not null && one.Curve.VerifiedBound > one.MaxErrorMm)
         .Select(one => TrajectoryRules.StepsRefused.At(default, one.Name, FactText.Of(one.Curve.VerifiedBound), FactText.Of(one.MaxErrorMm)));

@@ -5,16 +5,16 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A folder of trajectories: a file for each, and <see cref="ListName"/>, which names them in their order with the places where they start, for
-/// the XPS formats count from there.</summary>
+/// <summary>A folder of trajectories: a file for each, and <see cref="ListName"/>, which lists them in order with their start points, because XPS formats are
+/// relative to these.</summary>
 public static class TrajectoryFolder
 {
-    /// <summary>The list. It is written last, so that it never names a file that is not there.</summary>
+    /// <summary>Name of the list file. It is written last, so that it lists only existing files.</summary>
     public const string ListName = "trajectories.json";
 
-    /// <summary>Each file whole or not at all. What else is in the folder stays.</summary>
-    /// <exception cref="IOException">The place cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The place may not be written.</exception>
+    /// <summary>Writes each file atomically. Other files in the folder are kept.</summary>
+    /// <exception cref="IOException">The path cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the path is denied.</exception>
     public static void Write(string folder, IReadOnlyList<NamedTrajectory> trajectories, TrajectoryFormat format)
     {
         ArgumentNullException.ThrowIfNull(trajectories);
@@ -59,7 +59,7 @@ public static class TrajectoryFolder
     }
 }
 
-/// <summary>The names of the formats, as options have them.</summary>
+/// <summary>The names of the formats in options.</summary>
 public static class TrajectoryFormatName
 {
     private static readonly (TrajectoryFormat Format, string Name)[] s_names =

@@ -12,24 +12,25 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Trajectories as a job of a machine that has no splines: their curves become arcs and lines, and the run is judged by what the trajectories
-/// follow.</summary>
-/// <param name="Job">Its table is the source of the trajectories, so that the judge knows nothing of the splines; its path is theirs.</param>
-/// <param name="Trajectories">What is run, in this order.</param>
-/// <param name="Bound">No place of the path is farther from the source than this, millimetres: the largest proven bound and what the arcs add.</param>
+/// <summary>Trajectories as a job for a machine without splines: their curves are converted to arcs and lines, and the run is compared with the source of the
+/// trajectories.</summary>
+/// <param name="Job">Its table is the source of the trajectories, so that verification is independent of the splines; its path follows the
+/// trajectories.</param>
+/// <param name="Trajectories">The trajectories in run order.</param>
+/// <param name="Bound">Maximum distance of the path from the source, millimetres: the largest proven bound plus the error of the arcs.</param>
 public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajectory> Trajectories, double Bound)
 {
-    /// <summary>Ends of lines in space that are one, millimetres.</summary>
+    /// <summary>Tolerance for coincident ends of 3D lines, millimetres.</summary>
     private const double ExactJoint = 1e-6;
 
-    /// <summary>Height that counts as none, millimetres.</summary>
+    /// <summary>Heights below this count as zero, millimetres.</summary>
     private const double NoHeight = 1e-6;
 
-    /// <summary>Part of a count by which arcs may leave the spline.</summary>
+    /// <summary>Allowed error of the arcs relative to the spline, as a fraction of a count.</summary>
     private const double CountShare = 0.25;
 
-    /// <summary>The trajectories that stand beside the drawing; where none do, one for each run of each contour that is cut.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>Uses the trajectories of the sidecar, otherwise creates one for each run of each cut contour.</summary>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static TrajectoryJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -38,8 +39,8 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         return Prepare(drawing with { Diagnostics = [.. drawing.Diagnostics, .. findings] }, settings, trajectories, style);
     }
 
-    /// <summary>The trajectories that stand beside the drawing; where none do, one for each run of each contour that is cut.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>The trajectories of the sidecar, otherwise one for each run of each cut contour.</summary>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     public static (IReadOnlyList<DocumentTrajectory> Trajectories, IReadOnlyList<Diagnostic> Findings) Find(Drawing drawing, DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -49,7 +50,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         return (read.Sidecar is { Trajectories.All: { Count: > 0 } kept } ? kept : Planned(drawing, settings, findings), findings);
     }
 
-    /// <param name="trajectories">In the order in which they are run; the path from one to another is chosen by where they end.</param>
+    /// <param name="trajectories">In run order; the connecting moves depend on their end points.</param>
     public static TrajectoryJob Prepare(Drawing drawing, DrawingSettings settings, IReadOnlyList<DocumentTrajectory> trajectories, MotionStyle style)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -58,7 +59,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         var arcError = CountShare / settings.Machine.Scale.Largest;
         var rises = trajectories.Any(one => one.IsHelix);
         var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
-        if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, ExactJoint) }; // a chord of a helix may be shorter than what is joined in a drawing
+        if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
         var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [Raised(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
         var table = JobPreparation.Analyse(splines, own);
         var sequence = JobPreparation.Sequence(splines, table, own);
@@ -79,7 +80,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         RaisedSegment AtHeight(RaisedSegment raised) => settings.Machine.Height is null ? Raised(raised.Segment, 0.0) : raised;
     }
 
-    /// <summary>A warning where there are heights and no axis that holds the tool.</summary>
+    /// <summary>A warning if there are heights but no tool axis.</summary>
     private static IEnumerable<Diagnostic> Heights(IReadOnlyList<DocumentTrajectory> trajectories, MachineProfile machine)
     {
         double[] heights = [.. trajectories.SelectMany(one => one.Curve.Heights?.Skip(1).SkipLast(1) ?? [one.Curve.Z])];
@@ -105,16 +106,16 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
     }
 }
 
-/// <summary>The trajectories of a document that a job runs instead of the drawing.</summary>
-/// <param name="Drawing">Of the document.</param>
-/// <param name="Settings">Of the document.</param>
-/// <param name="Trajectories">In the order in which they are run.</param>
+/// <summary>The trajectories of a document that replace the drawing in a job.</summary>
+/// <param name="Drawing">Drawing of the document.</param>
+/// <param name="Settings">Settings of the document.</param>
+/// <param name="Trajectories">In run order.</param>
 public sealed record FollowedTrajectories(Drawing Drawing, DrawingSettings Settings, IReadOnlyList<DocumentTrajectory> Trajectories);
 
 /// <summary>Segments in millimetres as a drawing of one layer.</summary>
 internal static class TrajectorySheet
 {
-    /// <param name="like">File name, bytes, version and findings are taken from it.</param>
+    /// <param name="like">File name, bytes, version and findings are copied.</param>
     /// <param name="segments">Each becomes an entity at its height.</param>
     public static Drawing Of(Drawing like, IReadOnlyList<RaisedSegment> segments)
     {

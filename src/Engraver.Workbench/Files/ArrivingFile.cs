@@ -4,11 +4,10 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>A file that is read on a thread of its own from its beginning to its end, because on some computers the system needs as long to hand over 100
-/// MB as the reader of a drawing to understand half of them.</summary>
+/// <summary>A file that is read sequentially on a separate thread, because on some computers reading 100 MB takes as long as parsing half of it.</summary>
 public sealed class ArrivingFile : IArrivingBytes, IDisposable
 {
-    /// <summary>Bytes from which on a thread is worth while.</summary>
+    /// <summary>Minimum file size in bytes for a separate thread.</summary>
     public const long Large = 16_000_000;
 
     private const int Piece = 1 << 20;
@@ -18,14 +17,14 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
     private int _arrived;
     private string? _failure;
 
-    /// <param name="file">Closed when all is read, or nobody waits any more.</param>
+    /// <param name="file">Closed when everything is read or on dispose.</param>
     /// <param name="length">Bytes, above 0.</param>
     internal ArrivingFile(SafeFileHandle file, int length)
         : this(file, length, (bytes, at) => RandomAccess.Read(file, bytes.AsSpan(at, Math.Min(Piece, bytes.Length - at)), at))
     {
     }
 
-    /// <param name="read">Reads some bytes into an array at a place and says how many; 0 is the end.</param>
+    /// <param name="read">Reads bytes into an array at an offset and returns their number; 0 is the end.</param>
     internal ArrivingFile(IDisposable file, int length, Func<byte[], int, int> read)
     {
         (_file, _read, Bytes) = (file, read, GC.AllocateUninitializedArray<byte>(length));
@@ -34,10 +33,10 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
 
     public byte[] Bytes { get; }
 
-    /// <summary>Begins to read a file; null where it is better read in one piece: it is no larger than <paramref name="large"/>, larger than an array, or a
+    /// <summary>Starts reading a file; null if the file should be read at once: it is not larger than <paramref name="large"/>, larger than an array, or a
     /// stream.</summary>
     /// <exception cref="IOException">It cannot be opened.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static ArrivingFile? TryBegin(string path, long large = Large)
     {
         if (FileKind.IsStream(path)) return null;
@@ -66,7 +65,7 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
         }
     }
 
-    /// <summary>The rest is not wanted any more: who waits for it on another thread is told that it was not read.</summary>
+    /// <summary>Stops reading: a waiting thread receives a failure.</summary>
     public void Dispose() => Tell(0, Wording.Get("ArrivingFile.NotRead"));
 
     private bool IsWanted
@@ -77,7 +76,7 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
         }
     }
 
-    /// <summary>The file is closed before its last byte or its failure is told.</summary>
+    /// <summary>The file is closed before its last byte or its failure is reported.</summary>
     private void ReadAll()
     {
         var (at, last, failure) = (0, 0, default(string));
@@ -86,7 +85,7 @@ public sealed class ArrivingFile : IArrivingBytes, IDisposable
             do
             {
                 Tell(last, null);
-                (last, failure) = (0, Wording.Get("ArrivingFile.NotRead")); // where reading fails in a way that is not expected
+                (last, failure) = (0, Wording.Get("ArrivingFile.NotRead")); // An unexpected failure while reading.
                 (last, failure) = ReadPiece(at);
                 at += last;
             }

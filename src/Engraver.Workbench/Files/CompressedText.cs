@@ -3,21 +3,21 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>A text file that is compressed while it is written (gzip). Each flush of the writer makes everything before it readable, also when the program
-/// dies afterwards.</summary>
+/// <summary>A text file that is compressed while it is written (gzip). Each flush of the writer makes everything before it readable, even if the program
+/// crashes afterwards.</summary>
 public static class CompressedText
 {
     private static readonly UTF8Encoding s_utf8 = new(encoderShouldEmitUTF8Identifier: false);
 
-    /// <summary>Begins a file, in place of one that is there.</summary>
+    /// <summary>Creates a file, replacing an existing one.</summary>
     /// <exception cref="IOException">It cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static StreamWriter Create(string path) =>
         new(new GZipStream(new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read), CompressionLevel.Fastest), s_utf8, 1 << 14) { NewLine = "\n" };
 
-    /// <summary>Opens a file that was compressed, also one that a crash has cut off or that is still being written, or a plain text.</summary>
+    /// <summary>Opens a compressed file, also if it was truncated by a crash or is still being written, or a plain text file.</summary>
     /// <exception cref="IOException">It cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static StreamReader Open(string path)
     {
         var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
@@ -26,7 +26,7 @@ public static class CompressedText
         return new StreamReader(isCompressed ? new TornStream(new GZipStream(file, CompressionMode.Decompress)) : file, s_utf8);
     }
 
-    /// <summary>A compressed stream that ends where what was written can no longer be read.</summary>
+    /// <summary>A compressed stream that ends at the first unreadable byte.</summary>
     private sealed class TornStream(GZipStream inner) : Stream
     {
         public override bool CanRead => true;

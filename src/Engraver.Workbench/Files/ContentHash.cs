@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Files;
 /// <summary>SHA-256 as 64 hexadecimal digits.</summary>
 public static class ContentHash
 {
-    /// <summary>Of the bytes of a file; null when it cannot be read, or is a stream that can be read only once.</summary>
+    /// <summary>Hash of the bytes of a file; null if it cannot be read or is a stream, which can be read only once.</summary>
     public static string? OfFile(string path)
     {
         if (FileKind.IsStream(path)) return null;
@@ -21,6 +21,6 @@ public static class ContentHash
         }
     }
 
-    /// <summary>Of a text as it is written to a file: UTF-8.</summary>
+    /// <summary>Hash of a text in UTF-8.</summary>
     public static string OfText(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
 }

@@ -3,16 +3,16 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>What stands at a path: a file, which may be replaced, or a stream (a named pipe, a device, an open file of a process), whose bytes go to
-/// another program or device as they are written and which is never replaced.</summary>
+/// <summary>Distinguishes ordinary files, which may be replaced, from streams (named pipes, devices, open files of a process), which are written in place and
+/// not replaced.</summary>
 public static class FileKind
 {
     /// <summary>S_IFMT and S_IFREG of stat(2).</summary>
     private const int KindMask = 0xF000;
     private const int RegularFile = 0x8000;
 
-    /// <summary>True when a stream stands there, also behind a link: it is opened and written into, not replaced by a new file. False for an ordinary file
-    /// and where there is none yet. The path is not opened for this, because opening a pipe lets its other end go on.</summary>
+    /// <summary>True if the path is a stream, also through a link. False for an ordinary or missing file. Does not open the path, because opening a pipe would
+    /// unblock its other end.</summary>
     public static bool IsStream(string path)
     {
         var full = Path.GetFullPath(path);
@@ -20,12 +20,12 @@ public static class FileKind
         return IsAmongDevices(full) || (OperatingSystem.IsLinux() && Mode(full) is { } mode && (mode & KindMask) != RegularFile);
     }
 
-    /// <summary>The standard output may itself lead to an ordinary file; that of a process is written on, not replaced.</summary>
+    /// <summary>/dev/stdout may be redirected to an ordinary file; an open file of a process is appended to, not replaced.</summary>
     private static bool IsAmongDevices(string full) =>
         (full.StartsWith("/dev/", StringComparison.Ordinal) && !full.StartsWith("/dev/shm/", StringComparison.Ordinal)) || full.StartsWith("/proc/", StringComparison.Ordinal);
 
-    /// <summary>By statx(2), the one form of stat that is laid out alike on every processor.</summary>
-    /// <returns>Null when it cannot be asked.</returns>
+    /// <summary>Uses statx(2), whose structure is the same on all processors.</summary>
+    /// <returns>Null if it fails.</returns>
     private static int? Mode(string full)
     {
         const int WorkingFolder = -100;
@@ -38,7 +38,7 @@ public static class FileKind
         }
         catch (EntryPointNotFoundException)
         {
-            return null; // a C library from before 2018
+            return null; // C libraries before 2018 have no statx.
         }
     }
 

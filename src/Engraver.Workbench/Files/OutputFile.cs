@@ -2,13 +2,13 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. A device or a named pipe is opened and written
-/// instead, because a rename would put a file in its place.</summary>
+/// <summary>Writes a result atomically: to a temporary file beside the target, which is then renamed. Devices and named pipes are written in place, because a
+/// rename would replace them by a file.</summary>
 public static class OutputFile
 {
     /// <summary>Writes UTF-8 text with LF line ends.</summary>
-    /// <exception cref="IOException">The place cannot be written; nothing is left behind.</exception>
-    /// <exception cref="UnauthorizedAccessException">The place may not be written; nothing is left behind.</exception>
+    /// <exception cref="IOException">The path cannot be written; no file remains.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied; no file remains.</exception>
     public static void Write(string path, Action<TextWriter> write)
     {
         var target = TargetOf(path);
@@ -16,9 +16,9 @@ public static class OutputFile
         else Replace(target, write);
     }
 
-    /// <summary>For a result that is long in coming and comes only once: the place can be written now. Nothing is left there.</summary>
-    /// <exception cref="IOException">The place cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The place may not be written.</exception>
+    /// <summary>Checks before a long operation that the path can be written. Leaves no file.</summary>
+    /// <exception cref="IOException">The path cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static void Check(string path)
     {
         var target = TargetOf(path);

@@ -1,9 +1,7 @@
 namespace Engraver.Workbench.Files;
 
-/// <summary>A file that is being written beside the place it is for. It is gone when it is disposed of or when the process ends, whatever comes first; only
-/// a killed process leaves it.</summary>
-/// <remarks>A program that is stopped may end while another thread has half written a result; only a handler at the end of the process can then delete the
-/// file.</remarks>
+/// <summary>A temporary file beside its target. It is deleted on dispose or when the process ends; it remains only if the process is killed.</summary>
+/// <remarks>A stopped program may end while another thread is writing a result; then only a process exit handler can delete the file.</remarks>
 internal sealed class TemporaryFile : IDisposable
 {
     private readonly Lock _guard = new();
@@ -11,7 +9,7 @@ internal sealed class TemporaryFile : IDisposable
     private readonly string _path;
     private bool _over;
 
-    /// <summary>Chooses the temporary name; no file is made yet.</summary>
+    /// <summary>Chooses the temporary name without creating the file.</summary>
     public TemporaryFile(string target)
     {
         _target = target;
@@ -19,9 +17,9 @@ internal sealed class TemporaryFile : IDisposable
         AppDomain.CurrentDomain.ProcessExit += OnProcessExit;
     }
 
-    /// <exception cref="IOException">The place cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The place may not be written.</exception>
-    /// <exception cref="OperationCanceledException">The process ends.</exception>
+    /// <exception cref="IOException">The path cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
+    /// <exception cref="OperationCanceledException">The process is ending.</exception>
     public FileStream Create()
     {
         lock (_guard)
@@ -32,7 +30,7 @@ internal sealed class TemporaryFile : IDisposable
     }
 
     /// <summary>Replaces the target with what was written.</summary>
-    /// <exception cref="IOException">The place cannot be written, or the process ends.</exception>
+    /// <exception cref="IOException">The path cannot be written, or the process is ending.</exception>
     public void TakePlace() => File.Move(_path, _target, overwrite: true);
 
     public void Dispose()
@@ -41,7 +39,7 @@ internal sealed class TemporaryFile : IDisposable
         End();
     }
 
-    /// <summary>Deletes the file and lets no new one be made.</summary>
+    /// <summary>Deletes the file and prevents a new one.</summary>
     internal void End()
     {
         lock (_guard)
@@ -59,7 +57,7 @@ internal sealed class TemporaryFile : IDisposable
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            // The folder is gone or may not be written: the process ends, so nobody can be told.
+            // The folder does not exist or is not writable. The process is ending, so the error cannot be reported.
         }
     }
 }

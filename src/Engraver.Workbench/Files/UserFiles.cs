@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Files;
 
-/// <summary>Paths of the operator's own files, in one folder of the user's data.</summary>
+/// <summary>Paths of the operator's files in the user's data folder.</summary>
 public static class UserFiles
 {
     public static string Folder
@@ -15,6 +15,6 @@ public static class UserFiles
     /// <summary>The operator's aliases; the file need not exist.</summary>
     public static string Aliases => Path.Combine(Folder, "engraver.pgp");
 
-    /// <summary>The settings that the desktop keeps between two starts.</summary>
+    /// <summary>The persistent settings of the desktop.</summary>
     public static string DesktopSettingsFile => Path.Combine(Folder, "desktop.json");
 }

@@ -13,20 +13,20 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Histories;
 
-/// <summary>One job in the history: a run, or a program that was written. The date stands here and not in the journal, so that two equal runs have equal
+/// <summary>One job in the history: a run or a posted program. The date is stored here and not in the journal, so that equal runs have equal
 /// journals.</summary>
 public sealed record HistoryEntry
 {
-    /// <summary>The form of the entries that this program writes.</summary>
+    /// <summary>The version of entries that this program writes.</summary>
     public const int CurrentVersion = 1;
 
     public int Version { get; init; } = CurrentVersion;
 
-    /// <summary>By what it is named; the name of its file.</summary>
+    /// <summary>Its name, which is also its file name.</summary>
     [JsonIgnore]
     public string Id { get; init; } = "";
 
-    /// <summary>When it began, UTC.</summary>
+    /// <summary>Start time, UTC.</summary>
     public required DateTimeOffset Date { get; init; }
 
     /// <summary>run, dryRun, simulation or post.</summary>
@@ -35,32 +35,31 @@ public sealed record HistoryEntry
     /// <summary>Full path of the drawing.</summary>
     public required string Drawing { get; init; }
 
-    /// <summary>SHA-256 of its file at that time; null where it could not be read again.</summary>
+    /// <summary>SHA-256 of its file at that time; null if it could not be read again.</summary>
     public string? DrawingSha256 { get; init; }
 
     /// <summary>The trajectories of the drawing were run instead of the drawing.</summary>
     public bool RanTrajectories { get; init; }
 
-    /// <summary>Name of the post; of a run the one whose program the machine was sent.</summary>
+    /// <summary>Name of the post; for a run the post of the program sent to the machine.</summary>
     public required string Target { get; init; }
 
-    /// <summary>What was chosen for the post beside the settings: dialect, style and the others, by name; empty where everything was as usual.</summary>
+    /// <summary>Post options other than the settings, such as dialect and style, by name; empty if all are defaults.</summary>
     public IReadOnlyDictionary<string, string> Options { get; init; } = new Dictionary<string, string>();
 
-    /// <summary>How <see cref="Program"/> stood to its drawing when it was read back last; null where nobody did.</summary>
+    /// <summary>Result of the last read-back of <see cref="Program"/>; null if there was none.</summary>
     public HistoryReadBack? ReadBack { get; init; }
 
-    /// <summary>stream, calls or program; null for a program that was written.</summary>
+    /// <summary>stream, calls or program; null for a posted program.</summary>
     public string? Mode { get; init; }
 
-    /// <summary>Where the controller was; null for a program that was written.</summary>
+    /// <summary>Address of the controller; null for a posted program.</summary>
     public string? Address { get; init; }
 
-    /// <summary>As <c>run --json</c> has it; of a program <c>written</c>; <c>begun</c> of a run that has no end yet, or never got one because its program
-    /// was killed.</summary>
+    /// <summary>As in <c>run --json</c>; <c>written</c> for a program; <c>begun</c> for a run that is active or whose process was killed.</summary>
     public required string Outcome { get; init; }
 
-    /// <summary>How it ended, for people; empty where there is nothing to say.</summary>
+    /// <summary>The result as a displayed sentence; may be empty.</summary>
     public string Sentence { get; init; } = "";
 
     /// <summary>Controller time of a run; null for a program.</summary>
@@ -68,25 +67,25 @@ public sealed record HistoryEntry
 
     public double? PlannedSeconds { get; init; }
 
-    /// <summary>Millimetres; null where nothing is known.</summary>
+    /// <summary>Millimetres; null when unknown.</summary>
     public double? MaxDeviation { get; init; }
 
     public double? MissingLength { get; init; }
 
-    /// <summary>X, Y and Z as far as <see cref="MaxDeviation"/> is that of what was commanded, because steppers moved them and nothing tells whether they
-    /// followed; null for none.</summary>
+    /// <summary>Those of X, Y and Z for which <see cref="MaxDeviation"/> is based on commanded positions, because steppers have no feedback; null for
+    /// none.</summary>
     public IReadOnlyList<char>? OpenLoop { get; init; }
 
-    /// <summary>Full path; null where there is none, or where it went into a stream.</summary>
+    /// <summary>Full path; null if there is none or it was written to a stream.</summary>
     public string? Journal { get; init; }
 
-    /// <summary>Full path of the program that was written; null for none.</summary>
+    /// <summary>Full path of the posted program; null for none.</summary>
     public string? Program { get; init; }
 
-    /// <summary>Full path of the last report that was made of it; null for none.</summary>
+    /// <summary>Full path of its last report; null for none.</summary>
     public string? Report { get; init; }
 
-    /// <summary>The list before the start; null where nobody went through it.</summary>
+    /// <summary>The start checks; null if they were not run.</summary>
     public IReadOnlyList<HistoryCheck>? Checks { get; init; }
 
     /// <summary>By the keys of docs/settings.md.</summary>
@@ -96,7 +95,7 @@ public sealed record HistoryEntry
     public JsonElement Profile { get; init; }
 
     /// <summary>The settings with which the job can be run again.</summary>
-    /// <exception cref="FormatException">What was kept is no setting, or no profile that this program takes.</exception>
+    /// <exception cref="FormatException">The stored settings or profile are invalid.</exception>
     public DrawingSettings ToSettings()
     {
         var machine = Profile.ValueKind != JsonValueKind.Object ? MachineProfile.Default
@@ -104,23 +103,23 @@ public sealed record HistoryEntry
         return SettingWords.Read(Settings, machine);
     }
 
-    /// <summary>As <see cref="JobIdentity.Profile"/>; null where what was kept is no profile that this program takes.</summary>
+    /// <summary>Like <see cref="JobIdentity.Profile"/>; null if the stored profile is invalid.</summary>
     internal string? ProfileHash => Profile.ValueKind == JsonValueKind.Object && MachineProfileFile.Read(Profile.GetRawText(), MachineFamilies.Driver.Limits).Profile is { } machine ? JobIdentity.OfProfile(machine) : null;
 
-    /// <summary>Whether a word is found in what people know a job by.</summary>
+    /// <summary>Whether the displayed text of the job contains a word.</summary>
     public bool Holds(string word) =>
         ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, .. Options.Select(option => $"{option.Key} {option.Value}"), ReadBack is null ? null : ReadBackWord(ReadBack), string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
 
-    /// <summary>certified, verified or notVerified: as lists show it, and as it is searched for.</summary>
+    /// <summary>certified, verified or notVerified: the word used in lists and searches.</summary>
     public static string ReadBackWord(HistoryReadBack readBack)
     {
         ArgumentNullException.ThrowIfNull(readBack);
         return (readBack.Ok, readBack.Certificate) switch { (true, not null) => "certified", (true, null) => "verified", _ => "notVerified" };
     }
 
-    /// <summary>A run.</summary>
-    /// <param name="simulated">A simulated machine of its own ran it (CNCSIM).</param>
-    /// <param name="checks">The list before the start.</param>
+    /// <summary>Creates the entry of a run.</summary>
+    /// <param name="simulated">It ran on a separate simulated machine (CNCSIM).</param>
+    /// <param name="checks">The start checks.</param>
     public static HistoryEntry OfRun(PreparedJob job, MachineRunOptions options, MachineRunReport report, DateTimeOffset date, bool simulated, ArmingChecklist? checks)
     {
         ArgumentNullException.ThrowIfNull(report);
@@ -135,15 +134,15 @@ public sealed record HistoryEntry
         };
     }
 
-    /// <summary>A run that begins now.</summary>
+    /// <summary>Creates the entry of a run that starts now.</summary>
     public static HistoryEntry OfBegun(PreparedJob job, MachineRunOptions options, DateTimeOffset date, bool simulated) => Begun(job, options, JobOutcome.LinkLost, date, simulated, checks: null) with { Outcome = "begun", Sentence = Wording.Get("History.Unfinished") };
 
-    /// <summary>A run that never got hold of the machine.</summary>
+    /// <summary>Creates the entry of a run that could not connect to the machine.</summary>
     public static HistoryEntry OfLost(PreparedJob job, MachineRunOptions options, string sentence, DateTimeOffset date) => Begun(job, options, JobOutcome.LinkLost, date, simulated: false, checks: null) with { Sentence = sentence };
 
-    /// <summary>A program.</summary>
-    /// <param name="options">What was chosen for the post.</param>
-    /// <param name="file">Where it was written; null for standard output.</param>
+    /// <summary>Creates the entry of a posted program.</summary>
+    /// <param name="options">Options of the post.</param>
+    /// <param name="file">Its path; null for standard output.</param>
     public static HistoryEntry OfPost(string drawing, DrawingSettings settings, string target, IReadOnlyDictionary<string, string> options, string? file, DateTimeOffset date) => new()
     {
         Date = date.ToUniversalTime(),
@@ -180,16 +179,16 @@ public sealed record HistoryEntry
     }
 }
 
-/// <summary>What every version of an entry has, whatever its form.</summary>
+/// <summary>The common part of all versions of an entry.</summary>
 internal sealed record HistoryVersion(int Version = HistoryEntry.CurrentVersion);
 
-/// <summary>How a program stood to its drawing when it was read back.</summary>
-/// <param name="Date">When, UTC.</param>
-/// <param name="MaxDeviation">Millimetres; null where nothing is known.</param>
-/// <param name="Certificate">Full path of the certificate that was written of it; null for none.</param>
+/// <summary>Result of reading a program back.</summary>
+/// <param name="Date">Date, UTC.</param>
+/// <param name="MaxDeviation">Millimetres; null when unknown.</param>
+/// <param name="Certificate">Full path of its certificate; null for none.</param>
 public sealed record HistoryReadBack(bool Ok, DateTimeOffset Date, double? MaxDeviation, string? Certificate);
 
-/// <summary>A line of the list before a start.</summary>
+/// <summary>One start check.</summary>
 public sealed record HistoryCheck(bool Ok, bool Warning, string Sentence);
 
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", RespectNullableAnnotations = true)]

@@ -5,17 +5,17 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Histories;
 
-/// <summary>The index of every run and every program that was written: a folder with one file for each, so that several processes can write at a time and
-/// nothing is half written. The oldest ones go when there are too many.</summary>
+/// <summary>The index of all runs and posted programs: a folder with one file for each, so that several processes can write at the same time and files are
+/// complete. The oldest entries are deleted when there are too many.</summary>
 /// <remarks>Any thread.</remarks>
 public sealed class JobHistory
 {
-    /// <summary>Most entries that are kept.</summary>
+    /// <summary>Maximum number of entries.</summary>
     public const int MostEntries = 1000;
 
     private const string Ending = ".json";
 
-    /// <summary>Folder inside the index for files that are no entries.</summary>
+    /// <summary>Subfolder for invalid files.</summary>
     private const string Aside = "unreadable";
 
     private readonly Lock _guard = new();
@@ -23,21 +23,21 @@ public sealed class JobHistory
     private readonly int _most;
     private readonly List<HistoryEntry> _unkept = [];
 
-    /// <param name="folder">Null: the history ends with this object.</param>
-    /// <param name="most">Most entries.</param>
+    /// <param name="folder">Null: the history exists only in memory.</param>
+    /// <param name="most">Maximum number of entries.</param>
     public JobHistory(string? folder, int most = MostEntries) => (_folder, _most) = (folder, most);
 
-    /// <summary>Raised after <see cref="Known"/> has become another one, on the thread that changed it.</summary>
+    /// <summary>Raised after <see cref="Known"/> has changed, on the thread that changed it.</summary>
     public event EventHandler? Changed;
 
-    /// <summary>As it was when somebody looked last, with what this process has added since.</summary>
+    /// <summary>The entries of the last reading, plus those added by this process since.</summary>
     public HistoryReading Known { get; private set; } = new([], []);
 
     /// <summary>The folder beside the journals of a folder; null for the operator's data folder.</summary>
     public static string FolderIn(string? journals) => Path.Combine(journals ?? UserFiles.Folder, "history");
 
-    /// <summary>Adds an entry and lets the oldest go when there are too many.</summary>
-    /// <returns>The entry with its name, and why it could not be kept, without a full stop; null when it was.</returns>
+    /// <summary>Adds an entry and deletes the oldest ones when there are too many.</summary>
+    /// <returns>The entry with its name, and why it could not be written, without a full stop; null on success.</returns>
     public (HistoryEntry Entry, string? Failure) Add(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
@@ -45,7 +45,7 @@ public sealed class JobHistory
         return (named, Keep(named));
     }
 
-    /// <summary>Writes an entry anew, as with the report that was made of it.</summary>
+    /// <summary>Rewrites an entry, for example after a report was created.</summary>
     /// <returns>As for <see cref="Add"/>.</returns>
     public string? Keep(HistoryEntry entry)
     {
@@ -63,8 +63,8 @@ public sealed class JobHistory
         return failure;
     }
 
-    /// <summary>Notes with the entry that wrote a program how it was read back; nothing where the history does not know the program.</summary>
-    /// <param name="program">Its file.</param>
+    /// <summary>Stores the read-back result in the entry of a program; does nothing if the program has no entry.</summary>
+    /// <param name="program">Path of the program.</param>
     /// <returns>As for <see cref="Add"/>.</returns>
     public string? NoteReadBack(string program, HistoryReadBack found)
     {
@@ -73,8 +73,8 @@ public sealed class JobHistory
         return Look().Entries.FirstOrDefault(entry => entry.Program == path) is { } entry ? Keep(entry with { ReadBack = found }) : null;
     }
 
-    /// <summary>Takes an entry out again.</summary>
-    /// <returns>Why that failed, without a full stop; null when it is gone.</returns>
+    /// <summary>Removes an entry.</summary>
+    /// <returns>Why that failed, without a full stop; null on success.</returns>
     public string? Drop(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
@@ -89,7 +89,7 @@ public sealed class JobHistory
         return failure;
     }
 
-    /// <summary>Reads the index. A file that is no entry is moved aside and told of; an entry of a later version stays where it is, unread.</summary>
+    /// <summary>Reads the index. Invalid files are moved to a subfolder and reported; entries of a later version are skipped.</summary>
     public HistoryReading Look()
     {
         var (entries, findings) = (new List<HistoryEntry>(), new List<string>());
@@ -174,7 +174,7 @@ public sealed class JobHistory
         }
         catch (FileNotFoundException)
         {
-            // Another process has let it go meanwhile.
+            // Another process has deleted it.
         }
         catch (JsonException broken)
         {
@@ -203,21 +203,21 @@ public sealed class JobHistory
         }
     }
 
-    /// <summary>The oldest first: a name begins with the date.</summary>
+    /// <summary>The oldest first: names start with the date.</summary>
     private IEnumerable<string> Files() => _folder is not null && Directory.Exists(_folder) ? Directory.EnumerateFiles(_folder, "*" + Ending).Where(file => !FileKind.IsStream(file)).Order(StringComparer.Ordinal) : [];
 
     private string PathOf(string id) => Path.Combine(_folder!, id + Ending);
 }
 
-/// <summary>What the index holds.</summary>
+/// <summary>The contents of the index.</summary>
 /// <param name="Entries">The newest first.</param>
-/// <param name="Findings">A sentence for each file that is no entry.</param>
+/// <param name="Findings">A sentence for each invalid file.</param>
 public sealed record HistoryReading(IReadOnlyList<HistoryEntry> Entries, IReadOnlyList<string> Findings)
 {
-    /// <summary>The entry of a name, or of a number that counts from the newest, 1; null when there is none.</summary>
+    /// <summary>The entry with this name or number (1 is the newest); null if there is none.</summary>
     public HistoryEntry? Find(string word) =>
         Entries.FirstOrDefault(entry => entry.Id == word) ?? (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1 && number <= Entries.Count ? Entries[number - 1] : null);
 
-    /// <summary>The entries in which a word is found; all of them without one.</summary>
+    /// <summary>The entries that contain a word; all entries for null.</summary>
     public HistoryReading Holding(string? word) => word is null ? this : this with { Entries = [.. Entries.Where(entry => entry.Holds(word))] };
 }

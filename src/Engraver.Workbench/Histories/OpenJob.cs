@@ -1,14 +1,14 @@
 namespace Engraver.Workbench.Histories;
 
-/// <summary>A run that has begun and stands in the history as such until it ends, so that one whose program is killed is in the history too.</summary>
+/// <summary>A started run. Its entry is written at the start, so that a run whose process is killed is in the history too.</summary>
 public sealed class OpenJob : IDisposable
 {
     private readonly JobHistory _history;
     private readonly Action<string> _failed;
     private HistoryEntry? _begun;
 
-    /// <param name="begun">How it stands in the history meanwhile.</param>
-    /// <param name="failed">Told why the history could not be written, without a full stop.</param>
+    /// <param name="begun">The entry until the run ends.</param>
+    /// <param name="failed">Receives why the history could not be written, without a full stop.</param>
     public OpenJob(JobHistory history, HistoryEntry begun, Action<string> failed)
     {
         ArgumentNullException.ThrowIfNull(history);
@@ -17,7 +17,7 @@ public sealed class OpenJob : IDisposable
         Tell(failure);
     }
 
-    /// <summary>The run ended; what is told of it takes the place of what was begun.</summary>
+    /// <summary>Replaces the entry with the final one when the run has ended.</summary>
     public void End(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
@@ -26,7 +26,7 @@ public sealed class OpenJob : IDisposable
         Tell(_history.Keep(entry with { Id = begun.Id }));
     }
 
-    /// <summary>Without an end it was no run: nothing was done with a machine.</summary>
+    /// <summary>Without an end the entry is removed: no machine was used.</summary>
     public void Dispose()
     {
         if (_begun is not { } begun) return;

@@ -1,15 +1,15 @@
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The one job that a machine runs at a time, and what ends it before its end.</summary>
-/// <param name="over">Called when a job has ended, in whatever way, before the caller of <see cref="RunAsync{T}"/> is told.</param>
-/// <param name="changed">Called when one has begun and when it is over.</param>
+/// <summary>The job that a machine runs (one at a time), with its cancellation.</summary>
+/// <param name="over">Called when a job has ended for any reason, before <see cref="RunAsync{T}"/> returns.</param>
+/// <param name="changed">Called when a job has started and when it has ended.</param>
 internal sealed class ActiveJob(Action over, Action changed)
 {
     private readonly Lock _guard = new();
     private CancellationTokenSource? _stop;
     private Task _ended = Task.CompletedTask;
 
-    /// <summary>Ends the job under way; null when none is.</summary>
+    /// <summary>Cancels the running job; null if none runs.</summary>
     public CancellationTokenSource? Stop
     {
         get
@@ -19,10 +19,10 @@ internal sealed class ActiveJob(Action over, Action changed)
     }
 
     /// <summary>Runs a job, which <see cref="Stop"/> and the caller's token end.</summary>
-    /// <exception cref="InvalidOperationException">A job runs already.</exception>
+    /// <exception cref="InvalidOperationException">A job is already running.</exception>
     public async Task<T> RunAsync<T>(Func<CancellationToken, Task<T>> run, CancellationToken cancellation)
     {
-        var stop = new CancellationTokenSource(); // not disposed: a stop may come at any moment, and it holds no timer
+        var stop = new CancellationTokenSource(); // Not disposed: a stop may come at any time, and it has no timer.
         var ended = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         lock (_guard)
         {
@@ -45,7 +45,7 @@ internal sealed class ActiveJob(Action over, Action changed)
         }
     }
 
-    /// <summary>Ends the job under way and waits for its end.</summary>
+    /// <summary>Cancels the running job and waits for its end.</summary>
     public async Task EndAsync()
     {
         Task ended;

@@ -7,7 +7,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The values from which a status is made, in the controller's units. Immutable.</summary>
+/// <summary>The values from which a status is computed, in the controller's units. Immutable.</summary>
 internal sealed record MachineFacts
 {
     public static MachineFacts None { get; } = new();
@@ -18,13 +18,13 @@ internal sealed record MachineFacts
 
     public MachineIdentity? Identity { get; init; }
 
-    /// <summary>The last look; null before the first.</summary>
+    /// <summary>The last poll; null before the first.</summary>
     public MachineReading? Poll { get; init; }
 
-    /// <summary>True when a job has moved the machine since the last look.</summary>
+    /// <summary>True if a job has moved the machine since the last poll.</summary>
     public bool PollIsOld { get; init; }
 
-    /// <summary>Why the link is lost; null while it stands.</summary>
+    /// <summary>Why the link is lost; null while connected.</summary>
     public string? Lost { get; init; }
 
     public bool JobRuns { get; init; }
@@ -35,46 +35,46 @@ internal sealed record MachineFacts
 
     public double RapidRatio { get; init; } = 1.0;
 
-    /// <summary>Name, for people, of the move by hand under way; null while a job runs or nothing does.</summary>
+    /// <summary>Displayed name of the manual move in progress; null during a job and when idle.</summary>
     public string? MoveName { get; init; }
 
-    /// <summary>The tool stays off in the job that runs or ran last.</summary>
+    /// <summary>True if the tool stays off in the current or last job.</summary>
     public bool IsDryRun { get; init; }
 
-    /// <summary>Whether the job under way is held.</summary>
+    /// <summary>The feed hold state of the running job.</summary>
     public HoldPhase Hold { get; init; }
 
-    /// <summary>How the job ended whose progress is known; null while it runs, and once that job is history
+    /// <summary>Outcome of the job whose progress is shown; null while it runs and after it was dismissed
     /// (<see cref="MachineStatusModel.DismissJob"/>).</summary>
     public JobOutcome? Ended { get; init; }
 
-    /// <summary>Why the place of the drawing's zero is unknown, and what to do; null while it is known.</summary>
+    /// <summary>Why the position of the drawing's zero is unknown, and what to do; null while it is known.</summary>
     public Diagnostic? OriginMissing { get; init; }
 
-    /// <summary>Whether the machine was homed since power-on; null for one that is not homed at all.</summary>
+    /// <summary>Whether the machine was homed since power-on; null for a machine without homing.</summary>
     public bool? IsHomed { get; init; }
 
-    /// <summary>It is simulated, and counts as homed though nobody homed it.</summary>
+    /// <summary>A simulated machine that counts as homed without homing.</summary>
     public bool HomingIsAssumed { get; init; }
 
-    /// <summary>The last progress of the last job on this machine; a move by hand does not change it.</summary>
+    /// <summary>The last progress of the last job on this machine; manual moves do not change it.</summary>
     public JobProgress? Progress { get; init; }
 
-    /// <summary>The last progress of the job or the move by hand, whichever came last.</summary>
+    /// <summary>The last progress of a job or a manual move, whichever is newer.</summary>
     public JobProgress? Told { get; init; }
 
-    /// <summary>Controller counts at the drawing's zero, by the job that runs or ran last.</summary>
+    /// <summary>Controller counts at the drawing's zero, of the current or last job.</summary>
     public CountsPoint? Frame { get; init; }
 
     public string? LastRefusal { get; init; }
 
-    /// <summary>How the last job on <see cref="LastLink"/> ended; null before the first.</summary>
+    /// <summary>Outcome of the last job on <see cref="LastLink"/>; null before the first.</summary>
     public JobOutcome? LastOutcome { get; init; }
 
-    /// <summary>Where that was, also after the connection is gone.</summary>
+    /// <summary>Address of the last link, kept after disconnecting.</summary>
     public string? LastLink { get; init; }
 
-    /// <summary>The last look while it describes the present; null while a job runs and once the link is lost.</summary>
+    /// <summary>The last poll if it is current; null while a job runs and after the link was lost.</summary>
     private MachineReading? Now => JobRuns || Lost is not null ? null : Poll;
 
     /// <summary>Time of the last answer of the controller.</summary>
@@ -139,7 +139,7 @@ internal sealed record MachineFacts
         _ => (MachineState.Ready, ""),
     };
 
-    /// <summary>The state while a job or a move of this program is under way; each says whether the tool stays off.</summary>
+    /// <summary>The state during a job or a move of this program, and whether the tool stays off.</summary>
     private (MachineState State, string Reason) AtWork()
     {
         var dry = IsDryRun && MoveName is null ? Wording.Get("MachineFacts.ToolStaysOff") : "";
@@ -154,14 +154,14 @@ internal sealed record MachineFacts
         };
     }
 
-    /// <summary>By the last look: the tool's output, or its height below the retract height; null where neither is known.</summary>
+    /// <summary>From the last poll: the tool output, or the tool height relative to the retract height; null if unknown.</summary>
     private bool? IsToolOn(MachineProfile profile) => profile.Height is null
         ? Now?.Outputs is { } outputs ? profile.Tool.IsOn(outputs) : null
         : Now is { } look && Frame is { } frame ? profile.IsLower(look.Position.Z - frame.Z, profile.RetractCounts) : null;
 
-    /// <summary>Position in controller counts; the last known one when the link is lost.</summary>
+    /// <summary>Position in controller counts; the last known one if the link is lost.</summary>
     private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Told is { } told
-        ? told.Place + (Frame ?? default) // without a frame only a move by hand reports positions, by the controller's zero
+        ? told.Place + (Frame ?? default) // Without a frame only a manual move reports positions, relative to the controller's zero.
         : Poll?.Position;
 
     private static EngravedProgress Engraved(MachineProfile profile, in JobProgress told) =>
@@ -170,15 +170,15 @@ internal sealed record MachineFacts
     private static Point2D Millimetres(MachineProfile profile, CountsPoint counts) => profile.Scale.ToMillimetres(counts.X, counts.Y);
 }
 
-/// <summary>How far a hold of the job under way has come.</summary>
+/// <summary>State of a feed hold.</summary>
 internal enum HoldPhase
 {
-    /// <summary>The job runs.</summary>
+    /// <summary>Not held.</summary>
     None,
 
-    /// <summary>A hold was asked for; the machine brakes.</summary>
+    /// <summary>A hold was requested; the machine decelerates.</summary>
     Braking,
 
-    /// <summary>The machine stands.</summary>
+    /// <summary>The machine is stopped.</summary>
     Held,
 }

@@ -7,25 +7,24 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>One move by hand on a machine that stays connected.</summary>
-/// <param name="Name">For the journal.</param>
-/// <param name="Doing">For the state, while it lasts.</param>
-/// <param name="Journal">Path of the journal to which the state found in the controller is written, so that it can be restored after a crash.</param>
-/// <param name="Refuse">Why it may not be made, by where the machine stands; null: it may.</param>
-/// <param name="Make">The motion; its options hold the soft limits that are in force.</param>
+/// <summary>One manual move of a connected machine.</summary>
+/// <param name="Name">Name in the journal.</param>
+/// <param name="Doing">Displayed state during the move.</param>
+/// <param name="Journal">Path of the journal that stores the initial state of the controller for recovery after a crash.</param>
+/// <param name="Refuse">Returns why the move is refused for the machine's position; null: allowed.</param>
+/// <param name="Make">Executes the motion; its options contain the active soft limits.</param>
 internal sealed record MachineMove(
     string Name, string Doing, string Journal, Func<MachineMemory, ControllerPlace, Diagnostic?> Refuse, Func<IMachineConnection, MotionProgram, JobOptions, CancellationToken, Task<JobResult>> Make)
 {
-    /// <summary>The move that is made instead, once it is heard where the machine stands; null: this one. Asked only where <see cref="Refuse"/> does not
-    /// refuse.</summary>
+    /// <summary>Returns the actual move after the machine's position is known; null: this move. Called only if <see cref="Refuse"/> allows it.</summary>
     private Func<MachineMemory, ControllerPlace, MachineMove>? Aim { get; init; }
 
-    /// <summary>The machine's own profile, by which it was homed, where the move is made by another one; null where by it.</summary>
+    /// <summary>The machine's own profile, by which it was homed, if the move uses another one; otherwise null.</summary>
     private MachineProfile? Known { get; init; }
 
-    /// <summary>To a place, counts of the controller.</summary>
-    /// <param name="withHeight">The height is part of the place; otherwise it stays as it is.</param>
-    /// <param name="isStep">The place is told from where the machine stands: then it need not be homed.</param>
+    /// <summary>A move to a position, counts of the controller.</summary>
+    /// <param name="withHeight">Z moves too; otherwise it is unchanged.</param>
+    /// <param name="isStep">The position is relative to the current one, so the machine need not be homed.</param>
     public static MachineMove To(CountsPoint goal, bool withHeight, bool isStep, MachineProfile profile, string journal, IProgress<JobProgress> progress) => new(
         isStep ? "CNCJOG" : "CNCGOTO",
         isStep ? Wording.Get("MachineSession.Jogging") : Wording.Get("MachineSession.Positioning"),
@@ -39,9 +38,8 @@ internal sealed record MachineMove(
         },
         (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight, options, progress, stop));
 
-    /// <summary>To a place in plan, told by the controller's own zero. A tool that an axis holds goes up to its clearance height over the work first, where
-    /// it is lower.</summary>
-    /// <param name="goal">Counts of the controller; its height is not looked at.</param>
+    /// <summary>A move to an XY position relative to the controller's zero. A tool axis below the clearance height is raised first.</summary>
+    /// <param name="goal">Counts of the controller; its height is ignored.</param>
     public static MachineMove GoTo(CountsPoint goal, MachineProfile profile, string journal, IProgress<JobProgress> progress)
     {
         var flat = To(goal, withHeight: false, isStep: false, profile, journal, progress);
@@ -52,7 +50,7 @@ internal sealed record MachineMove(
         };
     }
 
-    /// <summary>As long as a key is held.</summary>
+    /// <summary>A continuous jog.</summary>
     public static MachineMove Jog(JogControl control, string journal, IProgress<JobProgress> progress) => new(
         "CNCJOG",
         Wording.Get("MachineSession.Jogging"),
@@ -60,7 +58,7 @@ internal sealed record MachineMove(
         (_, _) => null,
         (machine, program, options, stop) => machine.JogAsync(program, control, options, progress, stop));
 
-    /// <summary>Jogs one after the other.</summary>
+    /// <summary>A standby for consecutive jogs.</summary>
     public static MachineMove StandBy(JogStandby standby, string journal, IProgress<JobProgress> progress) => new(
         "CNCJOG",
         Wording.Get("MachineSession.Jogging"),
@@ -68,8 +66,8 @@ internal sealed record MachineMove(
         (_, _) => null,
         (machine, program, options, stop) => machine.StandByAsync(program, standby, options, progress, stop));
 
-    /// <summary>A test move to a place, counts of the controller, whatever is known of the origins.</summary>
-    /// <param name="known">The machine's own profile, by which it was homed and which tells its travel in millimetres.</param>
+    /// <summary>A test move to a position, counts of the controller, independent of the origins.</summary>
+    /// <param name="known">The machine's own profile, by which it was homed and which defines its travel in millimetres.</param>
     public static MachineMove Test(CountsPoint goal, MachineProfile known, string journal, IProgress<JobProgress> progress) => new(
         "CNCCOMMISSION",
         Wording.Get("MachineSession.Positioning"),
@@ -77,7 +75,7 @@ internal sealed record MachineMove(
         (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, goal, withHeight: true) : null,
         (machine, program, options, stop) => machine.GoToAsync(program, goal, withHeight: true, options, progress, stop)) { Known = known };
 
-    /// <summary>Along a path from where the machine stands, tool off.</summary>
+    /// <summary>A move along a path from the current position, tool off.</summary>
     /// <param name="known">The machine's own profile, by which it was homed.</param>
     public static MachineMove Path(MotionProgram path, MachineProfile known, string journal, IProgress<JobProgress> progress) => new(
         "CNCCOMMISSION",
@@ -86,7 +84,7 @@ internal sealed record MachineMove(
         (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, path, place.Position, dryRun: true) : null,
         (machine, _, options, stop) => machine.RunAsync(path, options, progress, stop)) { Known = known };
 
-    /// <summary>The tool's output on for the settle time, at standstill.</summary>
+    /// <summary>Switches the tool output on for the settle time, at standstill.</summary>
     /// <param name="known">The machine's own profile, by which it was homed.</param>
     public static MachineMove Pulse(MachineProfile known, string journal) => new(
         "CNCCOMMISSION",
@@ -95,9 +93,9 @@ internal sealed record MachineMove(
         (_, _) => null,
         (machine, program, options, stop) => machine.Setup!.PulseAsync(program, options with { DryRun = false }, stop)) { Known = known };
 
-    /// <param name="hold">The reservation of the machine by this host, with what is kept of it.</param>
-    /// <param name="start">Where the machine stands, in the frame in which progress is reported.</param>
-    /// <exception cref="Engraver.Core.Machines.ControllerException">The link never came up.</exception>
+    /// <param name="hold">The lease of the machine with its stored state.</param>
+    /// <param name="start">Start position in the frame of the reported progress.</param>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link could not be established.</exception>
     public async Task<JobResult> RunAsync(MachineConnection connection, MachineHold hold, MachineProfile profile, CountsPoint start, CancellationToken stop)
     {
         using var clock = connection.TakeClock();

@@ -2,28 +2,28 @@ using System.Text.RegularExpressions;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>What the machine is doing, as far as the controller can say.</summary>
+/// <summary>State of the machine as reported by the controller.</summary>
 public enum MachineState
 {
     /// <summary>No controller is connected.</summary>
     Offline,
 
-    /// <summary>The link stands; the controller has not told its state yet.</summary>
+    /// <summary>Connected; the controller has not reported its state yet.</summary>
     Connected,
 
-    /// <summary>The motor of an axis that is needed is off.</summary>
+    /// <summary>The motor of a required axis is off.</summary>
     MotorsOff,
 
-    /// <summary>The profile says how the machine is homed, and it was not since power-on.</summary>
+    /// <summary>The profile configures homing, and the machine was not homed since power-on.</summary>
     NotHomed,
 
-    /// <summary>The place of the drawing's zero is unknown.</summary>
+    /// <summary>The position of the drawing's zero is unknown.</summary>
     NoOrigin,
 
-    /// <summary>The machine stands and a job may be armed.</summary>
+    /// <summary>The machine is stopped and a job may be armed.</summary>
     Ready,
 
-    /// <summary>Everything was checked: START works.</summary>
+    /// <summary>All checks passed: START is enabled.</summary>
     Armed,
 
     /// <summary>A job of this program runs and cuts.</summary>
@@ -32,22 +32,22 @@ public enum MachineState
     /// <summary>A job of this program runs with the tool off.</summary>
     DryRun,
 
-    /// <summary>A hold was asked for and the machine is still braking.</summary>
+    /// <summary>A feed hold was requested and the machine is decelerating.</summary>
     Holding,
 
-    /// <summary>A job is held: the machine stands on its path, tool off or up, and can resume.</summary>
+    /// <summary>A job is held: the machine is stopped on its path, tool off or raised, and can resume.</summary>
     Held,
 
-    /// <summary>A stop was asked for and the machine is still braking.</summary>
+    /// <summary>A stop was requested and the machine is decelerating.</summary>
     Stopping,
 
-    /// <summary>The last job ended before its end; the machine stands.</summary>
+    /// <summary>The last job ended early; the machine is stopped.</summary>
     Stopped,
 
-    /// <summary>DONE: the last job went to its end; the machine stands.</summary>
+    /// <summary>DONE: the last job completed; the machine is stopped.</summary>
     Complete,
 
-    /// <summary>The last job went to its end and did not cut what is drawn; the machine stands.</summary>
+    /// <summary>The last job completed but the cut differs from the drawing; the machine is stopped.</summary>
     Deviated,
 
     /// <summary>The operator moves the machine: a jog, a move to a position, homing, a frame run.</summary>
@@ -63,19 +63,19 @@ public enum MachineState
     EmergencyStopOpen,
 }
 
-/// <summary>Groups of states, and their names for people and for programs.</summary>
+/// <summary>Groups of states, and their displayed and contract names.</summary>
 public static partial class MachineStates
 {
-    /// <summary>True while a job of this program is under way, also while it is held.</summary>
+    /// <summary>True during a job of this program, also during a feed hold.</summary>
     public static bool IsJob(this MachineState state) => state is MachineState.Running or MachineState.DryRun or MachineState.Holding or MachineState.Held or MachineState.Stopping;
 
-    /// <summary>True while something moves, or may move without another command. False for a held job.</summary>
+    /// <summary>True while the machine moves, or may move without another command. False for a held job.</summary>
     public static bool IsMotion(this MachineState state) => state is not MachineState.Held && (state.IsJob() || state is MachineState.Moving or MachineState.Busy);
 
-    /// <summary>True when the machine stands without a fault, so that the next job may be armed.</summary>
+    /// <summary>True if the machine is stopped without a fault, so that the next job may be armed.</summary>
     public static bool IsReady(this MachineState state) => state is MachineState.Ready or MachineState.Armed or MachineState.Stopped or MachineState.Complete or MachineState.Deviated;
 
-    /// <summary>The name for people, upper case.</summary>
+    /// <summary>The displayed name, upper case.</summary>
     public static string Said(this MachineState state) => Wording.Get("State." + state);
 
     /// <summary>The name in the runner's contract, the same in every language.</summary>

@@ -4,39 +4,39 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>What is known of the machine at one moment. Immutable; null is unknown.</summary>
+/// <summary>Snapshot of the machine's status. Immutable; null means unknown.</summary>
 public sealed record MachineStatus
 {
     public static MachineStatus Offline { get; } = new();
 
     public MachineState State { get; init; }
 
-    /// <summary>The reason of the state where it has one (a limit switch, a lost link); empty otherwise.</summary>
+    /// <summary>The reason of the state if there is one (a limit switch, a lost link); empty otherwise.</summary>
     public string Reason { get; init; } = "";
 
     /// <summary>The address of the controller; null while none is connected.</summary>
     public string? Link { get; init; }
 
-    /// <summary>The model as the controller names itself.</summary>
+    /// <summary>The model reported by the controller.</summary>
     public string? Controller { get; init; }
 
-    /// <summary>True for a controller that lives in this process.</summary>
+    /// <summary>True for a simulated controller in this process.</summary>
     public bool IsSimulation { get; init; }
 
-    /// <summary>The commanded position by the controller's own zero (_RPA, _RPB), mm; the last that is known once the link is lost, when everything else is
-    /// null.</summary>
+    /// <summary>The commanded position relative to the controller's zero (_RPA, _RPB), mm; the last known one after the link was lost, when all other values
+    /// are null.</summary>
     public Point2D? MachinePosition { get; init; }
 
-    /// <summary>Of the Z axis by the controller's own zero, mm; null on a machine without one.</summary>
+    /// <summary>Z position relative to the controller's zero, mm; null without a Z axis.</summary>
     public double? MachineHeight { get; init; }
 
-    /// <summary>The tool's height over the drawing's zero, mm; null where <see cref="WorkPosition"/> is, and on a machine without a Z axis.</summary>
+    /// <summary>Tool height above the drawing's zero, mm; null if <see cref="WorkPosition"/> is, and without a Z axis.</summary>
     public double? WorkHeight { get; init; }
 
-    /// <summary>Position in drawing millimetres, by the frame of the job that runs or ran last; null before the first.</summary>
+    /// <summary>Position in drawing millimetres, in the frame of the current or last job; null before the first.</summary>
     public Point2D? WorkPosition { get; init; }
 
-    /// <summary>How far the motors are from their command (_TEA, _TEB), mm; known while no job runs.</summary>
+    /// <summary>Following error (_TEA, _TEB), mm; known while no job runs.</summary>
     public Vector2D? FollowingError { get; init; }
 
     /// <summary>Speed along the path, mm/s; 0 at rest.</summary>
@@ -48,7 +48,7 @@ public sealed record MachineStatus
     /// <summary>Outputs 1 to 8, bit 0 is output 1 (_OP0).</summary>
     public int? Outputs { get; init; }
 
-    /// <summary>Whether the tool output is switched on; what the tool does is not wired back.</summary>
+    /// <summary>Whether the tool output is on; the tool has no feedback.</summary>
     public bool? ToolCommanded { get; init; }
 
     /// <summary>Motors of all axes are on.</summary>
@@ -57,61 +57,62 @@ public sealed record MachineStatus
     /// <summary>The controller's letters of the axes whose motor is off; null when unknown.</summary>
     public string? MotorsOff { get; init; }
 
-    /// <summary>The limit that is hit, for example "forward limit of axis A"; empty when none is.</summary>
+    /// <summary>The active limit, for example "forward limit of axis A"; empty if none.</summary>
     public string Limit { get; init; } = "";
 
-    /// <summary>Number and text of the last refusal that was heard from this controller; null when there was none.</summary>
+    /// <summary>Number and text of the last refusal from this controller; null if there was none.</summary>
     public string? LastRefusal { get; init; }
 
-    /// <summary>How the last job on this controller ended; null before the first.</summary>
+    /// <summary>Outcome of the last job on this controller; null before the first.</summary>
     public JobOutcome? LastOutcome { get; init; }
 
-    /// <summary>The last progress of the job that runs, or that has ended and is still shown; null otherwise, so never that of another drawing.</summary>
+    /// <summary>The last progress of the running job, or of an ended job that is still shown; null otherwise, so that the progress of another drawing is not
+    /// shown.</summary>
     public EngravedProgress? Progress { get; init; }
 
-    /// <summary>Factor of the programmed feed that the operator asked for.</summary>
+    /// <summary>Feed override requested by the operator, a factor of the programmed feed.</summary>
     public double FeedRatio { get; init; } = 1.0;
 
-    /// <summary>The factor that is in force: less than asked for where arcs and bends of the job under way do not bear it.</summary>
+    /// <summary>The feed override in force: lower than requested if arcs and corners of the running job limit it.</summary>
     public double FeedInForce { get; init; } = 1.0;
 
-    /// <summary>Factor of the rapid speed.</summary>
+    /// <summary>Rapid override, a factor of the rapid speed.</summary>
     public double RapidRatio { get; init; } = 1.0;
 
     /// <summary>Time at which arming ends; null while not armed.</summary>
     public DateTimeOffset? ArmedUntil { get; init; }
 
-    /// <summary>True when the tool stays off in the job that is armed, runs or has just ended.</summary>
+    /// <summary>True if the tool stays off in the job that is armed, running or just ended.</summary>
     public bool IsDryRun { get; init; }
 
-    /// <summary>Whether the machine was homed since power-on; null for one that is not homed at all.</summary>
+    /// <summary>Whether the machine was homed since power-on; null for a machine without homing.</summary>
     public bool? IsHomed { get; init; }
 
-    /// <summary>It is simulated, and counts as homed though nobody homed it.</summary>
+    /// <summary>A simulated machine that counts as homed without homing.</summary>
     public bool HomingIsAssumed { get; init; }
 
-    /// <summary>True when the controller answers no more; the other values are then the last known ones.</summary>
+    /// <summary>True if the controller no longer answers; the other values are then the last known ones.</summary>
     public bool IsLinkLost { get; init; }
 
-    /// <summary>Why the place of the drawing's zero is unknown, and what to do; null while it is known.</summary>
+    /// <summary>Why the position of the drawing's zero is unknown, and what to do; null while it is known.</summary>
     public Diagnostic? OriginMissing { get; init; }
 
     /// <summary>Time of the last answer of the controller.</summary>
     public DateTimeOffset Time { get; init; }
 }
 
-/// <summary>The progress of a job by the controller's own count of segments: earlier ones are engraved, later ones are still to do.</summary>
-/// <param name="Stroke">Place in <see cref="Engraver.Core.Machines.MotionProgram.Strokes"/> of the stroke under way.</param>
-/// <param name="SegmentsDone">Segments of the whole motion program that are done, in the order of cutting.</param>
-/// <param name="SegmentCount">How many there are.</param>
+/// <summary>The progress of a job by the controller's segment counter: earlier segments are engraved, later ones are not.</summary>
+/// <param name="Stroke">Index of the current stroke in <see cref="Engraver.Core.Machines.MotionProgram.Strokes"/>.</param>
+/// <param name="SegmentsDone">Number of completed segments of the whole motion program.</param>
+/// <param name="SegmentCount">Total number of segments.</param>
 /// <param name="Position">Drawing millimetres.</param>
-/// <param name="ToolOn">The tool output, as the controller says.</param>
-/// <param name="Seconds">Controller time since the job began.</param>
+/// <param name="ToolOn">State of the tool output reported by the controller.</param>
+/// <param name="Seconds">Controller time since the start of the job.</param>
 public sealed record EngravedProgress(int Stroke, int SegmentsDone, int SegmentCount, Point2D Position, bool ToolOn, double Seconds)
 {
-    /// <summary>The controller runs a vector sequence: the place is on the segment after those that are done.</summary>
+    /// <summary>The controller runs a vector sequence: the position is on the segment after the completed ones.</summary>
     public bool IsOnPath { get; init; }
 
-    /// <summary>From 0 to 1, by segments.</summary>
+    /// <summary>Completed fraction by segments, 0 to 1.</summary>
     public double Fraction => SegmentCount == 0 ? 0.0 : (double)SegmentsDone / SegmentCount;
 }

@@ -5,8 +5,7 @@ using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>What is known of the machine, gathered from the watch and from jobs, with the alarms and the arming that follow from it. Any thread; it sends
-/// nothing.</summary>
+/// <summary>Status of the machine, collected from polls and jobs, with the resulting alarms and arming. Any thread; it sends nothing.</summary>
 internal sealed class MachineStatusModel : IDisposable
 {
     private readonly Lock _guard = new();
@@ -15,11 +14,11 @@ internal sealed class MachineStatusModel : IDisposable
     private MachineFacts _facts = MachineFacts.None;
     private MachineProfile _profile = MachineProfile.Default;
 
-    /// <summary>A job that has ended and whose alarm waits for the next look at the controller: that shows whether a limit or an input ended it, which is
-    /// then the only alarm.</summary>
+    /// <summary>An ended job whose alarm is deferred to the next poll, which shows whether a limit or an input ended it; then only that alarm is
+    /// raised.</summary>
     private JobResult? _ended;
 
-    /// <summary>True once the alarm of a lost link was raised, by the job or by the watch.</summary>
+    /// <summary>True after the alarm of a lost link was raised by the job or by a poll.</summary>
     private volatile bool _lossIsTold;
 
     public MachineStatusModel(TimeProvider time, Action changed)
@@ -70,8 +69,8 @@ internal sealed class MachineStatusModel : IDisposable
         }
     }
 
-    /// <summary>Notes a new connection. The outcome of the last job is kept when the address is the same, but not that of a simulated controller, which is
-    /// new each time.</summary>
+    /// <summary>Notes a new connection. The outcome of the last job is kept if the address is the same, but not that of a simulated controller, which is new
+    /// each time.</summary>
     public void Connected(string link, bool isSimulation, MachineIdentity identity) => Change(before => new MachineFacts
     {
         FeedRatio = before.FeedRatio,
@@ -90,7 +89,7 @@ internal sealed class MachineStatusModel : IDisposable
         DisarmOrTell();
     }
 
-    /// <summary>Takes a look of the watch; a difference from the one before disarms.</summary>
+    /// <summary>Processes a poll; a difference from the previous one disarms.</summary>
     public void Seen(MachineReading poll)
     {
         MachineReading? before;
@@ -128,27 +127,27 @@ internal sealed class MachineStatusModel : IDisposable
         MachineAlarms.Refused(Alarms, refused, Link);
     }
 
-    /// <summary>Notes the refusal of a typed line. It raises no alarm, because the operator sees it where it was typed.</summary>
+    /// <summary>Notes the refusal of a typed line. It raises no alarm, because the operator sees the answer.</summary>
     public void NoteRefusal(string text) => Change(facts => facts with { LastRefusal = text });
 
     public void JobBegins(bool isDryRun) => Begins(facts => facts with { Progress = null, Ended = null, IsDryRun = isDryRun, MoveName = null });
 
-    /// <summary>Notes the begin of a move by hand; the progress of the last job stays known.</summary>
-    /// <param name="name">The name of the move, for people.</param>
+    /// <summary>Notes the start of a manual move; the progress of the last job is kept.</summary>
+    /// <param name="name">The displayed name of the move.</param>
     public void MoveBegins(string name) => Begins(facts => facts with { MoveName = name });
 
-    /// <summary>The job under way is asked to hold, or to go on; once it stands, and once it goes on, it says so itself.</summary>
+    /// <summary>Notes that a feed hold or a resume was requested; the job reports when it has stopped and when it continues.</summary>
     public void HoldAsked(bool held) => Change(facts => facts with { Hold = (facts.Hold, held) switch { (HoldPhase.None, true) when facts.JobRuns => HoldPhase.Braking, (HoldPhase.Braking, false) => HoldPhase.None, _ => facts.Hold } });
 
-    /// <summary>Forgets the job that ended last, because another one is armed, or another drawing or origin is shown.</summary>
+    /// <summary>Dismisses the last job, because another one is armed, or the drawing or the origin has changed.</summary>
     public void DismissJob() => Change(facts => facts.JobRuns ? facts : facts with { Progress = null, Ended = null, IsDryRun = false });
 
-    /// <summary>Notes whether the place of the drawing's zero is known.</summary>
+    /// <summary>Notes whether the position of the drawing's zero is known.</summary>
     /// <param name="missing">Why it is unknown and what to do; null when it is known.</param>
     public void OriginIs(Diagnostic? missing) => Change(facts => facts with { OriginMissing = missing });
 
-    /// <param name="isHomed">Null for a machine that is not homed at all.</param>
-    /// <param name="isAssumed">It is simulated, and nobody homed it.</param>
+    /// <param name="isHomed">Null for a machine without homing.</param>
+    /// <param name="isAssumed">The machine is simulated and was not homed.</param>
     public void HomedIs(bool? isHomed, bool isAssumed) => Change(facts => facts with { IsHomed = isHomed, HomingIsAssumed = isAssumed });
 
     private void Begins(Func<MachineFacts, MachineFacts> also)
@@ -158,13 +157,13 @@ internal sealed class MachineStatusModel : IDisposable
         DisarmOrTell();
     }
 
-    /// <summary>Notes the place of the drawing's zero.</summary>
+    /// <summary>Notes the position of the drawing's zero.</summary>
     /// <param name="frame">Controller counts; null when unknown.</param>
     public void Placed(CountsPoint? frame) => Change(facts => facts with { Frame = frame });
 
     public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, Told = progress, SeenAt = _time.GetUtcNow(), Hold = HoldOf(facts.Hold, progress.Phase) });
 
-    /// <summary>A hold that was asked for and that the job has not noticed yet stays asked for.</summary>
+    /// <summary>A requested feed hold that the job has not processed yet remains requested.</summary>
     private static HoldPhase HoldOf(HoldPhase before, JobPhase phase) => phase switch
     {
         JobPhase.Held => HoldPhase.Held,
@@ -181,7 +180,7 @@ internal sealed class MachineStatusModel : IDisposable
         TellEnd(result);
     }
 
-    /// <summary>Raises the alarm of a job's end: of a lost link at once, of any other end after the next look.</summary>
+    /// <summary>Raises the alarm of a job's end: a lost link at once, any other end after the next poll.</summary>
     private void TellEnd(JobResult result)
     {
         if (result.Outcome != JobOutcome.LinkLost)
@@ -194,14 +193,14 @@ internal sealed class MachineStatusModel : IDisposable
         _lossIsTold = true;
     }
 
-    /// <summary>Notes the end of a move by hand; frame and outcome of the last job stay known.</summary>
+    /// <summary>Notes the end of a manual move; frame and outcome of the last job are kept.</summary>
     public void MoveEnds(JobResult result)
     {
         Change(facts => facts with { LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal });
         TellEnd(result);
     }
 
-    /// <summary>Where the machine stands in the frame of the last job, or by its own zero before the first.</summary>
+    /// <summary>Position in the frame of the last job, or relative to the controller's zero before the first.</summary>
     public CountsPoint Here
     {
         get
@@ -210,13 +209,13 @@ internal sealed class MachineStatusModel : IDisposable
         }
     }
 
-    /// <summary>Notes that no job or move is under way any more.</summary>
+    /// <summary>Notes that no job or move is active.</summary>
     public void JobIsOver() => Change(facts => facts with { JobRuns = false, Stopping = false, Hold = HoldPhase.None, MoveName = null });
 
-    /// <summary>The operator wants another speed.</summary>
+    /// <summary>Notes new overrides.</summary>
     public void Overridden(double feed, double rapid) => Change(facts => facts with { FeedRatio = feed, RapidRatio = rapid });
 
-    /// <summary>Notes that a stop was requested. The change is raised later, by <see cref="StopSent"/>, because sending the stop comes first.</summary>
+    /// <summary>Notes that a stop was requested. The change is raised later by <see cref="StopSent"/>, because the stop must be sent first.</summary>
     public void StopAsked() => Change(facts => facts with { Stopping = facts.JobRuns });
 
     /// <summary>Notes that the stop was sent.</summary>
@@ -229,7 +228,7 @@ internal sealed class MachineStatusModel : IDisposable
         lock (_guard) _facts = change(_facts);
     }
 
-    /// <summary>Disarms, which raises the change, or raises it.</summary>
+    /// <summary>Disarms, which raises the change; otherwise raises the change directly.</summary>
     private void DisarmOrTell()
     {
         if (!Arming.Disarm()) _changed();

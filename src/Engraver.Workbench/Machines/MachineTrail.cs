@@ -2,12 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>Where the machine came from: its last places by the controller's own zero, millimetres, the latest one last. Any thread.</summary>
+/// <summary>The recent path of the machine: its last positions relative to the controller's zero, millimetres, the latest last. Any thread.</summary>
 public sealed class MachineTrail
 {
     private const int MaxPlaces = 400;
 
-    /// <summary>A smaller step is no new place, millimetres.</summary>
+    /// <summary>Minimum distance between recorded positions, millimetres.</summary>
     private const double MinStep = 0.005;
 
     private readonly Lock _guard = new();
@@ -16,7 +16,7 @@ public sealed class MachineTrail
     private Point2D? _last;
     private bool _isHoming;
 
-    /// <summary>The same list until the machine has moved.</summary>
+    /// <summary>Returns the same list until the machine moves.</summary>
     public IReadOnlyList<Point2D> Places
     {
         get
@@ -25,7 +25,7 @@ public sealed class MachineTrail
         }
     }
 
-    /// <summary>The machine homes: its zero changes under way, and places before and after it do not belong together.</summary>
+    /// <summary>True during homing: the zero changes, so positions before and after it are not connected.</summary>
     internal bool IsHoming
     {
         set

@@ -8,10 +8,8 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>Handles of its own by which a connected controller is looked at while no job runs, and by which a stop, an abort and a typed line reach
-/// it.</summary>
-/// <remarks>While a job runs the watch is paused: the job polls, and nothing is asked twice. A serial line has one wire only: there the watch is closed for
-/// the job.</remarks>
+/// <summary>Separate handles that poll a connected controller while no job runs, and that carry stop, abort and typed lines.</summary>
+/// <remarks>Polling is paused during a job, because the job polls. A serial line has only one connection: there it is closed for the job.</remarks>
 internal sealed class MachineWatch : IAsyncDisposable
 {
     private static readonly TimeSpan s_interval = TimeSpan.FromMilliseconds(100);
@@ -27,40 +25,40 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     public MachineIdentity Identity => _machine.Identity;
 
-    /// <summary>True on a link that cannot carry the watch and a job together.</summary>
+    /// <summary>True if the link cannot carry polling and a job at the same time.</summary>
     public bool IsSingleWire => _machine.Capabilities.IsSingleWire;
 
     public bool IsBroken => _machine.IsBroken;
 
-    /// <summary>Null where the controller's wiring cannot be told.</summary>
+    /// <summary>Null if the controller does not support wiring settings.</summary>
     public IMachineSetup? Setup => _machine.Setup;
 
-    /// <param name="axes">Those that a job would move, as the profile of the moment has them.</param>
-    /// <exception cref="ControllerException">Nobody answers.</exception>
+    /// <param name="axes">The axes of the current profile.</param>
+    /// <exception cref="ControllerException">The controller does not answer.</exception>
     public static async Task<MachineWatch> OpenAsync(MachineConnection connection, Func<MachineAxes> axes, TimeProvider time, CancellationToken cancellation) =>
         new(await connection.ShakeHandsAsync(time, cancellation).ConfigureAwait(false), axes, time);
 
-    /// <summary>One look, now.</summary>
+    /// <summary>Polls the controller once.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => _machine.LookAsync(_axes(), cancellation);
 
-    /// <summary>Where the machine stands and whether it still counts from the same zero.</summary>
+    /// <summary>Returns the position and whether the controller's zero is unchanged.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => _machine.LocateAsync(axes, cancellation);
 
-    /// <summary>Sets a work origin by where the machine stands.</summary>
-    /// <returns>Why not; null when it was set.</returns>
-    /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
+    /// <summary>Sets a work origin at the current position.</summary>
+    /// <returns>Why it was not set; null on success.</returns>
+    /// <exception cref="ControllerException">The link failed, or the origin cannot be stored.</exception>
     public Task<Diagnostic?> SetOriginAsync(MachineProfile profile, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation) => JobPlacement.SetOriginAsync(_machine, profile, hold, set, _time, cancellation);
 
-    /// <summary>Looks ten times a second until <see cref="PauseAsync"/>, or until the link fails.</summary>
+    /// <summary>Polls ten times a second until <see cref="PauseAsync"/> or until the link fails.</summary>
     public void Resume(Action<MachineReading> seen, Action<ControllerException> lost)
     {
         _stopLooking = new CancellationTokenSource();
         _looking = LookOnAsync(seen, lost, _stopLooking.Token);
     }
 
-    /// <summary>Stops looking; returns when the last question has been answered.</summary>
+    /// <summary>Stops polling; returns after the last reply.</summary>
     public async Task PauseAsync()
     {
         if (_stopLooking is not { } looking) return;
@@ -70,21 +68,21 @@ internal sealed class MachineWatch : IAsyncDisposable
         looking.Dispose();
     }
 
-    /// <summary>Takes the next text that programs of the controller have printed.</summary>
+    /// <summary>Removes the next text printed by controller programs.</summary>
     public bool TryTakeMessage([NotNullWhen(true)] out string? message) => _machine.TryTakeMessage(out message);
 
-    /// <summary>The operator's typed line.</summary>
+    /// <summary>Sends a line typed by the operator.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _machine.AnswerAsync(line, cancellation);
 
-    /// <summary>Where an interrupted job is to go on.</summary>
+    /// <summary>Finds the resume position of an interrupted job.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation) => _machine.FindResumeAsync(program, mode, journal, cancellation);
 
-    /// <summary>Tool off, the path and every axis brake.</summary>
+    /// <summary>Switches the tool off and decelerates the path and every axis.</summary>
     public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => _machine.StopAsync(outputs);
 
-    /// <summary>Every motion halts at once and every program ends, tool off, motors off.</summary>
+    /// <summary>Halts every motion without deceleration, ends every program, switches tool and motors off.</summary>
     public Task AbortAsync(IReadOnlyList<OutputSwitch> outputs) => _machine.AbortAsync(outputs);
 
     /// <summary>Switches the motors of both axes.</summary>

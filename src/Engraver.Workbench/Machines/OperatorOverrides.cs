@@ -2,8 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The factors of feed and rapid speed that the operator wants, for the job under way and those that follow; and that job's control. Any
-/// thread.</summary>
+/// <summary>The feed and rapid overrides for the running job and the following ones, and the control of the running job. Any thread.</summary>
 internal sealed class OperatorOverrides
 {
     private readonly Lock _guard = new();
@@ -11,7 +10,7 @@ internal sealed class OperatorOverrides
     private double _rapid = 1.0;
     private JobControl? _control;
 
-    /// <summary>Of the job under way; null while none can be held.</summary>
+    /// <summary>Control of the running job; null if there is none.</summary>
     public JobControl? Control
     {
         get
@@ -20,7 +19,7 @@ internal sealed class OperatorOverrides
         }
     }
 
-    /// <summary>A job begins.</summary>
+    /// <summary>Starts a job.</summary>
     public JobControl Begin()
     {
         lock (_guard) return _control = new JobControl { FeedRatio = _feed, RapidRatio = _rapid };
@@ -31,7 +30,7 @@ internal sealed class OperatorOverrides
         lock (_guard) _control = null;
     }
 
-    /// <returns>What is in the range of both.</returns>
+    /// <returns>The overrides limited to their ranges.</returns>
     public (double Feed, double Rapid) Set(double? feed, double? rapid)
     {
         lock (_guard)

@@ -2,12 +2,12 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>Whether the operator's side of a continuous jog is there: the front end says again and again that it lives and is before the operator, and a
-/// jog of which nobody hears is released from another thread. Any thread.</summary>
-/// <remarks>A front end that hangs does not hear that a key is released; the dead-man in the controller hears only that this process lives.</remarks>
+/// <summary>Monitors the front end during a continuous jog: it must signal periodically that it is responsive and has the focus. A jog without signals is
+/// released from another thread. Any thread.</summary>
+/// <remarks>A hanging front end does not notice that a key is released, and the watchdog in the controller only monitors this process.</remarks>
 public sealed class OperatorPresence(TimeProvider time, Action changed)
 {
-    /// <summary>Signs are given this often.</summary>
+    /// <summary>Interval of the signals.</summary>
     public static readonly TimeSpan Beat = TimeSpan.FromMilliseconds(50);
 
     private static readonly TimeSpan s_patience = TimeSpan.FromMilliseconds(300);
@@ -17,7 +17,7 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
     private long _heard;
     private long _looked;
 
-    /// <summary>A jog is under way or about to begin, which needs signs.</summary>
+    /// <summary>True while a jog is active or starting and signals are required.</summary>
     public bool IsNeeded
     {
         get
@@ -26,7 +26,7 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
         }
     }
 
-    /// <summary>A key goes down: from now on signs are needed, until the jog is disposed of.</summary>
+    /// <summary>A key is pressed: signals are required until the jog is disposed.</summary>
     public HeldJog Begin(JogVelocity velocity)
     {
         var jog = new HeldJog(new JogControl(velocity), End);
@@ -41,13 +41,13 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
         return jog;
     }
 
-    /// <summary>The front end lives and is before the operator.</summary>
+    /// <summary>Signals that the front end is responsive and has the focus.</summary>
     public void Sign()
     {
         lock (_guard) _heard = time.GetTimestamp();
     }
 
-    /// <summary>The operator has left: every jog is released. The brake is commanded on this thread; its answer is not waited for.</summary>
+    /// <summary>The operator has left: releases every jog. The stop is sent on this thread without waiting for the reply.</summary>
     public void Leave()
     {
         foreach (var jog in Jogs()) jog.Lose(isLate: false);
@@ -57,7 +57,7 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
     {
         lock (_guard)
         {
-            var isHeldUp = time.GetElapsedTime(_looked) > 2 * Beat; // this side was held up itself: what was said meanwhile may be heard right after it
+            var isHeldUp = time.GetElapsedTime(_looked) > 2 * Beat; // This process itself was delayed: pending signals may be processed right after this.
             _looked = time.GetTimestamp();
             if (isHeldUp || time.GetElapsedTime(_heard) < s_patience) return;
         }
@@ -86,7 +86,7 @@ public sealed class OperatorPresence(TimeProvider time, Action changed)
     }
 }
 
-/// <summary>One continuous jog: it lives as long as its key is held and the front end gives its signs (<see cref="OperatorPresence"/>). Any thread.</summary>
+/// <summary>One continuous jog: it moves while its key is pressed and the front end sends signals (<see cref="OperatorPresence"/>). Any thread.</summary>
 public sealed class HeldJog : IDisposable
 {
     private readonly TaskCompletionSource<bool> _lost = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -94,19 +94,18 @@ public sealed class HeldJog : IDisposable
 
     internal HeldJog(JogControl control, Action<HeldJog> end) => (Control, _end) = (control, end);
 
-    /// <summary>The key is no longer held, whoever said so.</summary>
+    /// <summary>True after the jog was released for any reason.</summary>
     public bool IsReleased => Control.Released.IsCompleted;
 
-    /// <summary>Completes when the jog is released though nobody released the key: true because the front end was not heard, false because the operator
-    /// left it.</summary>
+    /// <summary>Completes when the jog is released without a key release: true for missing signals, false if the operator has left.</summary>
     public Task<bool> Lost => _lost.Task;
 
     internal JogControl Control { get; }
 
-    /// <summary>Another speed in the same direction.</summary>
+    /// <summary>Changes the speed in the same direction.</summary>
     public void Steer(double mmPerMinute) => Control.Velocity = Control.Velocity.At(mmPerMinute);
 
-    /// <summary>The key is released: the machine brakes. The brake is commanded on this thread; its answer is not waited for.</summary>
+    /// <summary>The key is released: the machine decelerates. The stop is sent on this thread without waiting for the reply.</summary>
     public void Release() => Control.Release();
 
     public void Dispose()

@@ -3,22 +3,22 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The connection of a machine session and the watch that polls the controller while no job runs. Nothing is connected at first.</summary>
-/// <remarks>Properties may be read from any thread; the session connects, disconnects and pauses for a job, one call after the other.</remarks>
-/// <param name="axes">Those that a job would move, as the profile of the moment has them.</param>
+/// <summary>The connection of a machine session, with the polling of the controller while no job runs. Initially not connected.</summary>
+/// <remarks>Properties may be read from any thread; the session connects, disconnects and pauses for a job, one call at a time.</remarks>
+/// <param name="axes">The axes of the current profile.</param>
 internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axes, Action<MachineReading> seen, Action<ControllerException> lost)
 {
     private readonly Lock _guard = new();
     private MachineWatch? _watch;
 
-    /// <summary>Null while none is connected.</summary>
+    /// <summary>Null if not connected.</summary>
     public MachineConnection? Connection { get; private set; }
 
     public ControllerAddress? Address { get; private set; }
 
     public MachineIdentity? Identity { get; private set; }
 
-    /// <summary>Null while none is connected, and on a single wire while a job has it.</summary>
+    /// <summary>Null if not connected, and on a single connection during a job.</summary>
     public MachineWatch? Watch
     {
         get
@@ -27,9 +27,9 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    /// <summary>Shakes hands and looks once; watching begins with <see cref="ResumeAsync"/> or <see cref="Resume"/>.</summary>
-    /// <param name="profile">Where the switches of a simulated machine lie.</param>
-    /// <exception cref="ControllerException">Nobody answers there; nothing is connected then.</exception>
+    /// <summary>Performs the handshake and polls once; periodic polling starts with <see cref="ResumeAsync"/> or <see cref="Resume"/>.</summary>
+    /// <param name="profile">Defines the switches of a simulated machine.</param>
+    /// <exception cref="ControllerException">The controller does not answer; nothing is connected.</exception>
     public async Task<MachineReading> OpenAsync(ControllerAddress address, MachineProfile profile, CancellationToken cancellation)
     {
         var connection = MachineConnection.To(address, time, profile: profile);
@@ -48,11 +48,11 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    /// <summary>Begins to poll the controller.</summary>
+    /// <summary>Starts polling the controller.</summary>
     public void Resume() => Watch?.Resume(seen, lost);
 
-    /// <summary>From now on nothing is connected; what was is still open and is the caller's.</summary>
-    /// <returns>Null when nothing was connected.</returns>
+    /// <summary>Detaches the connection, which remains open and is owned by the caller.</summary>
+    /// <returns>Null if not connected.</returns>
     public (MachineConnection Connection, MachineWatch? Watch)? Take()
     {
         lock (_guard)
@@ -64,7 +64,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    /// <summary>Pauses the watch for a job; on a single wire closes it.</summary>
+    /// <summary>Pauses polling for a job; closes it on a single connection.</summary>
     public async Task GiveWayAsync()
     {
         if (Watch is not { } watch) return;
@@ -74,7 +74,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         await watch.DisposeAsync().ConfigureAwait(false);
     }
 
-    /// <summary>After a job the machine is watched again; a watch that was lost with the job's link is opened anew, once.</summary>
+    /// <summary>Resumes polling after a job; if it was lost with the job's link, it is reopened once.</summary>
     public async Task ResumeAsync(MachineConnection connection)
     {
         try
@@ -88,8 +88,8 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    /// <summary>One look after a pause, which shows whether the link was cut meanwhile.</summary>
-    /// <returns>Null when it is lost.</returns>
+    /// <summary>Polls once after a pause, to detect a lost link.</summary>
+    /// <returns>Null if it is lost.</returns>
     private async Task<MachineReading?> LookAgainAsync()
     {
         try
@@ -110,10 +110,10 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         return await watch.LookAsync(CancellationToken.None).ConfigureAwait(false);
     }
 
-    /// <summary>Runs an act over the watch without waiting for it; a failure is reported if that watch is still in use.</summary>
+    /// <summary>Runs an action on the polling connection without waiting for it; a failure is reported if that connection is still in use.</summary>
     public void ActUrgently(MachineWatch watch, Func<MachineWatch, Task> act) => UrgentThread.Run(() => _ = UrgentlyAsync(watch, act));
 
-    /// <summary>Brakes the axes and switches the tool off; does nothing without a watch. A failure is reported.</summary>
+    /// <summary>Decelerates the axes and switches the tool off; does nothing without a polling connection. A failure is reported.</summary>
     public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => Watch is { } watch ? UrgentlyAsync(watch, one => one.StopAsync(outputs)) : Task.CompletedTask;
 
     private async Task UrgentlyAsync(MachineWatch watch, Func<MachineWatch, Task> act)
@@ -129,9 +129,9 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     }
 }
 
-/// <summary>A thread for one act that must not wait for the caller, the window's thread or a busy pool.</summary>
+/// <summary>Runs an urgent action on a new thread, independent of the caller, the UI thread and the thread pool.</summary>
 internal static class UrgentThread
 {
-    /// <summary>Begins the act at once and returns.</summary>
+    /// <summary>Starts the action and returns.</summary>
     public static void Run(Action act) => new Thread(() => act()) { IsBackground = true, Name = "stop", Priority = ThreadPriority.Highest }.Start();
 }

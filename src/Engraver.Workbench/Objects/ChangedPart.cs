@@ -3,19 +3,19 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Objects;
 
-/// <summary>A part of a drawing that is to be replaced.</summary>
-/// <param name="Index">Into the drawing's parts.</param>
-/// <param name="Part">What takes its place; of an ellipse or spline the part as it was.</param>
+/// <summary>A replacement of a part of a drawing.</summary>
+/// <param name="Index">Index into the drawing's parts.</param>
+/// <param name="Part">The new part; for an ellipse or spline the old part.</param>
 /// <param name="Curve">The new ellipse or spline; null for a line, arc or circle.</param>
 public sealed record ChangedPart(int Index, DrawingPart Part, RationalCurve? Curve)
 {
-    /// <summary>In plan, drawing units.</summary>
+    /// <summary>Its projection to XY, drawing units.</summary>
     public Segment Segment => Curve is null ? Part.InPlan() : Segment.FromCurve(Curve);
 
-    /// <summary>It is within the range of a drawing and did not vanish.</summary>
+    /// <summary>True if it is within the range of a drawing and did not vanish.</summary>
     public bool IsSound => Segment.Bounds is var box && Fits(box.MinX) && Fits(box.MaxX) && Fits(box.MinY) && Fits(box.MaxY) && (box.Width > 0.0 || box.Height > 0.0) && Segment.Length > 0.0;
 
-    /// <summary>A part that is moved as it is.</summary>
+    /// <summary>A moved part.</summary>
     public static ChangedPart Moved(Drawing drawing, int index, Vector2D way)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -23,10 +23,10 @@ public sealed record ChangedPart(int Index, DrawingPart Part, RationalCurve? Cur
         return part.IsFreeCurve ? new ChangedPart(index, part, drawing.Curves[part.CurveIndex].Mapped(map)) : new ChangedPart(index, part.Transformed(map), null);
     }
 
-    /// <summary>A part of which nothing would be left.</summary>
+    /// <summary>A part that would vanish.</summary>
     public static ChangedPart Vanished(int index) => new(index, DrawingPart.Line(0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), null);
 
-    /// <summary>The drawing with these parts; curves of before stay, because an undone step may refer to them.</summary>
+    /// <summary>The drawing with these parts; old curves are kept, because undo steps may refer to them.</summary>
     public static Drawing Apply(Drawing drawing, IReadOnlyList<ChangedPart> changes)
     {
         ArgumentNullException.ThrowIfNull(drawing);

@@ -4,16 +4,16 @@ using Engraver.Core.Geometry.Constructions;
 
 namespace Engraver.Workbench.Objects;
 
-/// <summary>Drags grips: what becomes of the parts of the objects they belong to. Drawing units; heights stay.</summary>
+/// <summary>Computes the parts of objects after dragging their grips. Drawing units; heights are unchanged.</summary>
 public static class GripStretch
 {
-    /// <summary>A side with less bulge than this is straight.</summary>
+    /// <summary>Below this bulge a side is straight.</summary>
     private const double LeastBulge = 1e-8;
 
-    /// <summary>The parts that change, as they are then; null where something would vanish: a line without length, an arc without radius.</summary>
+    /// <summary>The changed parts; null if something would vanish: a line without length, an arc without radius.</summary>
     /// <param name="drawing">The drawing.</param>
-    /// <param name="hot">Grips in one place.</param>
-    /// <param name="to">Where that place goes.</param>
+    /// <param name="hot">Grips at one point.</param>
+    /// <param name="to">The new position.</param>
     public static IReadOnlyList<ChangedPart>? Changes(Drawing drawing, IReadOnlyList<Grip> hot, Point2D to)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -39,7 +39,7 @@ public static class GripStretch
         return [segment.Start, segment.End];
     }
 
-    /// <summary>Null when neither end moves.</summary>
+    /// <summary>Null if neither end moves.</summary>
     private static ChangedPart? Stretched(Drawing drawing, int index, List<Point2D> moving, Vector2D way)
     {
         ref var part = ref drawing.Parts[index];
@@ -48,11 +48,11 @@ public static class GripStretch
         var (start, end) = (moving.Exists(place => ObjectGrips.AreOne(place, segment.Start)), moving.Exists(place => ObjectGrips.AreOne(place, segment.End)));
         if (!start && !end) return null;
         if (start && end) return ChangedPart.Moved(drawing, index, way);
-        if (part.IsFreeCurve && part.Kind != SegmentKind.Spline) return ChangedPart.Vanished(index); // one span of an elliptical arc bent would be no ellipse
+        if (part.IsFreeCurve && part.Kind != SegmentKind.Spline) return ChangedPart.Vanished(index); // One bent span of an elliptical arc would not be an ellipse.
         return part.IsFreeCurve ? new ChangedPart(index, part, BentEnd(segment.Curve, start, way)) : Between(index, part, start ? segment.Start + way : segment.Start, end ? segment.End + way : segment.End);
     }
 
-    /// <summary>A line, or an arc of the same included angle, between two places.</summary>
+    /// <summary>A line, or an arc of the same included angle, between two points.</summary>
     private static ChangedPart Between(int index, in DrawingPart part, Point2D start, Point2D end)
     {
         if (part.Kind == SegmentKind.Line) return new ChangedPart(index, DrawingPart.Line(part.Entity, start.X, start.Y, part.C, end.X, end.Y, part.F), null);
@@ -73,15 +73,15 @@ public static class GripStretch
         return Math.Abs(bulge) < LeastBulge && drawing.Entities[grip.Entity].PartCount > 1 ? new ChangedPart(index, DrawingPart.Line(part.Entity, segment.Start.X, segment.Start.Y, part.C, segment.End.X, segment.End.Y, part.C), null) : ChangedPart.Vanished(index);
     }
 
-    /// <summary>Bulge (tangent of a quarter of the sweep) of the arc from one place to another through a third; 0 when they lie on a line.</summary>
-    /// <remarks>Seen from the third place the chord spans half of the rest of the turn: sweep = 360 degrees - 2 x that angle, by the theorem of the
-    /// inscribed angle.</remarks>
+    /// <summary>Bulge (tangent of a quarter of the sweep) of the arc from one point to another through a third; 0 if they are collinear.</summary>
+    /// <remarks>From the third point the chord subtends half of the remaining turn: sweep = 360 degrees - 2 x that angle, by the theorem of the inscribed
+    /// angle.</remarks>
     private static double BulgeThrough(Point2D start, Point2D end, Point2D through)
     {
         var (a, b) = (start - through, end - through);
         var seen = Math.Atan2(Math.Abs(a.Cross(b)), a.Dot(b));
         var bulge = Math.Tan((Math.PI - seen) / 2.0);
-        return a.Cross(b) > 0.0 ? -bulge : bulge; // a place to the left of the chord: clockwise
+        return a.Cross(b) > 0.0 ? -bulge : bulge; // A point to the left of the chord: clockwise.
     }
 
     /// <summary>An open spline whose first or last control point has moved.</summary>
@@ -96,7 +96,7 @@ public static class GripStretch
         return new RationalCurve(curve.Kind, spans);
     }
 
-    /// <summary>A whole ellipse with the axis through a place as long as the way from the centre to another.</summary>
+    /// <summary>A full ellipse whose axis through one point has the distance of another point from the centre as length.</summary>
     private static RationalCurve WithAxis(in Segment segment, Point2D axisEnd, Point2D to)
     {
         var centre = ObjectGrips.CentreOf(segment)!.Value;

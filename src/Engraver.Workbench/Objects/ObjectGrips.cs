@@ -3,25 +3,24 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Objects;
 
-/// <summary>The grips of selected objects: the places by which they can be dragged. Drawing units.</summary>
-/// <remarks>A line has its ends (stretch) and its middle (move); an arc its ends, a middle that bends it and its centre; a circle its centre and four
-/// places of its radius; a polyline its vertices and the
-/// middles of its sides; a whole ellipse its centre and the ends of its axes; an open spline its ends and a middle that moves it; any other curve a middle
-/// that moves it.</remarks>
+/// <summary>The grips of selected objects: the points by which they can be dragged. Drawing units.</summary>
+/// <remarks>A line has its ends (stretch) and its middle (move); an arc its ends, a middle that bends it and its centre; a circle its centre and its four
+/// quadrants; a polyline its vertices and the middles of its sides; a full ellipse its centre and the ends of its axes; an open spline its ends and a middle
+/// that moves it; any other curve a middle that moves it.</remarks>
 public static class ObjectGrips
 {
-    /// <summary>With more objects selected than this no grips are shown (AutoCAD's GRIPOBJLIMIT).</summary>
+    /// <summary>Maximum number of selected objects with grips (AutoCAD's GRIPOBJLIMIT).</summary>
     public const int MostObjects = 100;
 
-    /// <summary>Grips that are shown at most.</summary>
+    /// <summary>Maximum number of shown grips.</summary>
     private const int MostGrips = 2000;
 
-    /// <summary>Grips nearer to each other than this part of their coordinates are in one place.</summary>
+    /// <summary>Tolerance for coincident grips, relative to their coordinates.</summary>
     private const double OnePlace = 1e-9;
 
     private const int SpansOfWholeEllipse = 4;
 
-    /// <summary>The grips of a selection, in its order; none of a large one, and none of an object on a locked layer.</summary>
+    /// <summary>The grips of a selection, in its order; empty for a large selection, without objects on locked layers.</summary>
     public static IEnumerable<Grip> Find(Drawing drawing, IReadOnlyList<int> selection)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -29,7 +28,7 @@ public static class ObjectGrips
         return selection.Count > MostObjects ? [] : selection.Where(entity => entity < drawing.Entities.Count && !drawing.Layers[drawing.Entities[entity].Layer].Locked).SelectMany(entity => Find(drawing, entity)).Take(MostGrips);
     }
 
-    /// <summary>The grips that a press at a place takes: the nearest one, and all that lie on it; none where the nearest is farther away than
+    /// <summary>The grips hit by a press at a point: the nearest one and all coincident ones; empty if the nearest is farther away than
     /// <paramref name="reach"/>.</summary>
     public static IReadOnlyList<Grip> At(Drawing drawing, IReadOnlyList<int> selection, Point2D place, double reach)
     {
@@ -65,7 +64,7 @@ public static class ObjectGrips
         return segment is { Kind: SegmentKind.Spline, IsClosed: false } ? [(GripKind.Vertex, segment.Start), (GripKind.Vertex, segment.End), (GripKind.Whole, segment.PointAt(0.5))] : [(GripKind.Whole, segment.PointAt(0.5))];
     }
 
-    /// <summary>Centre of a whole ellipse; null for any other curve.</summary>
+    /// <summary>Centre of a full ellipse; null for any other curve.</summary>
     internal static Point2D? CentreOf(in Segment segment)
     {
         if (segment.Kind != SegmentKind.Ellipse || !segment.IsClosed || segment.Curve.Spans.Length != SpansOfWholeEllipse) return null;
@@ -79,14 +78,14 @@ public static class ObjectGrips
         Enumerable.Range(0, 4).Select(quadrant => (GripKind.Radius, circle.Centre + Vector2D.FromPolar(circle.Radius, Angle.FromDegrees(90.0 * quadrant))));
 }
 
-/// <summary>A place by which an object can be dragged.</summary>
+/// <summary>A point by which an object can be dragged.</summary>
 /// <param name="Entity">Index into the drawing's entities.</param>
 /// <param name="Part">Index into the drawing's parts.</param>
-/// <param name="Kind">What dragging it does.</param>
+/// <param name="Kind">Effect of dragging it.</param>
 /// <param name="Place">Drawing units.</param>
 public readonly record struct Grip(int Entity, int Part, GripKind Kind, Point2D Place);
 
-/// <summary>What dragging a grip does.</summary>
+/// <summary>Effect of dragging a grip.</summary>
 public enum GripKind
 {
     /// <summary>Moves an end or a vertex; arcs that meet there keep their included angle.</summary>
@@ -98,7 +97,7 @@ public enum GripKind
     /// <summary>Moves a side of a polyline, both its vertices.</summary>
     Side,
 
-    /// <summary>Bends an arc between its ends, so that it goes through the place.</summary>
+    /// <summary>Bends an arc between its ends, so that it passes through the point.</summary>
     Bulge,
 
     /// <summary>Changes the radius of a circle.</summary>

@@ -5,11 +5,11 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Workbench.Playback;
 
-/// <summary>The planned motion in time, exactly as <c>plan</c> counts it. Immutable; every question is answered in the logarithm of the number of
+/// <summary>The planned motion over time, exactly as computed by <c>plan</c>. Immutable; every query takes logarithmic time in the number of
 /// segments.</summary>
 public sealed class PlannedMotion
 {
-    /// <summary>Nearer than this to its end, counts, a segment is through: far less than the shortest segment is long.</summary>
+    /// <summary>Tolerance for the end of a segment, counts: far less than the length of the shortest segment.</summary>
     private const double AtEnd = 1e-3;
 
     private readonly MotionTimeline _timeline;
@@ -18,21 +18,20 @@ public sealed class PlannedMotion
     /// <summary>Path length from the start of its sequence to the end of each segment, counts.</summary>
     private readonly double[] _reached;
 
-    /// <summary>For each stroke its first sequence among those of all strokes; one more than there are strokes.</summary>
+    /// <summary>For each stroke the index of its first sequence among all strokes, plus one final entry.</summary>
     private readonly int[] _firstSequences;
 
-    /// <summary>For each sequence of the program: its first segment.</summary>
+    /// <summary>For each sequence of the program: the index of its first segment.</summary>
     private readonly int[] _firstSegments;
 
-    /// <summary>Of each segment.</summary>
+    /// <summary>Move of each segment.</summary>
     private readonly int[] _moves;
 
-    /// <summary>Of each move; null where they have the same numbers.</summary>
+    /// <summary>Row of each move; null if the numbers are equal.</summary>
     private readonly int[]? _rows;
     private readonly Lazy<int[]> _lines;
 
-    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none. Made when somebody asks by
-    /// them.</summary>
+    /// <summary>By drawing entity, by move of the toolpath and by row of the table: its first segment plus one; 0 for none. Created on demand.</summary>
     private readonly Lazy<int[]> _segmentOfEntity;
     private readonly Lazy<int[]> _segmentOfMove;
     private readonly Lazy<int[]> _segmentOfRow;
@@ -60,8 +59,8 @@ public sealed class PlannedMotion
     public MotionTimeline Timeline => _timeline;
 
     /// <param name="program">Generated from <paramref name="path"/>.</param>
-    /// <param name="commands">How the controller spends its time.</param>
-    /// <param name="lines">Gives those of the posted program, one for each segment, when somebody asks for a line; null when there is none.</param>
+    /// <param name="commands">Command times of the controller.</param>
+    /// <param name="lines">Returns the lines of the posted program, one for each segment, on the first query of a line; null if there is none.</param>
     public static PlannedMotion Create(MotionProgram program, Toolpath path, CommandTimes commands, Func<IReadOnlyList<int>>? lines, CancellationToken cancellation)
     {
         var timeline = MotionTimeline.From(program, commands, cancellation);
@@ -70,7 +69,7 @@ public sealed class PlannedMotion
         return new PlannedMotion(timeline, moves, rows, lines);
     }
 
-    /// <summary>The motion at a moment; before 0 its beginning, after the end its end. A job with nothing to cut stands at its start.</summary>
+    /// <summary>The motion at a time, limited to its range. A job with nothing to cut is at its start.</summary>
     public PlaybackMoment At(double seconds)
     {
         var index = _timeline.SpanAt(seconds);
@@ -85,21 +84,20 @@ public sealed class PlannedMotion
         };
     }
 
-    /// <summary>When the first segment of a drawing entity begins; null when it is not cut.</summary>
+    /// <summary>Start time of the first segment of a drawing entity; null if it is not cut.</summary>
     public double? TimeOfEntity(int entity) => First(_segmentOfEntity.Value, entity) is { } segment ? TimeOfSegment(segment) : null;
 
-    /// <summary>When the first segment of a row of the sequenced table begins; null when the row is shorter than a count.</summary>
+    /// <summary>Start time of the first segment of a row of the sequenced table; null if the row is shorter than a count.</summary>
     public double? TimeOfRow(int row) => First(_segmentOfRow.Value, row) is { } segment ? TimeOfSegment(segment) : null;
 
-    /// <summary>When the first segment of a move of the toolpath begins; null when the move is shorter than a count.</summary>
-    /// <param name="move">Its number in the whole toolpath.</param>
+    /// <summary>Start time of the first segment of a move of the toolpath; null if the move is shorter than a count.</summary>
+    /// <param name="move">Index in the whole toolpath.</param>
     public double? TimeOfMove(int move) => First(_segmentOfMove.Value, move) is { } segment ? TimeOfSegment(segment) : null;
 
-    /// <summary>The line of the posted program that commands a segment, 1 is first; 0 when no program was posted. The first question posts it.</summary>
+    /// <summary>The line of the posted program that commands a segment, 1 is first; 0 if no program was posted. The first query posts it.</summary>
     public int LineOf(int segment) => (uint)segment < (uint)_lines.Value.Length ? _lines.Value[segment] : 0;
 
-    /// <summary>When the first segment that a line of the posted program commands begins; of a line without one the next that has one; null behind the
-    /// last.</summary>
+    /// <summary>Start time of the first segment of a line of the posted program, or of the next line with a segment; null after the last.</summary>
     public double? TimeOfLine(int line)
     {
         var lines = _lines.Value;
@@ -109,7 +107,7 @@ public sealed class PlannedMotion
         return at < Math.Min(lines.Length, SegmentCount) ? TimeOfSegment(at) : null;
     }
 
-    /// <summary>When a stroke begins to be cut; null when there is no such stroke in the motion.</summary>
+    /// <summary>Start time of cutting a stroke; null if the motion has no such stroke.</summary>
     /// <param name="stroke">Its index in the order of cutting.</param>
     public double? TimeOfStroke(int stroke)
     {
@@ -126,14 +124,14 @@ public sealed class PlannedMotion
         return null;
     }
 
-    /// <summary>When a segment of the motion program begins.</summary>
+    /// <summary>Start time of a segment of the motion program.</summary>
     public double TimeOfSegment(int segment) => TimeInside(segment, null);
 
-    /// <summary>When the tool is at a place of a segment: at the nearest one.</summary>
+    /// <summary>Time at which the tool is at the point of a segment nearest to a position.</summary>
     /// <param name="place">Drawing millimetres.</param>
     public double TimeOfPlace(int segment, Point2D place) => TimeInside(segment, _program.Profile.Scale.Exact(place));
 
-    /// <param name="place">Counts; null is the beginning.</param>
+    /// <param name="place">Counts; null is the start.</param>
     private double TimeInside(int segment, Point2D? place)
     {
         var (stroke, sequence) = PlaceOf(segment);
@@ -183,7 +181,7 @@ public sealed class PlannedMotion
         return first;
     }
 
-    /// <param name="numberOf">Of a segment. In several passes it begins anew.</param>
+    /// <param name="numberOf">Returns the number for a segment. With several passes numbers repeat.</param>
     private int[] FirstSegments(Func<int, int> numberOf)
     {
         var first = new int[_moves.Length == 0 ? 0 : Enumerable.Range(0, _moves.Length).Max(numberOf) + 1];
@@ -227,7 +225,7 @@ public sealed class PlannedMotion
         var first = FirstSegment(span.Stroke, span.Sequence);
         var found = Array.BinarySearch(_reached, first, sequence.Segments.Count, path);
         var (segment, last) = (found >= 0 ? found + 1 : ~found, first + sequence.Segments.Count - 1);
-        while (segment < last && _reached[segment] - path < AtEnd) segment++; // the moment at which a segment begins is its own, however time and way were rounded
+        while (segment < last && _reached[segment] - path < AtEnd) segment++; // The start time of a segment belongs to that segment despite rounding of time and distance.
         segment = Math.Min(segment, last);
         var from = segment == first ? sequence.Start : sequence.Segments[segment - first - 1].End;
         var done = Math.Max(0.0, path - (segment == first ? 0.0 : _reached[segment - 1]));
@@ -248,8 +246,8 @@ public sealed class PlannedMotion
         return Moment(span, since, FirstSegment(span.Stroke, 0) + StandsBehind(span), place, speed);
     }
 
-    /// <summary>Place in its stroke of the segment that a standstill or rapid belongs to: the settle at the end of a stroke and the rapid to the finish
-    /// belong to the segment before, every other one to the segment after.</summary>
+    /// <summary>Index in its stroke of the segment to which a standstill or rapid belongs: the settle at the end of a stroke and the rapid to the finish belong
+    /// to the segment before, all others to the segment after.</summary>
     private int StandsBehind(in MotionSpan span)
     {
         var sequence = _program.Strokes[span.Stroke].Sequences[span.Sequence];
@@ -264,15 +262,15 @@ public sealed class PlannedMotion
     private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);
 }
 
-/// <summary>What the planned motion does at one moment.</summary>
-/// <param name="Seconds">Since the job began.</param>
-/// <param name="Position">Where the tool is, drawing millimetres.</param>
+/// <summary>State of the planned motion at one time.</summary>
+/// <param name="Seconds">Since the start of the job.</param>
+/// <param name="Position">Tool position, drawing millimetres.</param>
 /// <param name="Speed">Along the path, mm/s.</param>
 /// <param name="ToolOn">The tool output is on.</param>
-/// <param name="Kind">Cutting, between strokes, or standing.</param>
+/// <param name="Kind">Cutting, between strokes, or at a standstill.</param>
 /// <param name="Stroke">Index of the stroke (contour) in the order of cutting.</param>
-/// <param name="Segment">Place of the segment in the whole motion program: the one that is cut, or the next one.</param>
+/// <param name="Segment">Index in the whole motion program of the current or next segment.</param>
 /// <param name="Entity">The drawing entity of that segment.</param>
-/// <param name="Move">Move of the toolpath of that segment, numbered through all strokes: an ellipse or spline consists of several.</param>
+/// <param name="Move">Toolpath move of that segment, numbered over all strokes; an ellipse or spline consists of several.</param>
 /// <param name="Row">Row of the sequenced entity table of that segment.</param>
 public readonly record struct PlaybackMoment(double Seconds, Point2D Position, double Speed, bool ToolOn, MotionSpanKind Kind, int Stroke, int Segment, int Entity, int Move, int Row);

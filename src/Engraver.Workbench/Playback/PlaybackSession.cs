@@ -1,7 +1,7 @@
 namespace Engraver.Workbench.Playback;
 
-/// <summary>Plays the planned motion: a position in time that runs by the clock, faster or slower, or is put where the operator drags it.</summary>
-/// <remarks>The position is computed when it is asked for; whoever draws asks once a picture. Any thread.</remarks>
+/// <summary>Plays the planned motion: a time position that advances with the clock at a selectable speed, or is set by the operator.</summary>
+/// <remarks>The position is computed on demand, once per drawn frame. Any thread.</remarks>
 public sealed class PlaybackSession(TimeProvider time)
 {
     private readonly Lock _guard = new();
@@ -11,10 +11,10 @@ public sealed class PlaybackSession(TimeProvider time)
     private long? _since;
     private bool _isPlaced;
 
-    /// <summary>Raised when playing begins or ends, the position is set, the speed or the motion changes; not while it merely runs.</summary>
+    /// <summary>Raised when playback starts or ends, the position is set, or the speed or the motion changes; not during playback.</summary>
     public event EventHandler? Changed;
 
-    /// <summary>What is played; null before the first drawing.</summary>
+    /// <summary>The played motion; null before the first drawing.</summary>
     public PlannedMotion? Motion
     {
         get
@@ -31,8 +31,8 @@ public sealed class PlaybackSession(TimeProvider time)
         }
     }
 
-    /// <summary>It plays, or the operator has put it somewhere or paused it; not while it waits at its beginning, after it has played to its end, or while
-    /// it follows a machine.</summary>
+    /// <summary>True during playback, and if the operator has set or paused the position; false at the start, after the end, and while it follows a
+    /// machine.</summary>
     public bool IsShown
     {
         get
@@ -50,7 +50,7 @@ public sealed class PlaybackSession(TimeProvider time)
         }
     }
 
-    /// <summary>Planned seconds for each second of the clock, above 0; infinite goes to the end at once.</summary>
+    /// <summary>Planned seconds per clock second, above 0; infinity jumps to the end.</summary>
     public double Speed
     {
         get
@@ -65,7 +65,7 @@ public sealed class PlaybackSession(TimeProvider time)
         }
     }
 
-    /// <summary>What the tool does now; null without a motion.</summary>
+    /// <summary>The current state; null without a motion.</summary>
     public PlaybackMoment? Moment
     {
         get
@@ -76,10 +76,10 @@ public sealed class PlaybackSession(TimeProvider time)
 
     private double Duration => _motion?.DurationSeconds ?? 0.0;
 
-    /// <summary>Another motion: the position goes to its beginning and waits.</summary>
+    /// <summary>Sets another motion; the position is reset to its start.</summary>
     public void Load(PlannedMotion? motion) => Set(() => (_motion, _position, _since, _isPlaced) = (motion, 0.0, null, false));
 
-    /// <summary>Runs from where it is, from the beginning when it is at the end.</summary>
+    /// <summary>Plays from the current position, or from the start at the end.</summary>
     public void Play() => Set(() =>
     {
         if (_position >= Duration) _position = 0.0;
@@ -89,20 +89,20 @@ public sealed class PlaybackSession(TimeProvider time)
 
     public void Pause() => Set(() => _since = null);
 
-    /// <summary>Puts the position somewhere; a playback that runs goes on from there.</summary>
+    /// <summary>Sets the position; a running playback continues from there.</summary>
     public void Scrub(double seconds) => Set(() =>
     {
         _position = Inside(seconds);
         _isPlaced = _position > 0.0;
     });
 
-    /// <summary>Puts the position where a machine has come to, which shows its place itself.</summary>
+    /// <summary>Sets the position to that of a machine, which is displayed separately.</summary>
     public void Follow(double seconds) => Set(() => (_position, _isPlaced) = (Inside(seconds), false));
 
-    /// <summary>To the moment at which a row of the sequenced table begins; false when it is not cut.</summary>
+    /// <summary>Goes to the start of a row of the sequenced table; false if it is not cut.</summary>
     public bool GoToRow(int row) => GoTo(Motion?.TimeOfRow(row));
 
-    /// <summary>To the moment at which an entity that was picked is cut. Whether the place is shown does not change.</summary>
+    /// <summary>Goes to the time at which a picked entity is cut. Does not change whether the position is shown.</summary>
     public bool GoToEntity(int entity)
     {
         if (Motion?.TimeOfEntity(entity) is not { } at) return false;
@@ -130,7 +130,7 @@ public sealed class PlaybackSession(TimeProvider time)
         return double.IsInfinity(_speed) ? Duration : Math.Min(Duration, _position + (run * _speed));
     }
 
-    /// <summary>Every change begins with the clock brought up to now.</summary>
+    /// <summary>Updates the position by the clock before every change.</summary>
     private void Set(Action change)
     {
         lock (_guard)

@@ -5,16 +5,16 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Workbench.Playback;
 
-/// <summary>Which move of the toolpath each segment of the motion program cuts, and to which row of the sequenced table each move belongs.</summary>
-/// <remarks>A move may become several segments (an arc that is split) or none (shorter than a count); a row of an ellipse or spline is several moves. Both
-/// sides keep their order, so one walk through both is enough.</remarks>
+/// <summary>Maps each segment of the motion program to its toolpath move, and each move to its row of the sequenced table.</summary>
+/// <remarks>A move may become several segments (an arc that is split) or none (shorter than a count); a row of an ellipse or spline is several moves. Both have
+/// the same order, so one pass over both is sufficient.</remarks>
 internal static class SegmentMoves
 {
-    /// <summary>Counts by which a segment's predicted end may stand beside the end of its move.</summary>
+    /// <summary>Tolerance between the predicted end of a segment and the end of its move, counts.</summary>
     private const double Near = 2.0;
 
-    /// <summary>For each segment the number of its move in the whole toolpath.</summary>
-    /// <param name="path">Of which the program was generated.</param>
+    /// <summary>For each segment the index of its move in the whole toolpath.</summary>
+    /// <param name="path">Source of the program.</param>
     public static int[] Map(MotionProgram program, Toolpath path)
     {
         var moves = new int[program.SegmentCount];
@@ -33,7 +33,7 @@ internal static class SegmentMoves
         return moves;
     }
 
-    /// <summary>For each move of the toolpath its row; null where every row is one move, so that they have the same numbers.</summary>
+    /// <summary>For each move of the toolpath its row; null if every row is one move and the numbers are equal.</summary>
     public static int[]? RowsOf(Toolpath path)
     {
         if (path.Strokes.All(stroke => stroke.RowMoves is null)) return null;
@@ -66,7 +66,7 @@ internal static class SegmentMoves
         private int _at;
         private bool _isDone;
 
-        /// <summary>The move at <see cref="_at"/>, which many segments may ask for, and its end in counts.</summary>
+        /// <summary>The cached move at <see cref="_at"/> and its end in counts.</summary>
         private StrokeMove _move;
         private Point2D _end;
 
@@ -90,7 +90,7 @@ internal static class SegmentMoves
             _end = _scale.Exact(_move.Segment.End);
         }
 
-        /// <summary>Shorter than a count, so that it may have no segment of its own.</summary>
+        /// <summary>True if shorter than a count, so that it may have no segment.</summary>
         private bool IsShort() => _move.Segment.Length * Math.Max(_scale.X, _scale.Y) < 1.0;
 
         private bool EndsWith(in VectorSegment segment) => Math.Abs(_end.X - segment.End.X) <= Near && Math.Abs(_end.Y - segment.End.Y) <= Near;

@@ -3,14 +3,14 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Playback;
 
-/// <summary>Finds places inside one segment of a motion program, counts of the job frame.</summary>
+/// <summary>Finds positions inside one segment of a motion program, counts of the job frame.</summary>
 internal static class SegmentPlace
 {
-    /// <summary>Degrees before the start of a full circle at which a tool that begins it may seem to stand.</summary>
+    /// <summary>Angle before the start of a full circle at which a tool at its start may be reported, degrees.</summary>
     private const double NearStart = 1.0;
 
-    /// <param name="from">Where the segment begins.</param>
-    /// <param name="fraction">0 to 1 along it.</param>
+    /// <param name="from">Start of the segment.</param>
+    /// <param name="fraction">Fraction of its length, 0 to 1.</param>
     public static Point2D At(in VectorSegment segment, CountsPoint from, double fraction)
     {
         if (segment.Kind == VectorSegmentKind.Line) return new Point2D(from.X + (fraction * ((double)segment.End.X - from.X)), from.Y + (fraction * ((double)segment.End.Y - from.Y)));
@@ -18,8 +18,8 @@ internal static class SegmentPlace
         return centre + Vector2D.FromPolar(segment.Radius, Angle.FromDegrees(segment.ThetaDegrees + (fraction * segment.DeltaDegrees)));
     }
 
-    /// <summary>How far along a segment the nearest of its places is, 0 to 1. Beside the common start and end of a full circle it is 0.</summary>
-    /// <param name="from">Where the segment begins.</param>
+    /// <summary>Fraction of a segment at its point nearest to a position, 0 to 1. Near the common start and end of a full circle it is 0.</summary>
+    /// <param name="from">Start of the segment.</param>
     public static double FractionNear(in VectorSegment segment, CountsPoint from, Point2D place)
     {
         if (segment.Kind == VectorSegmentKind.Line)
@@ -33,7 +33,7 @@ internal static class SegmentPlace
         var sweep = Math.Abs(segment.DeltaDegrees);
         var turned = (((place - centre).Direction.Degrees - segment.ThetaDegrees) * Math.Sign(segment.DeltaDegrees)) % 360.0;
         if (turned < 0.0) turned += 360.0;
-        var isBeforeStart = turned > Math.Min(180.0 + (sweep / 2.0), 360.0 - NearStart); // nearer to the start than to the end, or within a degree of both
+        var isBeforeStart = turned > Math.Min(180.0 + (sweep / 2.0), 360.0 - NearStart); // Nearer to the start than to the end, or within a degree of both.
         return isBeforeStart || sweep == 0.0 ? 0.0 : Math.Min(turned / sweep, 1.0);
     }
 

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Playback;
 
-/// <summary>How far AUTOSEQUENCE has walked along the contours of the drawing, for a canvas that lights up what was walked. Any thread.</summary>
+/// <summary>Progress of the AUTOSEQUENCE animation, for a canvas that highlights the contours. Any thread.</summary>
 public sealed class SequenceWalk
 {
     private const int None = -1;
@@ -9,7 +9,7 @@ public sealed class SequenceWalk
     /// <summary>Raised with each step, on the thread of the command.</summary>
     public event EventHandler? Changed;
 
-    /// <summary>Moves of the toolpath that were walked; null while nobody walks.</summary>
+    /// <summary>Number of toolpath moves shown; null if the animation is not running.</summary>
     public int? Moves => Volatile.Read(ref _moves) is >= 0 and var walked ? walked : null;
 
     internal void Show(int moves) => Take(moves);

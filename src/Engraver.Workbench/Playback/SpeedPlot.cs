@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Playback;
 /// <summary>Samples of the planned speed over time and path, for the palette of plots.</summary>
 public static class SpeedPlot
 {
-    /// <summary>Corners of every ramp; of a job with more corners than wanted, samples at equal times, so that the plot costs what it shows.</summary>
+    /// <summary>Corners of every ramp; for a job with too many corners, samples at equal times, to limit the cost of the plot.</summary>
     /// <param name="most">At least 2.</param>
     public static IReadOnlyList<SpeedSample> Sample(PlannedMotion motion, int most)
     {
@@ -45,8 +45,8 @@ public static class SpeedPlot
     private static SpeedTrapezoid Longest(IReadOnlyList<SpeedTrapezoid> axes) => axes.MaxBy(axis => axis.Seconds);
 }
 
-/// <summary>A corner of the speed plot; between two of them the speed is a straight line over time.</summary>
-/// <param name="Seconds">Since the job began.</param>
+/// <summary>A corner of the speed plot; between two corners the speed is linear in time.</summary>
+/// <param name="Seconds">Since the start of the job.</param>
 /// <param name="PathMm">Path of the tool so far, rapids included.</param>
 /// <param name="Speed">mm/s.</param>
 /// <param name="Cutting">False in rapids and standstills.</param>

@@ -2,7 +2,7 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>A diagnostic for people: <c>FILE(LINE): Severity ID: sentence</c>.</summary>
+/// <summary>A diagnostic as text: <c>FILE(LINE): Severity ID: sentence</c>.</summary>
 public static class DiagnosticLine
 {
     public static string Format(string file, Diagnostic diagnostic)

@@ -5,7 +5,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>What is in a drawing, for people.</summary>
+/// <summary>Text report of the contents of a drawing.</summary>
 public static class DrawingText
 {
     public static void Write(TextWriter output, Drawing drawing, DrawingSummary summary)
@@ -33,7 +33,7 @@ public static class DrawingText
         }
     }
 
-    /// <summary>True when nothing could be read: version and unit are unknown then, and counts of 0 would pretend that the drawing is empty.</summary>
+    /// <summary>True if nothing could be read: version and unit are unknown, and counts of 0 would suggest an empty drawing.</summary>
     private static bool IsUnusable(Drawing drawing) => drawing is { HasErrors: true, DxfVersion.Length: 0, Layers.Count: 0, Balance.Read: 0 };
 
     private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Wording.Get(drawing.Bytes == 1 ? "DrawingText.Bytes.One" : "DrawingText.Bytes.Many", drawing.Bytes);
@@ -50,7 +50,7 @@ public static class DrawingText
         ? Wording.Get("DrawingText.Size", box.Width, box.Height, unit.Name, box.MinX, box.MinY, box.MaxX, box.MaxY)
         : Wording.Get("DrawingText.NoCurve");
 
-    /// <summary>Those that are not empty, separated by commas.</summary>
+    /// <summary>The non-empty parts, separated by commas.</summary>
     private static string List(params IEnumerable<string> parts) => string.Join(", ", parts.Where(part => part.Length > 0));
 
     private static string Counts(IReadOnlyDictionary<string, int> counts) => string.Join(", ", counts.OrderByDescending(pair => pair.Value).Select(pair => Invariant($"{pair.Value} {pair.Key}")));

@@ -5,10 +5,10 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>What objects of a drawing are, for people, in drawing units.</summary>
+/// <summary>Text report of objects of a drawing, in drawing units.</summary>
 public static class EntityText
 {
-    /// <summary>One line for each object, one more for each of its parts.</summary>
+    /// <summary>One line for each object and for each of its parts.</summary>
     public static void Write(Drawing drawing, IEnumerable<int> entities, Figures figures, TextWriter output)
     {
         foreach (var index in entities)
@@ -24,7 +24,7 @@ public static class EntityText
         }
     }
 
-    /// <summary>The objects taken together.</summary>
+    /// <summary>Summary of the objects.</summary>
     public static void WriteTogether(Drawing drawing, IReadOnlyCollection<int> entities, Figures figures, TextWriter output)
     {
         var types = entities.GroupBy(index => drawing.Entities[index].Type).Select(group => Invariant($"{group.Count()} {group.Key.ToDxfName()}"));

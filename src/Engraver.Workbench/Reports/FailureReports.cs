@@ -2,18 +2,18 @@ using System.Globalization;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>Reports of failures of the program itself, written to files for its developers. Any thread.</summary>
-/// <param name="folder">Where they are kept; made when it is missing.</param>
+/// <summary>Writes reports of internal errors to files for the developers. Any thread.</summary>
+/// <param name="folder">Folder of the reports; created if missing.</param>
 public sealed class FailureReports(string folder, TimeProvider time)
 {
-    /// <summary>Most reports of one session, so that a repeated failure does not fill the disk.</summary>
+    /// <summary>Maximum number of reports of one session, so that a repeated failure does not fill the disk.</summary>
     private const int MostReports = 20;
 
     private int _reports;
 
     public string Folder => folder;
 
-    /// <returns>The file; null when none could be written, or too many were.</returns>
+    /// <returns>The file; null if it could not be written or there are too many.</returns>
     public string? Write(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
@@ -29,7 +29,7 @@ public sealed class FailureReports(string folder, TimeProvider time)
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return null; // the alarm names the failure without a report too
+            return null; // The alarm states the error also without a report.
         }
     }
 }

@@ -2,10 +2,10 @@ using Engraver.Core.Posts;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>Where a machine whose form rounds will be, for people.</summary>
+/// <summary>Text report of the positions of a machine whose format rounds coordinates.</summary>
 public static class ForecastText
 {
-    /// <summary>A line for each block, and the sum.</summary>
+    /// <summary>A line for each block and the summary.</summary>
     public static void Write(TextWriter output, PostForecast forecast)
     {
         ArgumentNullException.ThrowIfNull(forecast);
@@ -18,7 +18,7 @@ public static class ForecastText
         WriteSum(output, forecast);
     }
 
-    /// <summary>Blocks, largest error, largest closure.</summary>
+    /// <summary>Number of blocks, largest error, largest closure.</summary>
     public static void WriteSum(TextWriter output, PostForecast forecast)
     {
         ArgumentNullException.ThrowIfNull(forecast);

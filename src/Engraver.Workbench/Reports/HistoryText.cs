@@ -3,11 +3,11 @@ using Engraver.Workbench.Histories;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>The history of jobs for people.</summary>
+/// <summary>Text report of the history of jobs.</summary>
 public static class HistoryText
 {
-    /// <summary>A line for each entry; times of day as they are here.</summary>
-    /// <param name="entries">Each with the number by which the operator may name it.</param>
+    /// <summary>A line for each entry; times in the local time zone.</summary>
+    /// <param name="entries">Entries with the numbers used to select them.</param>
     public static void Write(TextWriter output, IEnumerable<(int Number, HistoryEntry Entry)> entries, TimeZoneInfo here)
     {
         ArgumentNullException.ThrowIfNull(output);
@@ -19,28 +19,28 @@ public static class HistoryText
         }
     }
 
-    /// <summary>The post with what was chosen for it.</summary>
+    /// <summary>The post with its options.</summary>
     public static string Target(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
         return string.Join(' ', entry.Options.OrderBy(option => option.Key, StringComparer.Ordinal).Select(option => $"{option.Key}={option.Value}").Prepend(entry.Target));
     }
 
-    /// <summary>How its program was read back; empty where nobody did.</summary>
+    /// <summary>The read-back state of its program; empty if it was not read back.</summary>
     public static string ReadBack(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
         return entry.ReadBack is { } found ? Wording.Get("ReadBackState." + HistoryEntry.ReadBackWord(found)) : "";
     }
 
-    /// <summary>When it began, by the clock here.</summary>
+    /// <summary>Start time in the local time zone.</summary>
     public static string Date(HistoryEntry entry, TimeZoneInfo here)
     {
         ArgumentNullException.ThrowIfNull(entry);
         return Wording.Get("History.Moment", TimeZoneInfo.ConvertTime(entry.Date, here));
     }
 
-    /// <summary>That the deviation is the commanded one, and of which axes; empty where it is that of the motors.</summary>
+    /// <summary>Names the axes whose deviation is based on commanded positions; empty if it is based on motor positions.</summary>
     public static string OpenLoop(HistoryEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);

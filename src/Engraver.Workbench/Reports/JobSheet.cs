@@ -4,25 +4,25 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>What a job comes to: lengths, times, cost. For the console, the palette of the job and a report.</summary>
-/// <param name="CutLength">Drawn length that is cut, mm.</param>
+/// <summary>Summary of a job: lengths, times, cost. Used by the console, the job palette and the report.</summary>
+/// <param name="CutLength">Cut length of the drawing, mm.</param>
 /// <param name="Travel">Between strokes, mm.</param>
-/// <param name="Starts">Strokes that are begun.</param>
-/// <param name="Times">Planned.</param>
-/// <param name="Rates">Null: nobody says what machining costs.</param>
+/// <param name="Starts">Number of strokes.</param>
+/// <param name="Times">Planned times.</param>
+/// <param name="Rates">Machining rates; null if undefined.</param>
 public sealed record JobSheet(string Drawing, double CutLength, double Travel, int Starts, MotionTimes Times, JobRates? Rates)
 {
     /// <summary>Null without rates.</summary>
     public JobCost? Cost => Rates?.CostOf(Times.Total, CutLength, Starts);
 
-    /// <param name="times">Over the link that it will run over.</param>
+    /// <param name="times">Times over its link.</param>
     public static JobSheet Of(PreparedJob job, MotionTimes times, JobRates? rates)
     {
         ArgumentNullException.ThrowIfNull(job);
         return new JobSheet(Path.GetFileName(job.Drawing.FileName), job.Sequence.PathLength, job.Sequence.Travel, job.Sequence.Strokes.Count, times, rates);
     }
 
-    /// <summary>The lines of the sheet: what, and how much.</summary>
+    /// <summary>The lines of the sheet: name and value.</summary>
     public IReadOnlyList<(string What, string HowMuch)> Lines =>
     [
         (Wording.Get("JobSheet.Drawing"), Drawing),
@@ -44,7 +44,7 @@ public sealed record JobSheet(string Drawing, double CutLength, double Travel, i
             : [],
     ];
 
-    /// <summary>The sheet as text, what and how much in two columns.</summary>
+    /// <summary>The sheet as text, with names and values in two columns.</summary>
     public void Write(TextWriter output)
     {
         ArgumentNullException.ThrowIfNull(output);

@@ -5,13 +5,13 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>Reports of a run for people.</summary>
+/// <summary>Text report of a run.</summary>
 public static class RunText
 {
-    /// <summary>A shorter length would be shown as none, millimetres.</summary>
+    /// <summary>Minimum displayed length, millimetres; a shorter one would be shown as 0.</summary>
     private const double LeastShown = 0.001;
 
-    /// <param name="spell">Names settings as they are given here (<see cref="SettingWording"/>).</param>
+    /// <param name="spell">Names settings for the front end (<see cref="SettingWording"/>).</param>
     public static string Sentence(PreparedJob job, MachineRunReport report, Func<string, string> spell)
     {
         ArgumentNullException.ThrowIfNull(spell);
@@ -22,10 +22,10 @@ public static class RunText
         return Wording.Get(report.IsDryRun ? "RunText.SegmentsTraversed" : "RunText.SegmentsCut", OutcomeText.Said(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, spell(string.Join("; ", findings)));
     }
 
-    /// <summary>Entities of the drawing, in its blocks too, that gave no curve though they should have.</summary>
+    /// <summary>Number of entities of the drawing and its blocks that could not be converted to curves.</summary>
     public static int LeftOut(PreparedJob job) => job.Drawing.Balance.Refused.Count + job.Drawing.Balance.RefusedInBlocks.Count;
 
-    /// <summary>The deviation, what was cut of the drawing, and what restricts both.</summary>
+    /// <summary>The deviation, the cut part of the drawing, and restrictions of both.</summary>
     private static List<string> Findings(MachineRunReport report, int leftOut, NotCutFindings notCut)
     {
         var (judgement, openLoop) = (report.Judgement, report.Unseen);

@@ -4,7 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>Reports of sequencing for people.</summary>
+/// <summary>Text report of sequencing.</summary>
 public static class SequenceText
 {
     public static void Write(TextWriter output, SequencingResult result)

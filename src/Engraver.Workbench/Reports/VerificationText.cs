@@ -3,7 +3,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>Reports of a verification for people.</summary>
+/// <summary>Text report of a verification.</summary>
 public static class VerificationText
 {
     public static string Sentence(VerificationReport report) => Wording.Get("VerificationText.Result", report.Ok ? Wording.Get("VerificationText.Ok") : Wording.Get("VerificationText.NotOk"), report.MaxDeviationMm is { } deviation ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : "?", report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm);

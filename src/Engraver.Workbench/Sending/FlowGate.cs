@@ -2,7 +2,7 @@ using Engraver.Core.Sending;
 
 namespace Engraver.Workbench.Sending;
 
-/// <summary>Listens to the other side while a program goes out: XOFF closes the gate, XON opens it (DC3 and DC1 of ISO 646).</summary>
+/// <summary>Software flow control while a program is sent: XOFF pauses, XON resumes (DC3 and DC1 of ISO 646).</summary>
 internal sealed class FlowGate(IProgramLine line, CharacterFrame frame, bool obeys)
 {
     private const byte Xon = 0x11;
@@ -13,7 +13,7 @@ internal sealed class FlowGate(IProgramLine line, CharacterFrame frame, bool obe
     private int _holds;
     private long _others;
 
-    /// <summary>How often the other side made us wait.</summary>
+    /// <summary>Number of received XOFF.</summary>
     public int Holds
     {
         get
@@ -22,16 +22,16 @@ internal sealed class FlowGate(IProgramLine line, CharacterFrame frame, bool obe
         }
     }
 
-    /// <summary>Characters heard that are neither XON nor XOFF.</summary>
+    /// <summary>Number of received characters other than XON and XOFF.</summary>
     public long Others => Interlocked.Read(ref _others);
 
-    /// <summary>Completes when the gate is open.</summary>
+    /// <summary>Completes when sending is allowed.</summary>
     public Task OpenAsync()
     {
         lock (_guard) return _closed?.Task ?? Task.CompletedTask;
     }
 
-    /// <summary>Listens until the line ends or nobody wants to hear any more.</summary>
+    /// <summary>Listens until the line is closed or cancellation is requested.</summary>
     public async Task ListenAsync(CancellationToken cancellation)
     {
         var heard = new byte[64];
@@ -48,7 +48,7 @@ internal sealed class FlowGate(IProgramLine line, CharacterFrame frame, bool obe
         }
         catch (IOException)
         {
-            Take(Xon); // the next write says what happened to the line
+            Take(Xon); // The next write reports the failure of the line.
         }
     }
 

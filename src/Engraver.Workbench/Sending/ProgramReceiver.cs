@@ -2,24 +2,24 @@ using Engraver.Core.Sending;
 
 namespace Engraver.Workbench.Sending;
 
-/// <summary>Takes a program that comes in over a serial line: the other side of <see cref="ProgramSender"/>.</summary>
+/// <summary>Receives a program over a serial line, as sent by <see cref="ProgramSender"/>.</summary>
 public sealed class ProgramReceiver(CharacterFrame frame)
 {
     private readonly List<byte> _characters = [];
 
-    /// <summary>Characters so far, NULs left out.</summary>
+    /// <summary>Received characters without NUL.</summary>
     public IReadOnlyList<byte> Characters => _characters;
 
-    /// <summary>Characters whose parity was wrong; they are kept without it.</summary>
+    /// <summary>Number of characters with a parity error; they are kept without the parity bit.</summary>
     public int Damaged { get; private set; }
 
-    /// <summary>The line of the first of them, from 1; 0 for none.</summary>
+    /// <summary>Line of the first parity error, from 1; 0 for none.</summary>
     public int FirstDamagedLine { get; private set; }
 
-    /// <summary>Line ends so far.</summary>
+    /// <summary>Number of received line ends.</summary>
     public int Lines { get; private set; }
 
-    /// <summary>Takes what was heard.</summary>
+    /// <summary>Processes received bytes.</summary>
     public void Take(ReadOnlySpan<byte> heard)
     {
         foreach (var bits in heard)
@@ -32,11 +32,11 @@ public sealed class ProgramReceiver(CharacterFrame frame)
         }
     }
 
-    /// <summary>Listens until nothing has come for a while (before the first character too), until the line ends, or until the operator stops it.</summary>
-    /// <param name="silence">How long nothing has to come.</param>
-    /// <param name="progress">Told after every piece, with the number of lines.</param>
-    /// <returns>True when nothing more was coming; false when the operator stopped it before, so that what has come may be torn.</returns>
-    /// <exception cref="IOException">The line is gone.</exception>
+    /// <summary>Listens until the line is silent for a time (also before the first character), is closed, or the operator stops.</summary>
+    /// <param name="silence">Duration of silence that ends the reception.</param>
+    /// <param name="progress">Receives the number of lines after every block.</param>
+    /// <returns>True after silence; false if the operator stopped, so that the program may be incomplete.</returns>
+    /// <exception cref="IOException">The port failed.</exception>
     public async Task<bool> ListenAsync(IProgramLine line, TimeSpan silence, IProgress<int>? progress, TimeProvider time, CancellationToken stop)
     {
         ArgumentNullException.ThrowIfNull(line);

@@ -3,11 +3,11 @@ using Engraver.Core.Sending;
 
 namespace Engraver.Workbench.Sending;
 
-/// <summary>Sends a program over a serial line as plain characters, no faster than the line carries them, so that the other side's XOFF is obeyed within a
-/// few characters and a stop knows how much is out.</summary>
+/// <summary>Sends a program over a serial line as plain characters, at the rate of the line, so that XOFF takes effect within a few characters and a stop knows
+/// the number of sent characters.</summary>
 public sealed class ProgramSender
 {
-    /// <summary>Characters that are handed to the line at once: what may still come after an XOFF. Controls of punched tape expect up to 16 and more.</summary>
+    /// <summary>Maximum number of characters written at once, which may still arrive after an XOFF. Controls for punched tape tolerate 16 or more.</summary>
     private const int Chunk = 8;
 
     private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(5);
@@ -28,7 +28,7 @@ public sealed class ProgramSender
     }
 
     /// <summary>Sends everything.</summary>
-    /// <returns>How it ended; a stop, a line that is gone and one that is held for too long are ends too.</returns>
+    /// <returns>The result; a stop, a failed port and a pause that is too long are results too.</returns>
     public static Task<SendResult> SendAsync(IProgramLine line, SendJob job, SendPace pace, IProgress<SendProgress>? progress, TimeProvider time, CancellationToken stop)
     {
         ArgumentNullException.ThrowIfNull(line);
@@ -100,8 +100,8 @@ public sealed class ProgramSender
         }
     }
 
-    /// <summary>Waits while the other side wants us to.</summary>
-    /// <exception cref="TimeoutException">It does not let us go on.</exception>
+    /// <summary>Waits while the receiver has paused.</summary>
+    /// <exception cref="TimeoutException">It did not resume in time.</exception>
     private async Task OpenAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
@@ -117,8 +117,7 @@ public sealed class ProgramSender
         }
     }
 
-    /// <summary>Lets time pass by the line's own clock: timers that ring late do not make the whole slower, and what was missed by more than a moment is
-    /// not caught up in a burst.</summary>
+    /// <summary>Waits by the schedule of the line: late timers do not slow down the transmission, and longer delays are not compensated by a burst.</summary>
     private async Task WaitAsync(TimeSpan span, CancellationToken stop)
     {
         var now = _time.GetElapsedTime(_begun);
@@ -127,40 +126,40 @@ public sealed class ProgramSender
     }
 }
 
-/// <summary>How fast a program goes out, and what makes it wait.</summary>
-/// <param name="Frame">Of the characters that come back.</param>
-/// <param name="CharacterTime">On the line.</param>
+/// <summary>Rate and flow control of a transmission.</summary>
+/// <param name="Frame">Frame of received characters.</param>
+/// <param name="CharacterTime">Time of one character on the line.</param>
 public sealed record SendPace(CharacterFrame Frame, TimeSpan CharacterTime)
 {
-    /// <summary>Pause behind every character, beside its own time.</summary>
+    /// <summary>Additional delay after every character.</summary>
     public TimeSpan CharacterDelay { get; init; }
 
-    /// <summary>Pause behind every line.</summary>
+    /// <summary>Delay after every line.</summary>
     public TimeSpan LineDelay { get; init; }
 
-    /// <summary>XOFF and XON are obeyed.</summary>
+    /// <summary>True to obey XOFF and XON.</summary>
     public bool ObeysXoff { get; init; } = true;
 
-    /// <summary>How long the other side may make us wait at a time.</summary>
+    /// <summary>Maximum duration of one pause by the receiver.</summary>
     public TimeSpan LongestHold { get; init; } = TimeSpan.FromSeconds(60);
 }
 
-/// <summary>How far it is.</summary>
+/// <summary>Progress of a transmission.</summary>
 public sealed record SendProgress(int Lines, int AllLines, long Characters, int Holds);
 
-/// <summary>How the sending ended.</summary>
-/// <param name="Lines">Lines of the program that are out whole.</param>
-/// <param name="Characters">Everything that is out, leader and line ends included.</param>
-/// <param name="Holds">How often XOFF was heard.</param>
-/// <param name="Heard">Characters that came back beside XON and XOFF.</param>
-/// <param name="Reason">Why it did not come to its end, a sentence; null when it did or was stopped.</param>
+/// <summary>Result of a transmission.</summary>
+/// <param name="Lines">Lines of the program that were sent completely.</param>
+/// <param name="Characters">All sent characters, including leader and line ends.</param>
+/// <param name="Holds">Number of received XOFF.</param>
+/// <param name="Heard">Received characters other than XON and XOFF.</param>
+/// <param name="Reason">Why it failed, a sentence; null if it completed or was stopped.</param>
 public sealed record SendResult(SendOutcome Outcome, int Lines, int AllLines, long Characters, int Holds, long Heard, double Seconds, string? Reason);
 
 public enum SendOutcome : byte
 {
     Complete,
 
-    /// <summary>By the operator.</summary>
+    /// <summary>Stopped by the operator.</summary>
     Stopped,
 
     LinkLost,

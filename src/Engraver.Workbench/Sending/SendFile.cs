@@ -5,8 +5,7 @@ using Engraver.Core.Sending;
 
 namespace Engraver.Workbench.Sending;
 
-/// <summary>A program file that is to be sent. One that is named as a program for a wire eroder may hold several programs, of which the control takes one
-/// at a time.</summary>
+/// <summary>A program file to send. A file with the name of a wire EDM program may contain several programs, which the control accepts one at a time.</summary>
 public sealed class SendFile
 {
     private readonly bool _isAgie;
@@ -17,7 +16,7 @@ public sealed class SendFile
     public IReadOnlyList<IReadOnlyList<ReadOnlyMemory<byte>>> Programs { get; }
 
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static SendFile Read(string path)
     {
         var isAgie = path.EndsWith(new AgiePost().Ending, StringComparison.OrdinalIgnoreCase);
@@ -25,8 +24,8 @@ public sealed class SendFile
         return new SendFile(isAgie ? SendText.AgiePrograms(lines) : [lines], isAgie);
     }
 
-    /// <summary>One program as it goes over the line.</summary>
-    /// <param name="program">From 1; null where the file holds one.</param>
+    /// <summary>Encodes one program for the line.</summary>
+    /// <param name="program">From 1; null if the file contains one.</param>
     public SendEncoding Encode(int? program, SendFormat format, CharacterFrame frame)
     {
         if (program is null && Programs.Count > 1) return new SendEncoding(null, SendingRules.SeveralPrograms.At(default, Text(Programs.Count)));

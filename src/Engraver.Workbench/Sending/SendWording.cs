@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Sending;
 
-/// <summary>Says how a sending ended, for the console and the command line.</summary>
+/// <summary>Texts of the result of a transmission, for the console and the command line.</summary>
 public static class SendWording
 {
     public static string Of(SendResult result)

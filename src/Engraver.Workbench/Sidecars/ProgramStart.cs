@@ -6,17 +6,17 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>Where the machine stands before the first block of a program whose form does not say it (AGIE): kept in a small file beside the program, for
-/// whoever reads it back or links it.</summary>
-/// <param name="Place">Drawing millimetres; null where none is kept for this program.</param>
-/// <param name="Sentence">Why a file that is there is not used; null for none.</param>
+/// <summary>The machine position before the first block of a program whose format does not contain it (AGIE): stored in a small file beside the program, for
+/// reading it back and linking it.</summary>
+/// <param name="Place">Drawing millimetres; null if none is stored for this program.</param>
+/// <param name="Sentence">Why an existing file is not used; otherwise null.</param>
 public readonly record struct ProgramStart(Point2D? Place, string? Sentence)
 {
-    /// <summary>Added to the whole name of the program.</summary>
+    /// <summary>Suffix appended to the program's file name.</summary>
     public const string Ending = ".start.json";
 
-    /// <summary>Keeps the start of a program that was just written to a file; of a form that needs none, and of a stream, nothing is kept.</summary>
-    /// <exception cref="IOException">The place cannot be written.</exception>
+    /// <summary>Saves the start of a program that was just written, unless its format does not need it or it was written to a stream.</summary>
+    /// <exception cref="IOException">The path cannot be written.</exception>
     public static void Keep(string program, PostForecast? forecast)
     {
         if (forecast is not null) Keep(program, forecast.Start);
@@ -29,7 +29,7 @@ public readonly record struct ProgramStart(Point2D? Place, string? Sentence)
         OutputFile.Write(program + Ending, output => output.Write(string.Create(CultureInfo.InvariantCulture, $"{{ \"version\": 1, \"program\": {{\"sha256\": \"{hash}\"}}, \"start\": {{\"x\": {start.X:R}, \"y\": {start.Y:R}}} }}\n")));
     }
 
-    /// <summary>The start that is kept for the program as it is now.</summary>
+    /// <summary>The stored start of the current program file.</summary>
     public static ProgramStart Find(string program)
     {
         ArgumentNullException.ThrowIfNull(program);

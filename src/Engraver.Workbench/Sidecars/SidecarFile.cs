@@ -8,20 +8,20 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>The file beside a drawing: read whole or not at all, written whole or not at all.</summary>
+/// <summary>The sidecar file of a drawing: read and written completely or not at all.</summary>
 public static class SidecarFile
 {
     /// <summary><c>NAME.dxf.engraver.json</c>.</summary>
     public static string PathOf(string drawing) => drawing + ".engraver.json";
 
-    /// <summary>Fingerprint of all curves of a drawing, hidden ones too.</summary>
+    /// <summary>Fingerprint of all curves of a drawing, including hidden ones.</summary>
     public static string FingerprintOf(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         return DrawnFingerprint.Of([.. Enumerable.Range(0, drawing.Parts.Count).Select(part => drawing.SegmentOf(drawing.Parts[part]))]);
     }
 
-    /// <summary>What stands beside a drawing's file. A file that cannot be used stays as it is.</summary>
+    /// <summary>Reads the sidecar of a drawing's file. An unusable file is not changed.</summary>
     public static SidecarReading Read(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -48,9 +48,9 @@ public static class SidecarFile
         }
     }
 
-    /// <param name="known">What the writer believes to stand there; null for nothing.</param>
-    /// <returns>Where another file that stood there is kept now; null when none did.</returns>
-    /// <exception cref="IOException">The place cannot be written; what was there is still there.</exception>
+    /// <param name="known">The expected current text; null for no file.</param>
+    /// <returns>New path of a different file that existed there; null if there was none.</returns>
+    /// <exception cref="IOException">The path cannot be written; the old file is unchanged.</exception>
     /// <exception cref="UnauthorizedAccessException">The same.</exception>
     public static string? Write(string path, string text, string? known, TimeProvider time)
     {
@@ -67,8 +67,8 @@ public static class SidecarFile
     }
 }
 
-/// <summary>What stood beside a drawing.</summary>
-/// <param name="Sidecar">Null when there is no file, or none that can be used.</param>
-/// <param name="Text">Of the file that was used.</param>
-/// <param name="Findings">Why it is not used, or doubtful.</param>
+/// <summary>Result of reading a sidecar.</summary>
+/// <param name="Sidecar">Null if there is no usable file.</param>
+/// <param name="Text">Text of the used file.</param>
+/// <param name="Findings">Why it is not used or doubtful.</param>
 public sealed record SidecarReading(Sidecar? Sidecar, string? Text, IReadOnlyList<Diagnostic> Findings);

@@ -3,7 +3,7 @@ using System.Text.Json.Serialization;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>The file as JSON has it; docs/sidecar.md. Lengths in millimetres of the drawing.</summary>
+/// <summary>The JSON of the file; docs/sidecar.md. Lengths in millimetres of the drawing.</summary>
 internal sealed class SidecarJson
 {
     public string? Version { get; set; }
@@ -18,7 +18,7 @@ internal sealed class SidecarJson
     public Dictionary<string, JsonElement>? Others { get; set; }
 }
 
-/// <param name="Fingerprint">Of the curves (millimetres, exact to 1e-6).</param>
+/// <param name="Fingerprint">Fingerprint of the curves (millimetres, rounded to 1e-6).</param>
 internal sealed record DrawingJson(string? File, string? Fingerprint);
 
 internal sealed record TrajectorySettingsJson(double? MaxError, bool? DynamicDensity, double? SegmentLength, double? PlaneZ, string? Corners, int? NextNumber);
@@ -39,7 +39,7 @@ internal sealed class TrajectoryJson
 
     public TrajectoryOriginJson? Made { get; set; }
 
-    /// <summary>For readers; computed anew from the points when the file is read.</summary>
+    /// <summary>Informative; recomputed from the points when the file is read.</summary>
     public double? VerifiedBound { get; set; }
 
     public double? Length { get; set; }
@@ -56,10 +56,10 @@ internal sealed class TrajectoryJson
 }
 
 /// <param name="Drawn">Fingerprint of the entities.</param>
-/// <param name="Side">With an offset only.</param>
+/// <param name="Side">Only with an offset.</param>
 internal sealed record TrajectoryOriginJson(int Group, int Index, int Count, string? Drawn, double? Offset, string? Side, string? Corners);
 
-/// <summary>One of the three.</summary>
+/// <summary>A segment; exactly one member is set.</summary>
 internal sealed class SegmentJson
 {
     /// <summary>x, y of both ends.</summary>
@@ -68,7 +68,7 @@ internal sealed class SegmentJson
     /// <summary>Centre x, y, radius, start angle, signed sweep (degrees), then x, y of both ends.</summary>
     public double[]? Arc { get; set; }
 
-    /// <summary>For each span the homogeneous control points, xw, yw, zw, w one after the other.</summary>
+    /// <summary>For each span the homogeneous control points, xw, yw, zw, w in sequence.</summary>
     public double[][]? Ellipse { get; set; }
 
     public double[][]? Spline { get; set; }

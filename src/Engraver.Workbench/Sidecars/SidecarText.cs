@@ -6,17 +6,17 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>The text of a sidecar file (docs/sidecar.md): written the same every time, read with all of it or nothing.</summary>
+/// <summary>The text of a sidecar file (docs/sidecar.md): deterministic when written, read completely or not at all.</summary>
 public static class SidecarText
 {
-    /// <summary>Another one means something else: such a file is not read.</summary>
+    /// <summary>Files of another major version are not read.</summary>
     public const int Major = 1;
 
-    /// <summary>A higher one only adds members, which are kept.</summary>
+    /// <summary>A higher minor version only adds members, which are preserved.</summary>
     public const int Minor = 1;
 
     /// <param name="drawing">Name of the drawing's file.</param>
-    /// <param name="fingerprint">Of its curves.</param>
+    /// <param name="fingerprint">Fingerprint of its curves.</param>
     public static string Write(Sidecar sidecar, string drawing, string fingerprint)
     {
         ArgumentNullException.ThrowIfNull(sidecar);
@@ -38,7 +38,7 @@ public static class SidecarText
         return Encoding.UTF8.GetString(memory.GetBuffer(), 0, (int)memory.Length) + "\n";
     }
 
-    /// <summary>Reads all of it.</summary>
+    /// <summary>Reads the text.</summary>
     /// <exception cref="SidecarVersionException">It has another version.</exception>
     /// <exception cref="JsonException">It is damaged: the message says where.</exception>
     public static (Sidecar Sidecar, string? Fingerprint) Read(string text)
@@ -84,7 +84,7 @@ public static class SidecarText
     internal static string CornersWord(CornerMode corners) => corners == CornerMode.Stop ? "stop" : "continuous";
 }
 
-/// <summary>The file is of a version whose meaning this program does not know.</summary>
+/// <summary>The file has an unknown version.</summary>
 public sealed class SidecarVersionException : Exception
 {
     public SidecarVersionException()

@@ -5,7 +5,7 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>Which trajectories follow what is no longer drawn so.</summary>
+/// <summary>Detects trajectories whose source entities have changed.</summary>
 public sealed class TrajectoryEdits
 {
     private readonly Drawing _drawing;
@@ -21,27 +21,26 @@ public sealed class TrajectoryEdits
         }
     }
 
-    /// <summary>Entities with these handles, in the order of the drawing; null when one of the handles is gone. Those of a block have one handle
-    /// together.</summary>
+    /// <summary>Entities with these handles, in the order of the drawing; null if a handle no longer exists. Entities of a block share one handle.</summary>
     public IReadOnlyList<int>? EntitiesOf(IReadOnlyList<string> handles)
     {
         ArgumentNullException.ThrowIfNull(handles);
         return handles.All(_entities.ContainsKey) ? [.. handles.SelectMany(handle => _entities[handle]).Distinct().Order()] : null;
     }
 
-    /// <summary>Fingerprint of the entities with these handles as they are drawn now; empty when one of them is gone or there is none.</summary>
+    /// <summary>Fingerprint of the entities with these handles in their current state; empty if one no longer exists or there are none.</summary>
     public string DrawnOf(IReadOnlyList<string> handles) => EntitiesOf(handles) is { Count: > 0 } entities
         ? DrawnFingerprint.Of([.. entities.SelectMany(index => Enumerable.Range(_drawing.Entities[index].FirstPart, _drawing.Entities[index].PartCount)).Select(part => _drawing.SegmentOf(_drawing.Parts[part]))])
         : "";
 
-    /// <summary>True when what the trajectory was made from has been moved, changed or erased since.</summary>
+    /// <summary>True if the source of the trajectory was moved, changed or erased.</summary>
     public bool IsStale(DocumentTrajectory one)
     {
         ArgumentNullException.ThrowIfNull(one);
         return one.Origin is { } origin && origin.Drawn != DrawnOf(one.Handles);
     }
 
-    /// <summary>A warning where trajectories no longer follow the drawing, with the first of them.</summary>
+    /// <summary>A warning if trajectories no longer follow the drawing, which names the first one.</summary>
     public static IEnumerable<Diagnostic> Findings(Drawing drawing, IReadOnlyList<DocumentTrajectory> trajectories)
     {
         if (!trajectories.Any(one => one.Origin is not null)) yield break;

@@ -5,7 +5,7 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>A trajectory as an entry of the file. Its bound is proven anew when it is read.</summary>
+/// <summary>A trajectory as an entry of the file. Its error bound is verified again when it is read.</summary>
 internal static class TrajectoryEntry
 {
     private static readonly (string Word, OffsetSide Side)[] s_sides = [("left", OffsetSide.Left), ("right", OffsetSide.Right), ("in", OffsetSide.In), ("out", OffsetSide.Out)];
@@ -86,7 +86,7 @@ internal static class TrajectoryEntry
         _ => throw SidecarText.Wrong(where),
     };
 
-    /// <summary>Ends that are not those of the arc would make the bound worthless.</summary>
+    /// <summary>Checks the end points, because wrong ones would invalidate the error bound.</summary>
     private static Segment ArcOf(ArcSegment arc, Point2D start, Point2D end, string where)
     {
         var near = 1e-9 * (1.0 + arc.Radius + Math.Abs(arc.Centre.X) + Math.Abs(arc.Centre.Y));

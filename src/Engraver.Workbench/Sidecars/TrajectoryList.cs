@@ -3,20 +3,20 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>The trajectories of a document, and how the next ones are made. Immutable.</summary>
+/// <summary>The trajectories of a document, and the settings of the next ones. Immutable.</summary>
 public sealed record TrajectoryList
 {
     public static TrajectoryList Empty { get; } = new();
 
-    /// <summary>In the order in which they are exported; every name once.</summary>
+    /// <summary>In the order in which they are exported; with unique names.</summary>
     public IReadOnlyList<DocumentTrajectory> All { get; init; } = [];
 
     public TrajectorySettings Settings { get; init; } = new();
 
-    /// <summary>The number in the name of the next one. It never goes back, so that a name is not given twice.</summary>
+    /// <summary>The number in the name of the next trajectory. It only increases, so that names are not reused.</summary>
     public int NextNumber { get; init; }
 
-    /// <summary>Place of a name, any case; -1 for none.</summary>
+    /// <summary>Index of a name, case-insensitive; -1 for none.</summary>
     public int IndexOf(string name)
     {
         for (var i = 0; i < All.Count; i++)
@@ -28,37 +28,37 @@ public sealed record TrajectoryList
     }
 }
 
-/// <summary>A trajectory with its name and how it was made.</summary>
-/// <param name="Name">Also that of its file, without ending; letters, digits, <c>_</c>, <c>-</c> and <c>.</c></param>
+/// <summary>A trajectory with its name and parameters.</summary>
+/// <param name="Name">Name, also of its file without extension: letters, digits, <c>_</c>, <c>-</c> and <c>.</c></param>
 /// <param name="Curve">Points and bound.</param>
-/// <param name="MaxErrorMm">That was asked for.</param>
+/// <param name="MaxErrorMm">The requested maximum error.</param>
 public sealed record DocumentTrajectory(string Name, Trajectory Curve, double MaxErrorMm)
 {
     /// <summary>Length of equal steps, millimetres; null for the dynamic density.</summary>
     public double? SegmentLengthMm { get; init; }
 
-    /// <summary>Handles of the entities from which it was made; empty where they have none.</summary>
+    /// <summary>Handles of its source entities; empty if they have none.</summary>
     public IReadOnlyList<string> Handles { get; init; } = [];
 
-    /// <summary>From what it was made; null for a helix, and for one of a file that does not say.</summary>
+    /// <summary>Its origin; null for a helix, and if the file does not define it.</summary>
     public TrajectoryOrigin? Origin { get; init; }
 
-    /// <summary>Members of its entry in the file that this program does not know.</summary>
+    /// <summary>Unknown members of its entry in the file.</summary>
     public IReadOnlyList<KeyValuePair<string, JsonElement>> Others { get; init; } = [];
 
-    /// <summary>A helix, which is no contour of the drawing.</summary>
+    /// <summary>True for a helix, which is not a contour of the drawing.</summary>
     public bool IsHelix => Curve.Heights is not null;
 
-    /// <summary>True for a name that may be a file's on every system.</summary>
+    /// <summary>True for a valid file name on every system.</summary>
     public static bool IsName(string name) => name.Length is > 0 and <= 100 && name[0] != '.' && name.All(letter => char.IsAsciiLetterOrDigit(letter) || letter is '_' or '-' or '.');
 }
 
-/// <summary>How trajectories are made (the settings of the SACE commands). Lengths in millimetres.</summary>
+/// <summary>Parameters of new trajectories (the settings of the SACE commands). Lengths in millimetres.</summary>
 public sealed record TrajectorySettings
 {
     public double MaxErrorMm { get; init; } = 0.001;
 
-    /// <summary>Points as the curvature needs them; false: equal steps of <see cref="SegmentLengthMm"/>.</summary>
+    /// <summary>True: points depend on the curvature; false: equal steps of <see cref="SegmentLengthMm"/>.</summary>
     public bool DynamicDensity { get; init; } = true;
 
     public double SegmentLengthMm { get; init; } = TrajectoryOptions.DefaultSegmentLength;

@@ -3,17 +3,17 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Workbench.Sidecars;
 
-/// <summary>From what a trajectory was made and how, so that an edit of that is noticed and the trajectory can be made anew.</summary>
-/// <param name="Group">The same for all that one contour, or contours offset together, gave at one distance.</param>
-/// <param name="Index">Which of them, at one height: 0 is first.</param>
-/// <param name="Count">How many there were at one height.</param>
-/// <param name="Drawn">Fingerprint of the curves of its entities (<see cref="DocumentTrajectory.Handles"/>) as they were.</param>
+/// <summary>The source of a trajectory, used to detect edits and to recompute it.</summary>
+/// <param name="Group">Common number of all trajectories of one contour, or of contours offset together, at one distance.</param>
+/// <param name="Index">Index in the group at one height; 0 is first.</param>
+/// <param name="Count">Number of trajectories in the group at one height.</param>
+/// <param name="Drawn">Fingerprint of the curves of its entities (<see cref="DocumentTrajectory.Handles"/>) at that time.</param>
 public sealed record TrajectoryOrigin(int Group, int Index, int Count, string Drawn)
 {
-    /// <summary>Distance of the offset that it follows, millimetres; null: it follows what is drawn.</summary>
+    /// <summary>Offset distance, millimetres; null: it follows the drawing.</summary>
     public double? Offset { get; init; }
 
-    /// <summary>Side of the offset; without meaning where there is none.</summary>
+    /// <summary>Side of the offset; meaningless without an offset.</summary>
     public OffsetSide Side { get; init; }
 
     public CornerMode Corners { get; init; }

@@ -5,36 +5,36 @@ using Engraver.Core.Posts;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>How a program was posted, as far as it decides what it is compared with.</summary>
+/// <summary>Post parameters of a program that affect its comparison with the drawing.</summary>
 public sealed record PostedWith
 {
-    /// <summary>With what the posts choose where nothing is said.</summary>
+    /// <summary>The defaults of the posts.</summary>
     public static PostedWith Defaults { get; } = new();
 
-    /// <summary>The drawing's zero by the program's own; null for a program that begins where the machine stands, at the drawing's start.</summary>
+    /// <summary>Position of the drawing's zero in the program; null for a program that starts at the current position, which is the drawing's start.</summary>
     public ProgramOrigin? Origin { get; init; }
 
-    /// <summary>Where the machine stands before the first block, drawing millimetres, for a form that does not say it; null: where the first stroke of the
-    /// job begins.</summary>
+    /// <summary>Machine position before the first block, drawing millimetres, for a format that does not contain it; null: the start of the first
+    /// stroke.</summary>
     public Point2D? Start { get; init; }
 
-    /// <summary>By how much the controller was allowed to round corners, millimetres. Where no other tolerance is said it joins lines within the same
-    /// (rs274-hpgl.md 1.4), so that both together are allowed.</summary>
+    /// <summary>Allowed corner rounding of the controller, millimetres. Without another tolerance it also joins lines within the same tolerance (rs274-hpgl.md
+    /// 1.4), so that twice the value is allowed.</summary>
     public double BlendMm { get; init; }
 
-    /// <summary>What it says beside the way.</summary>
+    /// <summary>Program content other than the path.</summary>
     public ProgramTerms Terms { get; init; } = ProgramTerms.Default;
 
-    /// <summary>The motion that it was posted from, where a slow link made it another than the job's own; null for none.</summary>
+    /// <summary>The motion from which it was posted, if a slow link has changed it; otherwise null.</summary>
     internal MotionProgram? Fitted { get; init; }
 
     internal double AllowedBlendMm => 2.0 * BlendMm;
 
-    /// <summary>The options of posts that decide what a program is compared with; the others say only how it is written.</summary>
+    /// <summary>The post options that affect the comparison; the others affect only the notation.</summary>
     public static IReadOnlyList<string> OptionNames { get; } = ["origin", "blend", "work-offset", "tool-switch", "spindle-speed", "pen"];
 
-    /// <summary>From options that the post would take.</summary>
-    /// <param name="valueOf">The value of one of <see cref="OptionNames"/>; null for one that was not given.</param>
+    /// <summary>Creates the parameters from post options.</summary>
+    /// <param name="valueOf">The value of one of <see cref="OptionNames"/>; null if it was not given.</param>
     public static PostedWith Parse(Func<string, string?> valueOf)
     {
         ArgumentNullException.ThrowIfNull(valueOf);
@@ -56,11 +56,11 @@ public sealed record PostedWith
     private static double? Number(string? value) => value is null ? null : double.Parse(value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture);
 }
 
-/// <summary>Where a program takes the drawing's zero to be, mm by the controller's own zero.</summary>
-/// <param name="Z">Null: the height at which the tool stands when the program begins.</param>
+/// <summary>Position of the drawing's zero in a program, mm relative to the controller's zero.</summary>
+/// <param name="Z">Null: the tool height at the start of the program.</param>
 public sealed record ProgramOrigin(double X, double Y, double? Z)
 {
-    /// <summary>Two or three finite numbers apart by commas; null for any other text.</summary>
+    /// <summary>Parses two or three finite numbers separated by commas; null for any other text.</summary>
     public static ProgramOrigin? TryParse(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
@@ -74,7 +74,7 @@ public sealed record ProgramOrigin(double X, double Y, double? Z)
         };
     }
 
-    /// <summary>Where the machine stands in the frame of the drawing while it stands on the controller's zero, counts.</summary>
+    /// <summary>Position of the controller's zero in the frame of the drawing, counts.</summary>
     internal CountsPoint Beginning(CountsScale scale) => new(Counts(-X * scale.X), Counts(-Y * scale.Y), (int)Math.Clamp(Counts(-(Z ?? 0.0) * scale.Z), int.MinValue, int.MaxValue));
 
     /// <summary>Time of the rapid from the controller's zero to the drawing's.</summary>

@@ -12,17 +12,17 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>Reads a posted program back and compares what it cuts with a drawing, in both directions.</summary>
+/// <summary>Reads a posted program back and compares its cut with a drawing in both directions.</summary>
 public static class ProgramVerification
 {
-    /// <summary>A program may take this many times as long as the slowest execution strategy, and <see cref="PatienceSeconds"/> more.</summary>
+    /// <summary>Time limit of a program as a multiple of the slowest execution mode, plus <see cref="PatienceSeconds"/>.</summary>
     private const double Patience = 4.0;
     private const double PatienceSeconds = 60.0;
 
     /// <summary>Runs the program and compares.</summary>
-    /// <param name="reader">Of the language that the program is written in.</param>
-    /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
-    /// <param name="posted">With what it was posted; null for the defaults.</param>
+    /// <param name="reader">Reader of the program's language.</param>
+    /// <param name="settings">The settings of the post: layers, units, start and machine affect the comparison.</param>
+    /// <param name="posted">Its post parameters; null for the defaults.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation, PostedWith? posted = null)
@@ -32,7 +32,7 @@ public static class ProgramVerification
         var (machine, tolerances) = (job.Settings.Machine, TolerancesOf(job, reader));
         var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
         var judges = new ReadBackJudges(job, posted, reader, tolerances, bridges);
-        if (posted.Origin is null && !machine.Scale.Counts(job.Settings.Start)) return Report(job, tolerances, [.. job.Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error)], judges.Verdicts(), bridges); // MOT0003: no program begins there
+        if (posted.Origin is null && !machine.Scale.Counts(job.Settings.Start)) return Report(job, tolerances, [.. job.Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error)], judges.Verdicts(), bridges); // MOT0003: a program cannot start there.
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
         var request = judges.Request(posted.Origin?.Beginning(machine.Scale) ?? machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * (expected + (posted.Origin?.Way(machine) ?? TimeSpan.Zero))));
         var faults = await program.ReadAsync(text => reader.ReplayAsync(text, request, progress, cancellation)).ConfigureAwait(false);
@@ -41,8 +41,7 @@ public static class ProgramVerification
         return Blended(report, judges.Blends, posted.AllowedBlendMm) with { SlowestMmPerMinute = judges.Feeds.Slowest, FastestMmPerMinute = judges.Feeds.Fastest, LowestZMm = judges.Feeds.Lowest };
     }
 
-    /// <summary>Wherever the program leads the controller may leave it by its path control: both distances count together. Without a bound nothing is known
-    /// of them.</summary>
+    /// <summary>The controller may deviate from the program by its path control: both distances are added. Without a bound they are unknown.</summary>
     private static VerificationReport Blended(VerificationReport report, BlendJudge blends, double allowed)
     {
         if (blends.Largest == 0.0) return report with { ToleranceMm = report.ToleranceMm + allowed };
@@ -54,16 +53,16 @@ public static class ProgramVerification
         return finding is null ? report : report with { Ok = false, Diagnostics = [.. report.Diagnostics, finding] };
     }
 
-    /// <summary>A form that rounds more coarsely than the machine counts is allowed what its rounding does.</summary>
+    /// <summary>A format with a coarser resolution than the machine is allowed its rounding error.</summary>
     private static TraceTolerances TolerancesOf(PreparedJob job, IProgramReader reader)
     {
         var usual = RunJudge.Tolerances(job);
         return reader.Rounding <= usual.Deviation - usual.MaxError ? usual : usual with { Count = usual.Count * reader.Rounding / (usual.Deviation - usual.MaxError) };
     }
 
-    /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its
-    /// bridges.</summary>
-    /// <param name="verdicts">On the drawing, and where there are bridges on the drawing with them.</param>
+    /// <summary>The largest deviation is always the one from the drawing. If the join tolerance bridges gaps, the drawing with its bridges may be
+    /// cut.</summary>
+    /// <param name="verdicts">Verdict for the drawing, and for the drawing with bridges if there are any.</param>
     private static VerificationReport Report(PreparedJob job, TraceTolerances tolerances, IReadOnlyList<Diagnostic> faults, TraceVerdict[] verdicts, IReadOnlyList<StrokeMove> bridges)
     {
         var tolerance = tolerances.Deviation;
@@ -77,7 +76,7 @@ public static class ProgramVerification
         return new VerificationReport(deviation, allowed, found.MissingLength, judged.ExtraLength, ok, findings);
     }
 
-    /// <remarks>A missing length below the allowed deviation is no fault: a stroke shorter than a count (MOT0004) cannot be cut.</remarks>
+    /// <remarks>A missing length below the allowed deviation is not an error: a stroke shorter than a count (MOT0004) cannot be cut.</remarks>
     private static IEnumerable<Diagnostic> Differences(TraceVerdict found, double tolerance)
     {
         if (found.MaxDeviation > tolerance && found.DeviationAt is { } worst)
@@ -88,27 +87,27 @@ public static class ProgramVerification
     private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }
 
-/// <summary>How a posted program and a drawing agree, millimetres.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cut from the drawing, with what the controller's path control may add to it; null when nothing is
-/// cut, nothing is known, or there is no drawing to compare with.</param>
-/// <param name="ToleranceMm">How large it may be: rounding and curve error, and half of the widest gap where the join tolerance has gaps bridged beyond
-/// that.</param>
+/// <summary>Comparison of a posted program with a drawing, millimetres.</summary>
+/// <param name="MaxDeviationMm">Largest distance of a cut from the drawing, including the allowed deviation of the controller's path control; null if nothing
+/// is cut or it is unknown.</param>
+/// <param name="ToleranceMm">The allowed deviation: rounding and curve error, plus half of the widest bridged gap if the deviation exceeds the tolerance at a
+/// bridge.</param>
 /// <param name="MissingLengthMm">Length of the drawing that the program does not cut.</param>
-/// <param name="ExtraLengthMm">Length that the program cuts beside the drawing.</param>
-/// <param name="Ok">The program runs to its end, cuts all of the drawing and nothing else.</param>
-/// <param name="Diagnostics">What is wrong with the program, by its lines.</param>
+/// <param name="ExtraLengthMm">Length that the program cuts in addition to the drawing.</param>
+/// <param name="Ok">The program runs to its end and cuts the whole drawing and nothing else.</param>
+/// <param name="Diagnostics">Findings with the lines of the program.</param>
 public sealed record VerificationReport(
     double? MaxDeviationMm, double ToleranceMm, double MissingLengthMm, double ExtraLengthMm, bool Ok, IReadOnlyList<Diagnostic> Diagnostics)
 {
-    /// <summary>The slowest cut that the program says, mm/min; null where its form says no feed.</summary>
+    /// <summary>The slowest cutting feed in the program, mm/min; null if its format has no feed.</summary>
     public double? SlowestMmPerMinute { get; init; }
 
-    /// <summary>The fastest cut, mm/min; null where its form says no feed.</summary>
+    /// <summary>The fastest cutting feed, mm/min; null if its format has no feed.</summary>
     public double? FastestMmPerMinute { get; init; }
 
-    /// <summary>By how much the controller may leave the path of the program, which is part of the deviation; null where the program sets no bound.</summary>
+    /// <summary>Allowed deviation of the controller from the path, which is included in the deviation; null if the program sets no bound.</summary>
     public double? BlendMm { get; init; } = 0.0;
 
-    /// <summary>The lowest height of a cut over the drawing's height 0; null where nothing is told of heights.</summary>
+    /// <summary>The lowest height of a cut relative to the drawing's height 0; null without heights.</summary>
     public double? LowestZMm { get; init; }
 }

@@ -3,16 +3,16 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>A posted program as it stands in a file. Whether it is a program is for its reader to judge.</summary>
-/// <param name="open">Begins the text anew. What cannot be read throws then, or while it is read.</param>
+/// <summary>A posted program in a file. Its reader decides whether it is valid.</summary>
+/// <param name="open">Opens the text from its start. Throws, now or during reading, if it cannot be read.</param>
 public sealed class ReadBackFile(Func<TextReader> open)
 {
     public static ReadBackFile Open(string path) => new(() => new StreamReader(path));
 
     public static ReadBackFile FromText(string text) => new(() => new StringReader(text));
 
-    /// <summary>Has the text read from its beginning, as far as the reader wants it.</summary>
-    /// <returns>What the reader found; why the file cannot be read.</returns>
+    /// <summary>Passes the text to a reader.</summary>
+    /// <returns>The findings of the reader, or why the file cannot be read.</returns>
     public async Task<IReadOnlyList<Diagnostic>> ReadAsync(Func<TextReader, Task<IReadOnlyList<Diagnostic>>> read)
     {
         ArgumentNullException.ThrowIfNull(read);
@@ -27,7 +27,7 @@ public sealed class ReadBackFile(Func<TextReader> open)
         }
     }
 
-    /// <summary>All of it, for a short program that is needed whole; without a text the reason.</summary>
+    /// <summary>The whole text of a short program; without a text the reason.</summary>
     public (string? Text, Diagnostic? Fault) Whole()
     {
         try

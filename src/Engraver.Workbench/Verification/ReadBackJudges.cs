@@ -9,7 +9,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>Everybody who listens while a program is read back: where it cuts, how fast, how much, when, and what it says beside.</summary>
+/// <summary>All judges of a program that is read back: positions, feeds, lengths, times and other content.</summary>
 internal sealed class ReadBackJudges
 {
     private readonly PreparedJob _job;
@@ -19,8 +19,8 @@ internal sealed class ReadBackJudges
     private readonly PaceJudge? _pace;
     private readonly double _deviation;
 
-    /// <param name="tolerances">Of the reader's form.</param>
-    /// <param name="bridges">Lines over gaps within the join tolerance, which may be cut besides.</param>
+    /// <param name="tolerances">Tolerances of the reader's format.</param>
+    /// <param name="bridges">Lines across gaps within the join tolerance, which may be cut too.</param>
     public ReadBackJudges(PreparedJob job, PostedWith posted, IProgramReader reader, TraceTolerances tolerances, IReadOnlyList<StrokeMove> bridges)
     {
         var (machine, isInSpace) = (job.Settings.Machine, reader.TellsHeights && job.Settings.Machine.Height is not null);
@@ -39,11 +39,11 @@ internal sealed class ReadBackJudges
 
     public TermsJudge Terms { get; }
 
-    /// <summary>On the drawing, and where there are bridges on the drawing with them.</summary>
+    /// <summary>Verdict for the drawing, and for the drawing with bridges if there are any.</summary>
     public TraceVerdict[] Verdicts() => [.. _cuts.Select(judge => judge.Verdict())];
 
-    /// <summary>What a reader needs to tell all of them.</summary>
-    /// <param name="start">Where the machine stands when the program starts.</param>
+    /// <summary>Creates the request that reports to all judges.</summary>
+    /// <param name="start">Machine position at the start of the program.</param>
     public ReplayRequest Request(CountsPoint start, TimeSpan expected, TimeSpan longest) =>
         new(_job.Settings.Machine, start, expected, longest, [.. _cuts, .. new ITraceJudge?[] { _length, _pace }.OfType<ITraceJudge>()])
         {
@@ -56,14 +56,14 @@ internal sealed class ReadBackJudges
             IsLevel = IsLevel(),
         };
 
-    /// <summary>What a program that was read to its end does otherwise than the job asks, wherever it cuts.</summary>
+    /// <summary>Differences from the job other than positions, for a program that was read to its end.</summary>
     public IReadOnlyList<Diagnostic> Findings() => [.. new[] { Feeds.Finding, Terms.Finding }.OfType<Diagnostic>()];
 
-    /// <summary>What is wrong with a program that cuts the drawing and nothing else: some of it twice, or at other speeds.</summary>
+    /// <summary>Finding for a program that cuts exactly the drawing, but parts of it twice or at other speeds.</summary>
     public Diagnostic? Behind(CountsPoint start, CancellationToken cancellation) => _length?.Finding ?? PaceFinding(start, cancellation);
 
-    /// <summary>The times of the program are those of the job as the link can carry it, or as it is in one of its two styles: which of them it was posted
-    /// in, its language does not say.</summary>
+    /// <summary>Compares the times of the program with those of the job limited to the link, or of either motion style, because the program does not contain
+    /// its style.</summary>
     private Diagnostic? PaceFinding(CountsPoint start, CancellationToken cancellation)
     {
         if (_pace is null) return null;

@@ -8,8 +8,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>Trajectory files as one text for <see cref="TrajectoryReader"/>: a single file, or all of a folder by its list; either with the places where
-/// the machine stands, if the list is beside them.</summary>
+/// <summary>Trajectory files as one text for <see cref="TrajectoryReader"/>: a single file, or all of a folder by its list; both with the start positions if
+/// the list is available.</summary>
 public static class TrajectoryReadBack
 {
     /// <summary>The reader of a format.</summary>
@@ -35,7 +35,7 @@ public static class TrajectoryReadBack
 
     private static JoinedText All(string list) => new(Starts(list).SelectMany(one => Marked(one.X, one.Y, Path.Combine(Path.GetDirectoryName(list)!, Path.GetFileName(one.File)))));
 
-    /// <summary>The place, then the file, opened when it is its turn.</summary>
+    /// <summary>The start position, then the file, opened on demand.</summary>
     private static IEnumerable<TextReader> Marked(double x, double y, string path)
     {
         yield return new StringReader(string.Create(CultureInfo.InvariantCulture, $"{TrajectoryReader.Mark}{x:R} {y:R}\n"));
@@ -43,7 +43,7 @@ public static class TrajectoryReadBack
         yield return new StringReader("\n");
     }
 
-    /// <exception cref="InvalidDataException">It is no such list.</exception>
+    /// <exception cref="InvalidDataException">It is not such a list.</exception>
     private static List<(string File, double X, double Y)> Starts(string list)
     {
         try
@@ -58,7 +58,7 @@ public static class TrajectoryReadBack
         }
     }
 
-    /// <summary>Texts one after the other; each is opened where the one before ends.</summary>
+    /// <summary>Concatenated texts; each is opened at the end of the previous one.</summary>
     private sealed class JoinedText(IEnumerable<TextReader> parts) : TextReader
     {
         private readonly IEnumerator<TextReader> _parts = parts.GetEnumerator();

@@ -25,16 +25,16 @@ public enum CanvasLayers
     /// <summary>Discontinuities and the findings of CHECK.</summary>
     Findings = 64,
 
-    /// <summary>The machine envelope: how far it reaches.</summary>
+    /// <summary>The travel of the machine.</summary>
     Machine = 128,
 
-    /// <summary>What is engraved so far, in another colour than what is still to do.</summary>
+    /// <summary>The engraved part, in another colour than the rest.</summary>
     Engraved = 256,
 
-    /// <summary>Where the machine really was.</summary>
+    /// <summary>The recorded trace of the machine.</summary>
     Recorded = 512,
 
-    /// <summary>Where the drawing's zero lies on the machine.</summary>
+    /// <summary>The position of the drawing's zero on the machine.</summary>
     WorkOrigin = 1024,
 
     /// <summary>The curves of the trajectories, coloured by their deviation, with points and corners.</summary>

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Views;
 /// <summary>Extents of a drawing in plan, drawing units.</summary>
 public static class DrawingExtents
 {
-    /// <summary>Tight box of every visible curve and point: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is
+    /// <summary>Bounding box of all visible curves and points, without hidden ones and those on frozen or switched-off layers. Empty if nothing is
     /// visible.</summary>
     public static Bounds2D Measure(Drawing drawing)
     {
@@ -14,7 +14,7 @@ public static class DrawingExtents
         return drawing.Points.Where(point => point.IsVisibleIn(drawing)).Aggregate(Measure(drawing, DrawingPick.Visible(drawing)), (box, point) => box.Including(point.Plan));
     }
 
-    /// <summary>Tight box of some curves; empty for none.</summary>
+    /// <summary>Bounding box of some curves; empty for none.</summary>
     public static Bounds2D Measure(Drawing drawing, IEnumerable<int> entities)
     {
         var box = Bounds2D.Empty;

@@ -8,7 +8,7 @@ public static class SnapNames
     private static readonly IReadOnlyList<(string Word, int Bit)> s_all =
         [("ENDPOINT", 1), ("MIDPOINT", 2), ("CENTER", 4), ("NODE", 8), ("QUADRANT", 16), ("INTERSECTION", 32), ("PERPENDICULAR", 128), ("TANGENT", 256), ("NEAREST", 512)];
 
-    /// <summary>The bit of a snap; a beginning of its name of three letters or more, any case. NONE is 0; null when there is no such snap.</summary>
+    /// <summary>The bit of a snap by a prefix of its name of at least three letters, case-insensitive. NONE is 0; null if there is no such snap.</summary>
     public static int? Find(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -23,6 +23,6 @@ public static class SnapNames
         return null;
     }
 
-    /// <summary>The short names of the snaps that are on, as they can be typed.</summary>
+    /// <summary>The abbreviations of the active snaps.</summary>
     public static string Text(int bits) => (bits & s_all.Sum(snap => snap.Bit)) == 0 ? "NONE" : string.Join(',', s_all.Where(snap => (bits & snap.Bit) != 0).Select(snap => snap.Word[..Shortest]));
 }

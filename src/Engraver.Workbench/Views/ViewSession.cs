@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Views;
 
-/// <summary>The view and its switches. They are no part of the document: UNDO does not take back a change of view.</summary>
-/// <remarks>May be used from any thread; the event comes on the thread of the change.</remarks>
+/// <summary>The view and its toggles. They are not part of the document: UNDO does not revert a change of view.</summary>
+/// <remarks>May be used from any thread; the event is raised on the thread of the change.</remarks>
 public sealed class ViewSession
 {
     /// <summary>AutoCAD keeps the last 10 views.</summary>
@@ -13,31 +13,31 @@ public sealed class ViewSession
     private const double SmallestHeight = 1e-9;
     private const double LargestHeight = 1e12;
 
-    /// <summary>Room around what is fitted, as part of its size.</summary>
+    /// <summary>Margin around fitted content, as a fraction of its size.</summary>
     private const double Margin = 0.05;
 
     private readonly Lock _guard = new();
     private readonly LinkedList<(Point2D Centre, double Height)> _previous = new();
     private (Drawing Drawing, Bounds2D Box)? _extents;
 
-    /// <summary>Raised after the view has become another one.</summary>
+    /// <summary>Raised after the view has changed.</summary>
     public event EventHandler? Changed;
 
     public ViewState Current { get; private set; } = ViewState.Default;
 
-    /// <summary>The canvas tells its shape: width over height. Ignored unless above 0 and finite.</summary>
+    /// <summary>Sets the aspect ratio of the canvas, width over height. Ignored unless above 0 and finite.</summary>
     public void SetAspect(double aspect)
     {
         if (aspect > 0.0 && double.IsFinite(aspect)) Change(state => state with { Aspect = aspect });
     }
 
-    /// <summary>The canvas tells its size in the units of its control. Ignored unless both are above 0 and finite.</summary>
+    /// <summary>Sets the size of the canvas in the units of its control. Ignored unless both are above 0 and finite.</summary>
     public void SetCanvas(double width, double height)
     {
         if (width > 0.0 && height > 0.0 && double.IsFinite(width) && double.IsFinite(height)) Change(state => state with { Aspect = width / height, CanvasHeight = height });
     }
 
-    /// <summary>Changes switches, overlays or theme; the part of the drawing that is seen stays.</summary>
+    /// <summary>Changes toggles, overlays or theme without changing the visible part of the drawing.</summary>
     public void Change(Func<ViewState, ViewState> change)
     {
         ArgumentNullException.ThrowIfNull(change);
@@ -51,8 +51,7 @@ public sealed class ViewSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>Zooms by the mouse: the place stays where it is on the canvas. A factor above 1 enlarges. Not remembered for Previous: a wheel turns
-    /// often.</summary>
+    /// <summary>Zooms with the mouse about a fixed point. A factor above 1 enlarges. Not stored for Previous, because a wheel turns often.</summary>
     public void ZoomAbout(Point2D place, double factor)
     {
         if (!(factor > 0.0) || !double.IsFinite(factor) || !place.IsFinite) return;
@@ -63,24 +62,24 @@ public sealed class ViewSession
         });
     }
 
-    /// <summary>Moves the drawing on the canvas by a vector, drawing units, as if it were pushed by hand.</summary>
+    /// <summary>Moves the drawing on the canvas by a vector, drawing units, like panning with the mouse.</summary>
     public void PanBy(Vector2D way)
     {
         if (double.IsFinite(way.X) && double.IsFinite(way.Y)) Change(state => state with { Centre = state.Centre - way });
     }
 
-    /// <summary>Shows a box whole, in the shape of the canvas; remembered for Previous. A box without extent is only centred.</summary>
+    /// <summary>Fits a box to the canvas; stored for Previous. A box without extent is only centred.</summary>
     public void SetWindow(Bounds2D box) => Show(box, 0.0);
 
-    /// <summary>Shows a centre at a height; remembered for Previous.</summary>
+    /// <summary>Sets centre and height; stored for Previous.</summary>
     public void SetCentre(Point2D centre, double height)
     {
         Remember();
         Change(state => state with { Centre = centre, Height = Math.Clamp(height, SmallestHeight, LargestHeight) });
     }
 
-    /// <summary>Shows everything that can be seen of a drawing; remembered for Previous.</summary>
-    /// <returns>False when there is nothing to be seen; the view stays.</returns>
+    /// <summary>Fits all visible objects of a drawing; stored for Previous.</summary>
+    /// <returns>False if nothing is visible; the view is unchanged.</returns>
     public bool ZoomExtents(Drawing drawing)
     {
         var box = ExtentsOf(drawing);
@@ -89,7 +88,7 @@ public sealed class ViewSession
         return true;
     }
 
-    /// <summary>Shows some curves; remembered for Previous.</summary>
+    /// <summary>Fits some curves; stored for Previous.</summary>
     public bool ZoomObjects(Drawing drawing, IEnumerable<int> entities)
     {
         var box = DrawingExtents.Measure(drawing, entities);
@@ -98,7 +97,7 @@ public sealed class ViewSession
         return true;
     }
 
-    /// <returns>False when there is no earlier view.</returns>
+    /// <returns>False if there is no earlier view.</returns>
     public bool ZoomPrevious()
     {
         (Point2D Centre, double Height) view;
@@ -113,8 +112,8 @@ public sealed class ViewSession
         return true;
     }
 
-    /// <summary>Brings a place into the middle, near enough to see it, and points at it.</summary>
-    /// <param name="height">Height of the view, drawing units; null keeps the present one.</param>
+    /// <summary>Centres and marks a point at a suitable zoom.</summary>
+    /// <param name="height">Height of the view, drawing units; null keeps the current one.</param>
     public void FocusOn(ViewFocus focus, double? height)
     {
         ArgumentNullException.ThrowIfNull(focus);
@@ -125,14 +124,14 @@ public sealed class ViewSession
     /// <summary>Removes the mark of <see cref="FocusOn"/>.</summary>
     public void PointNowhere() => Change(state => state with { Focus = null });
 
-    /// <summary>Raises <see cref="Changed"/>, so that everything is drawn anew, and removes the mark of <see cref="FocusOn"/>.</summary>
+    /// <summary>Raises <see cref="Changed"/>, to redraw everything, and removes the mark of <see cref="FocusOn"/>.</summary>
     public void Regenerate()
     {
         lock (_guard) (Current, _extents) = (Current with { Focus = null }, null);
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>The box of the visible curves, kept for the drawing that was asked about last.</summary>
+    /// <summary>The bounding box of the visible curves, cached for the last drawing.</summary>
     public Bounds2D ExtentsOf(Drawing drawing)
     {
         lock (_guard)

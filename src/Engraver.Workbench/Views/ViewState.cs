@@ -4,7 +4,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Views;
 
-/// <summary>What the operator looks at and how. Immutable.</summary>
+/// <summary>The state of the view. Immutable.</summary>
 public sealed record ViewState
 {
     /// <summary>The view of a session that has no canvas and no drawing: A4 in millimetres.</summary>
@@ -19,7 +19,7 @@ public sealed record ViewState
     /// <summary>Width over height of the canvas, above 0.</summary>
     public double Aspect { get; init; } = 297.0 / 210.0;
 
-    /// <summary>Height of the canvas in the units of its control, which are pixels where the screen is not scaled; null: there is no canvas.</summary>
+    /// <summary>Height of the canvas in the units of its control, which are pixels on an unscaled screen; null without a canvas.</summary>
     public double? CanvasHeight { get; init; }
 
     public bool Grid { get; init; } = true;
@@ -30,14 +30,14 @@ public sealed record ViewState
 
     public bool ObjectSnap { get; init; } = true;
 
-    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 8 node, 16 quadrant, 32 intersection, 128
-    /// perpendicular, 256 tangent, 512 nearest.</summary>
+    /// <summary>The active object snaps, as in AutoCAD's OSMODE: 1 end, 2 middle, 4 centre, 8 node, 16 quadrant, 32 intersection, 128 perpendicular, 256
+    /// tangent, 512 nearest.</summary>
     public int ObjectSnapModes { get; init; } = 1 + 2 + 4 + 16 + 32;
 
-    /// <summary>The object snap for the next place alone, as <see cref="ObjectSnapModes"/> counts them (0: none at all); null: those that are on.</summary>
+    /// <summary>One-time object snap for the next point, in the format of <see cref="ObjectSnapModes"/> (0: none); null: the active ones.</summary>
     public int? OneTimeSnap { get; init; }
 
-    /// <summary>The cursor is drawn to multiples of <see cref="PolarAngle"/> from the point before (POLAR); never together with <see cref="Ortho"/>.</summary>
+    /// <summary>The cursor snaps to multiples of <see cref="PolarAngle"/> from the previous point (POLAR); excludes <see cref="Ortho"/>.</summary>
     public bool Polar { get; init; }
 
     /// <summary>Step of polar tracking, degrees, above 0 (POLARANG).</summary>
@@ -45,10 +45,10 @@ public sealed record ViewState
 
     public bool DynamicInput { get; init; } = true;
 
-    /// <summary>Distance of grid lines, drawing units; the canvas draws every tenth, hundredth ... when they come too close.</summary>
+    /// <summary>Distance of grid lines, drawing units; the canvas draws every tenth, hundredth, ... line if they are too close.</summary>
     public double GridSpacing { get; init; } = 10.0;
 
-    /// <summary>Distance of the places that Snap jumps to, drawing units.</summary>
+    /// <summary>Spacing of the snap grid, drawing units.</summary>
     public double SnapSpacing { get; init; } = 10.0;
 
     public CanvasLayers Shown { get; init; } =
@@ -56,25 +56,25 @@ public sealed record ViewState
 
     public DesktopTheme Theme { get; init; }
 
-    /// <summary>Place that the canvas marks; null: none.</summary>
+    /// <summary>The marked point; null for none.</summary>
     public ViewFocus? Focus { get; init; }
 
     public double Width => Height * Aspect;
 
-    /// <summary>The part of the drawing that is seen.</summary>
+    /// <summary>The visible part of the drawing.</summary>
     public Bounds2D Window => new(Centre.X - (Width / 2.0), Centre.Y - (Height / 2.0), Centre.X + (Width / 2.0), Centre.Y + (Height / 2.0));
 }
 
-/// <summary>A place that the canvas marks until everything is drawn anew (REGEN), another place is pointed at, or what was found there is mended.</summary>
+/// <summary>A point that the canvas marks until REGEN, until another point is marked, or until its finding is resolved.</summary>
 /// <param name="Place">Drawing units.</param>
-/// <param name="Finding">What was found there; null: the place alone was pointed at.</param>
+/// <param name="Finding">The finding at the point; null for a point alone.</param>
 public sealed record ViewFocus(Point2D Place, Diagnostic? Finding)
 {
     /// <summary>Millimetres.</summary>
     private const double SamePlace = 1e-6;
 
-    /// <summary>Whether what was found there is still among the findings: by its rule and its place, and where it has none by its entity, because the
-    /// sentence may tell of others too.</summary>
+    /// <summary>Whether the finding still exists: compared by rule and position, or by entity if it has none, because its message may contain other
+    /// data.</summary>
     public bool IsAmong(IEnumerable<Diagnostic> findings)
     {
         return Finding is not { } found || findings.Any(IsSame);

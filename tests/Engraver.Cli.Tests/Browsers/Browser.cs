@@ -7,13 +7,13 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Browsers;
 
-/// <summary>Chromium without a window: prints a page, photographs it, and measures how it is laid out.</summary>
+/// <summary>Headless Chromium: prints a page, takes screenshots and measures its layout.</summary>
 internal sealed partial class Browser(TemporaryFolder folder)
 {
     /// <summary>Millimetres to the pixels of CSS.</summary>
     private const double PixelsPerMillimetre = 96.0 / 25.4;
 
-    /// <summary>Looks at every element: what reaches beyond the sheet or its own frame, and what each picture has in it.</summary>
+    /// <summary>Checks every element for content beyond the sheet or its own frame, and the content of each picture.</summary>
     private const string Measure = """
         const sheet = document.documentElement.clientWidth, name = e => e.tagName + '.' + (e.getAttribute('class') || '') + ' ' + (e.closest('section') || document.body).id + ' ' + e.textContent.trim().slice(0, 40);
         const beyond = [], pictures = [];
@@ -50,10 +50,10 @@ internal sealed partial class Browser(TemporaryFolder folder)
         found.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({ beyond, broken, pictures })))); document.body.append(found);
         """;
 
-    /// <summary>The program; null where it is not installed.</summary>
+    /// <summary>Path of the program; null if it is not installed.</summary>
     public static string? Program { get; } = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(place => place.Length > 0).Select(place => Path.Combine(place, "chromium")).FirstOrDefault(File.Exists);
 
-    /// <summary>The sheets of paper that a page takes, each with its size in points.</summary>
+    /// <summary>The printed sheets of a page with their sizes in points.</summary>
     public async Task<IReadOnlyList<(double Width, double Height)>> PrintAsync(string page, string pdf)
     {
         await RunAsync($"--print-to-pdf={pdf}", "--no-pdf-header-footer", Url(page));
@@ -61,10 +61,10 @@ internal sealed partial class Browser(TemporaryFolder folder)
         return [.. Sheet().Matches(text).Select(sheet => (Number(sheet.Groups[1].Value), Number(sheet.Groups[2].Value)))];
     }
 
-    /// <summary>A picture of the page as a window of that size shows it.</summary>
+    /// <summary>A screenshot of the page in a window of this size.</summary>
     public Task PhotographAsync(string page, string png, int width, int height) => RunAsync($"--screenshot={png}", Window(width, height), Url(page));
 
-    /// <summary>How the page lies in a window, or on A4 with its margins of 14 mm.</summary>
+    /// <summary>Layout of the page in a window, or on A4 with margins of 14 mm.</summary>
     /// <param name="width">Pixels; null: on paper.</param>
     public async Task<PageLayout> LayOutAsync(string page, int? width)
     {
@@ -102,14 +102,14 @@ internal sealed partial class Browser(TemporaryFolder folder)
     private static partial Regex Found();
 }
 
-/// <summary>How a page lies.</summary>
+/// <summary>Layout of a page.</summary>
 /// <param name="Beyond">Elements that reach beyond the sheet, their frame or their picture.</param>
-/// <param name="Broken">Words that are broken within, of every column but the last, which takes what is long.</param>
+/// <param name="Broken">Words broken across lines, in every column except the last, which contains long text.</param>
 internal sealed record PageLayout(IReadOnlyList<string> Beyond, IReadOnlyList<string> Broken, IReadOnlyList<PagePicture> Pictures);
 
 /// <summary>A picture of a page, in pixels.</summary>
 /// <param name="Section">Its key.</param>
-/// <param name="Ink">Curves that can be seen.</param>
-/// <param name="InkedWidth">Of the box of all of them.</param>
-/// <param name="InkedHeight">The same.</param>
+/// <param name="Ink">Number of visible curves.</param>
+/// <param name="InkedWidth">Width of their bounding box.</param>
+/// <param name="InkedHeight">Height of their bounding box.</param>
 internal sealed record PagePicture(string Section, double Width, double Height, int Ink, double InkedWidth, double InkedHeight);

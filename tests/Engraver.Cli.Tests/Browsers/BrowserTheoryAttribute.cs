@@ -2,8 +2,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Browsers;
 
-/// <summary>A test that opens a page in Debian's chromium. It belongs to <c>./test --full</c>, which installs it; there it is skipped where chromium is
-/// missing. In a commit's share, which does not install a browser, it is not among the tests.</summary>
+/// <summary>A test that opens a page in Debian's chromium. It runs in <c>./test --full</c>, which installs chromium, and is skipped without it. It is not part
+/// of the fast subset.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class BrowserTheoryAttribute : FullRunTheoryAttribute
 {

@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Browsers;
 
-/// <summary>The page of a job as a browser shows and prints it. The pictures and the sheets are kept in artifacts/report, to be looked at.</summary>
+/// <summary>The job report as shown and printed by a browser. Pictures and sheets are stored in artifacts/report for review.</summary>
 public class ReportInBrowserTests
 {
     private const double A4Width = 595.0;
@@ -23,7 +23,7 @@ public class ReportInBrowserTests
 
         Assert.InRange(new FileInfo(page).Length, 10_000, 5_000_000);
         var sheets = await browser.PrintAsync(page, Path.Combine(kept, name + ".pdf"));
-        Assert.InRange(sheets.Count, 2, isRun ? 6 : 12); // of many lines there are many findings: at most 500 are listed
+        Assert.InRange(sheets.Count, 2, isRun ? 6 : 12); // Many lines give many findings: at most 500 are listed.
         Assert.All(sheets, sheet => Assert.Equal((A4Width, A4Height), (Math.Round(sheet.Width), Math.Round(sheet.Height))));
         foreach (int? width in new int?[] { 1280, 600, null })
         {

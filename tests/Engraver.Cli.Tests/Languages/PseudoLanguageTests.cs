@@ -7,11 +7,10 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Languages;
 
-/// <summary>The runner in the pseudo-language: help of every verb, results for people, refusals. A plain letter outside of marks is a text that no language
-/// could translate.</summary>
+/// <summary>The runner in the pseudo-language: help of every verb, displayed results, refusals. An unmarked letter is text that cannot be translated.</summary>
 public class PseudoLanguageTests
 {
-    /// <summary>The program's name, units, and what the library for verbs says of itself.</summary>
+    /// <summary>The program's name, units, and texts of the command line library.</summary>
     private static readonly string[] s_stays = ["engraver", "mm", "s", "x"];
 
     public static TheoryData<string> Runs =>

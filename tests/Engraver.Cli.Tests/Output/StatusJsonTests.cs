@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Cli.Tests.Output;
 
-/// <summary>What <c>status</c> says of lines, heights and a place of the work that nobody knows.</summary>
+/// <summary>Output of <c>status</c>: lines, heights and an unknown work origin.</summary>
 public class StatusJsonTests
 {
     private static readonly MachineStatus s_ready = new()

@@ -2,7 +2,7 @@ using System.Text.Json.Nodes;
 
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>The wire eroder's program through the console: written, foretold, read back.</summary>
+/// <summary>The wire EDM program through the console: posted, with forecast, read back.</summary>
 public class AgieFileTests
 {
     [Fact]

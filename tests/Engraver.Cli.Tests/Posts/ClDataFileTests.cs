@@ -4,10 +4,10 @@ using System.Text.Json;
 
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>The sequenced drawing as a file, read again by ourselves and by a stranger.</summary>
+/// <summary>The sequenced drawing as a file, read by this program and by ezdxf.</summary>
 public class ClDataFileTests
 {
-    /// <summary>Errors, errors that reading mended, entities, length of lines and of arcs and circles, unit.</summary>
+    /// <summary>Errors, errors repaired while reading, entities, length of lines and of arcs and circles, unit.</summary>
     private const string Audit = """
         import sys, json, math, ezdxf
         from ezdxf import recover

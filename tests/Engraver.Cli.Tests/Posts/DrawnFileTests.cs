@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>What the commands that draw make of an empty drawing, saved and read by a stranger: types, figures, and nothing to complain of.</summary>
+/// <summary>Results of the drawing commands, saved and read by ezdxf: types, values and no errors.</summary>
 public class DrawnFileTests
 {
     private const string Audit = """

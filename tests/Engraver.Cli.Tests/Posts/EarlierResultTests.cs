@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>A file that an earlier drawing was made into is not replaced by nothing, whichever verb is asked.</summary>
+/// <summary>No verb overwrites the result of an earlier drawing with an empty result.</summary>
 public class EarlierResultTests
 {
     private const string NoCurve = "  0\nSECTION\n  2\nENTITIES\n  0\nTEXT\n  8\n0\n 10\n0\n 20\n0\n 40\n3\n  1\nhello\n  0\nENDSEC\n  0\nEOF\n";
@@ -24,7 +24,7 @@ public class EarlierResultTests
             var run = await CliRun.RunAsync([way[0], drawing, .. way[1..], earlier]);
 
             Assert.Equal((way[0], ExitCode.DrawingError, "earlier"), (way[0], run.ExitCode, await File.ReadAllTextAsync(earlier)));
-            Assert.DoesNotContain("DOC0002", run.Error, StringComparison.Ordinal); // why is said once
+            Assert.DoesNotContain("DOC0002", run.Error, StringComparison.Ordinal); // The reason is printed once.
         }
     }
 

@@ -2,12 +2,12 @@ using System.Diagnostics;
 
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>A test that asks ezdxf (Debian: python3-ezdxf), which shares no code with us; skipped where it is not installed. ./test installs it when it
-/// may.</summary>
+/// <summary>A test that uses ezdxf (Debian: python3-ezdxf), which shares no code with this program; skipped if it is not installed. ./test installs it if
+/// permitted.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class EzdxfTheoryAttribute : TheoryAttribute
 {
-    /// <summary>Debian's own interpreter: another one on the path does not see Debian's packages.</summary>
+    /// <summary>Debian's own interpreter: other interpreters on the path do not find Debian's packages.</summary>
     public const string Python = "/usr/bin/python3";
 
     private static readonly Lazy<bool> s_installed = new(IsInstalled);

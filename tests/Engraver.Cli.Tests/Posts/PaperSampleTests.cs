@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>What paper 000 prints, posted from the drawings in samples/paper-000.</summary>
+/// <summary>The programs printed in paper 000, posted from the drawings in samples/paper-000.</summary>
 public class PaperSampleTests
 {
     private static string Folder => Path.Combine(RepositoryFolder.Samples, "paper-000");

@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Posts;
 
-/// <summary>What SAVEAS and CL data write, read by a stranger.</summary>
+/// <summary>Files written by SAVEAS and as CL data, read by ezdxf.</summary>
 public class SavedFileTests
 {
     private const string Audit = """
@@ -53,8 +53,8 @@ public class SavedFileTests
         Assert.Equal("7 true true false", layers["TRUE"]);
     }
 
-    /// <summary>Four lines about a circle, an ellipse and a bulged polyline; each command of reshaping works on them, and the stranger finds what must be
-    /// left.</summary>
+    /// <summary>Four lines about a circle, an ellipse and a bulged polyline; each reshaping command is applied to them, and ezdxf finds the expected
+    /// result.</summary>
     [EzdxfTheory]
     [InlineData("TRIM  40,0 ", "CIRCLE,ELLIPSE,LINE,LINE,LINE,LINE,LINE,LWPOLYLINE")]
     [InlineData("TRIM  60,50 ", "ARC,ELLIPSE,LINE,LINE,LINE,LINE,LWPOLYLINE")]

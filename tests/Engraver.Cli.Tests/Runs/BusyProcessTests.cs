@@ -3,12 +3,12 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A job beside other work of the same process: an opening drawing, tiles, a plan. The controller's dead man allows one second, so the heartbeat
-/// must not wait until a thread of the pool is free.</summary>
+/// <summary>A job concurrently with other work of the same process: opening a drawing, tiles, a plan. The controller's watchdog trips after one second, so the
+/// heartbeat must not wait for a free pool thread.</summary>
 [Collection(nameof(BusyProcess))]
 public class BusyProcessTests
 {
-    /// <summary>A commit tries the strategy that needs the host at every moment.</summary>
+    /// <summary>The fast subset runs the mode that needs the host continuously.</summary>
     public static TheoryData<string> Modes => TestExtent.IsFull ? ["stream", "program"] : ["stream"];
 
     [Theory]
@@ -18,7 +18,7 @@ public class BusyProcessTests
         using var folder = new TemporaryFolder();
         using var over = new CancellationTokenSource();
         await using var controller = new SimulatedController(new SimulatorOptions());
-        var drawing = folder.WithFile("line.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n30\n21\n0\n0\nENDSEC\n0\nEOF\n"); // one and a half seconds: the dead man waits one
+        var drawing = folder.WithFile("line.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n30\n21\n0\n0\nENDSEC\n0\nEOF\n"); // One and a half seconds: the watchdog trips after one.
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         var others = Enumerable.Range(0, Environment.ProcessorCount * 4).Select(_ => Task.Run(() => WorkUntil(over.Token))).ToArray();
         var run = await CliRun.RunAsync("run", drawing, "--connect", "tcp://" + place, "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
@@ -42,6 +42,6 @@ public class BusyProcessTests
     }
 }
 
-/// <summary>Tests that keep every core busy on purpose run alone.</summary>
+/// <summary>Tests that keep every core busy on purpose run in isolation.</summary>
 [CollectionDefinition(nameof(BusyProcess), DisableParallelization = true)]
 public sealed class BusyProcess;

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A socket before a controller that passes every byte on, and one line changed.</summary>
+/// <summary>A proxy in front of a controller that forwards every byte and changes one line.</summary>
 internal sealed class HarmingProxy : IAsyncDisposable
 {
     private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -13,7 +13,7 @@ internal sealed class HarmingProxy : IAsyncDisposable
     private readonly Func<string, string> _harm;
     private readonly Task _serving;
 
-    /// <param name="harm">What arrives instead of a line, which is given without its CR.</param>
+    /// <param name="harm">Returns the replacement of a line without its CR.</param>
     public HarmingProxy(int controllerPort, Func<string, string> harm)
     {
         (_controllerPort, _harm) = (controllerPort, harm);
@@ -68,11 +68,11 @@ internal sealed class HarmingProxy : IAsyncDisposable
         }
         catch (Exception ended) when (ended is OperationCanceledException or IOException or ObjectDisposedException or InvalidOperationException)
         {
-            // one side has gone; the other follows
+            // One side has closed; close the other.
         }
     }
 
-    /// <summary>Whole lines go on; a download ends with a backslash instead of a CR.</summary>
+    /// <summary>Forwards complete lines; a download ends with a backslash instead of a CR.</summary>
     private static byte[] Harmed(ReadOnlySpan<byte> bytes, StringBuilder line, Func<string, string> harm)
     {
         var passed = new StringBuilder();

@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The motors of servo axes are judged, not only what they were commanded: over a network and over a serial line, with an output and with an axis
+/// <summary>The motor positions of servo axes are judged, not only the commanded ones: over a network and over a serial line, with an output and with an axis
 /// as tool drive.</summary>
 public sealed class MotorPlaceRunTests
 {
@@ -29,13 +29,13 @@ public sealed class MotorPlaceRunTests
         }
     }
 
-    /// <summary>X stands in the middle of a line that is cut at 20 mm/s: after 0.2 s the motor is 4 mm behind, and the controller itself ends the
+    /// <summary>X is blocked in the middle of a line that is cut at 20 mm/s: after 0.2 s the motor is 4 mm behind, and the controller itself ends the
     /// job.</summary>
     [Theory]
     [MemberData(nameof(Ways))]
     public async Task A_blocked_axis_is_never_a_perfect_part(string link, string mode, bool isMill)
     {
-        foreach (var seconds in (double[])[mode == "calls" ? 0.6 : 0.3, 2.0]) // a call stands for the time of its exchanges first
+        foreach (var seconds in (double[])[mode == "calls" ? 0.6 : 0.3, 2.0]) // A call includes the time of its exchanges.
         {
             await using var bench = new Bench(link, isMill, ServoLag: TimeSpan.Zero);
             bench.Controller.Schedule(new ScheduledFault { Kind = FaultKind.Jam, Axis = "A", AtSegment = 1, ForSeconds = seconds });
@@ -48,7 +48,7 @@ public sealed class MotorPlaceRunTests
         }
     }
 
-    /// <summary>A servo that is 10 ms behind its command is 0.2 mm behind at 20 mm/s: shown as such, and a right part.</summary>
+    /// <summary>A servo with a lag of 10 ms is 0.2 mm behind at 20 mm/s: reported, and the part is correct.</summary>
     [Theory]
     [MemberData(nameof(Ways))]
     public async Task The_lag_of_a_healthy_servo_is_shown_and_no_deviation(string link, string mode, bool isMill)
@@ -90,7 +90,7 @@ public sealed class MotorPlaceRunTests
             _folder.Dispose();
         }
 
-        /// <summary>Two lines of 40 mm with a corner between, so that a motor that stood would cut it.</summary>
+        /// <summary>Two lines of 40 mm with a corner between, which a blocked motor would cut off.</summary>
         private static string Plate() => string.Create(CultureInfo.InvariantCulture, $"0\nSECTION\n2\nENTITIES\n{Line(0, 0, 4, 0)}{Line(4, 0, 40, 0)}{Line(40, 0, 40, 30)}{Line(40, 30, 0, 30)}0\nENDSEC\n0\nEOF\n");
 
         private static string Line(int x1, int y1, int x2, int y2) => $"0\nLINE\n8\n0\n10\n{x1}\n20\n{y1}\n11\n{x2}\n21\n{y2}\n";

@@ -7,12 +7,12 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The main job over sockets, and everything that can go wrong on the way.</summary>
+/// <summary>The main job over sockets, and all failures of the link.</summary>
 public class NetworkRunTests
 {
     private const byte Tool = 1;
 
-    /// <summary>Paper 001, figure 5: written out by hand, so that no reader of ours stands between the record and the drawing.</summary>
+    /// <summary>Paper 001, figure 5: written by hand, so that the comparison of record and drawing uses no reader of this program.</summary>
     private static readonly Segment[] s_paperPart =
     [
         Segment.FromLine(new Point2D(50, 50), new Point2D(150, 50)),
@@ -23,7 +23,7 @@ public class NetworkRunTests
 
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
-    /// <summary>A commit tries the main strategy between two processes; the others between a process and a controller of the test, below, and all of them
+    /// <summary>The fast subset runs the main mode between two processes; the others between a process and a controller of the test, below, and all of them
     /// over each link in <c>EveryStrategyTests</c>.</summary>
     public static TheoryData<string> Modes => TestExtent.IsFull ? ["stream", "calls", "program"] : ["stream"];
 
@@ -53,7 +53,7 @@ public class NetworkRunTests
         AssertRecord(await File.ReadAllLinesAsync(folder.PathOf("record.csv")));
     }
 
-    /// <summary>As it was found: the line ten times as long was cut, and the run called complete with 396 mm as its own measure.</summary>
+    /// <summary>Regression: a line ten times too long was cut, and the run was reported as complete with a deviation of 396 mm.</summary>
     [Fact]
     public async Task A_line_that_arrives_ten_times_as_long_ends_as_deviated_with_exit_1()
     {
@@ -67,7 +67,7 @@ public class NetworkRunTests
         Assert.Matches("The machine was at 15[0-9]{4},50000 of the drawing .counts., [0-9]+ counts off the planned path", run.Error);
         Assert.Contains("\"outcome\":\"deviated\"", (await File.ReadAllLinesAsync(folder.PathOf("run.jsonl")))[^1], StringComparison.Ordinal);
         Assert.Equal(0, controller.Status.Outputs);
-        Assert.InRange(controller.Record.Snapshot().Max(row => row.A), 150_000, 160_000); // stopped, not cut to its end
+        Assert.InRange(controller.Record.Snapshot().Max(row => row.A), 150_000, 160_000); // Stopped, not completed.
     }
 
     [Fact]
@@ -157,7 +157,7 @@ public class NetworkRunTests
     public async Task A_refused_command_is_exit_3_and_says_which_and_why()
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
-        controller.Schedule(new ScheduledFault { Kind = FaultKind.LimitSwitch, Axis = "A", Forward = true, AtByte = BehindTheList }); // one that is hit before finds a start list that does not pass
+        controller.Schedule(new ScheduledFault { Kind = FaultKind.LimitSwitch, Axis = "A", Forward = true, AtByte = BehindTheList }); // An earlier fault would make a start check fail.
         using var folder = new TemporaryFolder();
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 
@@ -279,14 +279,14 @@ public class NetworkRunTests
         return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}");
     }
 
-    /// <summary>A controller that is not at speed 1 is run by its own clock.</summary>
+    /// <summary>A controller with a speed other than 1 is run with its own clock.</summary>
     private static async Task<string> ClockAsync(SimulatedController controller)
     {
         var clock = await controller.ListenClockAsync(CancellationToken.None);
         return string.Create(CultureInfo.InvariantCulture, $"?clock={clock.Port}");
     }
 
-    /// <summary>Everything that comes back until the controller is silent about it: each answer ends with a prompt.</summary>
+    /// <summary>All replies until every command is answered: each reply ends with a prompt.</summary>
     private static async Task<string> AskAsync(SimulatedController controller, string commands, CancellationToken cancellation)
     {
         await using var other = controller.OpenConnection();
@@ -301,7 +301,7 @@ public class NetworkRunTests
         return (await controller.ListenTcpAsync(0, CancellationToken.None)).Port;
     }
 
-    /// <summary>After the moment, the record's last row with motion or tool on comes within the time, and the tool is off in the end.</summary>
+    /// <summary>After the moment, the last row of the record with motion or tool on is within the time limit, and the tool is off at the end.</summary>
     private static void AssertSafeWithin(MotionRecord record, long moment, int samples)
     {
         var rows = record.Snapshot();
@@ -312,11 +312,11 @@ public class NetworkRunTests
         Assert.Contains(rows, row => (row.Outputs & Tool) != 0);
     }
 
-    /// <summary>The record holds the paper's part, cut whole, and ends at rest with the tool off.</summary>
+    /// <summary>The record contains the complete part of the paper and ends at rest with the tool off.</summary>
     private static void AssertRecord(string[] lines)
     {
         Assert.Equal("t,a,b,c,d,outputs", lines[0]);
-        Assert.EndsWith(",0,0,0,0,0", lines[^1], StringComparison.Ordinal); // back at the drawing's start
+        Assert.EndsWith(",0,0,0,0,0", lines[^1], StringComparison.Ordinal); // Back at the drawing's start.
         AssertPart([.. lines.Skip(1).Select(Sample)]);
     }
 

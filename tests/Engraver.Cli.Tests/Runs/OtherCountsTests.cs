@@ -5,14 +5,13 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>What is kept of a machine was kept under the counts per millimetre of one profile, and is not used under those of another.</summary>
+/// <summary>The stored state of a machine depends on the counts per millimetre of its profile, and is not used with another scale.</summary>
 public sealed class OtherCountsTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(120));
 
-    /// <summary>As it was found: two profiles with the same homing, or none, were taken one for the other without a word, and the part came out too
-    /// large.</summary>
+    /// <summary>Regression: profiles with equal homing, or without it, were confused without a warning, and the part was too large.</summary>
     [Fact]
     public async Task An_origin_is_refused_by_a_profile_with_other_counts_and_taken_when_it_is_set_anew()
     {
@@ -60,7 +59,7 @@ public sealed class OtherCountsTests : IDisposable
         Assert.StartsWith("READY", await DoneAsync(["status", "--machine", wrong, .. at]), StringComparison.Ordinal);
     }
 
-    /// <summary>A file of an older version does not tell: it is taken, and tells after the next job.</summary>
+    /// <summary>A file of an older version has no scale: it is accepted, and gets one with the next job.</summary>
     [Fact]
     public async Task A_file_without_counts_is_taken_and_gets_them_with_the_next_job()
     {
@@ -72,7 +71,7 @@ public sealed class OtherCountsTests : IDisposable
         var kept = JsonNode.Parse(await File.ReadAllTextAsync(file, _limit.Token))!;
         Assert.Equal(1000, (int)kept["origins"]!["G54"]!["countsPerMillimetre"]!["x"]!);
         kept["origins"]!["G54"]!.AsObject().Remove("countsPerMillimetre");
-        kept.AsObject().Remove("sum"); // as an older version wrote it
+        kept.AsObject().Remove("sum"); // In the format of an older version.
         await File.WriteAllTextAsync(file, kept.ToJsonString(), _limit.Token);
 
         Assert.StartsWith("READY", await DoneAsync(["status", "--machine", other, .. at]), StringComparison.Ordinal);

@@ -6,7 +6,7 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>Another program holds the machine: every verb says who has it and ends with exit 3, and nothing moves.</summary>
+/// <summary>Another program uses the machine: every verb names it and ends with exit 3, and nothing moves.</summary>
 public sealed class OtherHandsTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(120);

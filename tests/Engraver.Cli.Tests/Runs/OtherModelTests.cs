@@ -3,8 +3,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A controller of another family is run with a warning, one with a single axis is refused with what is needed; an address needs no scheme where
-/// it tells what it is.</summary>
+/// <summary>An unknown controller model runs with a warning, a single-axis controller is refused with the reason; an address needs no scheme if its type is
+/// obvious.</summary>
 public sealed class OtherModelTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();

@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A named pipe given for a result is written into, for whoever reads at its other end.</summary>
+/// <summary>A named pipe given for a result is written, not replaced.</summary>
 public class PipeTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(2);
@@ -10,7 +10,7 @@ public class PipeTests
     [Fact]
     public async Task Trace_and_journal_go_into_pipes_and_their_readers_get_all_of_it()
     {
-        if (OperatingSystem.IsWindows()) return; // a pipe there has no place among the files
+        if (OperatingSystem.IsWindows()) return; // The system has no named pipes in the file system.
         using var folder = new TemporaryFolder();
         var (trace, journal) = (NamedPipe.Make(folder.PathOf("trace")), NamedPipe.Make(folder.PathOf("journal")));
         var (traced, journalled) = (NamedPipe.ReadAsync(trace), NamedPipe.ReadAsync(journal));
@@ -24,7 +24,7 @@ public class PipeTests
     [Fact]
     public async Task A_program_that_is_posted_into_a_pipe_arrives_and_the_pipe_stays_one()
     {
-        if (OperatingSystem.IsWindows()) return; // a pipe there has no place among the files
+        if (OperatingSystem.IsWindows()) return; // The system has no named pipes in the file system.
         using var folder = new TemporaryFolder();
         var pipe = NamedPipe.Make(folder.PathOf("program.dmc"));
         var said = await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "galil");

@@ -1,7 +1,7 @@
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A rehearsal on <c>sim:</c> is refused for the same reasons as the job on the machine: it counts as homed, with its origin at 0 unless another
-/// is given, and says that this is assumed.</summary>
+/// <summary>A rehearsal on <c>sim:</c> is refused for the same reasons as the job on the machine: it counts as homed, with its origin at 0 unless another is
+/// given, which is reported as an assumption.</summary>
 public sealed class RehearsalTests : IDisposable
 {
     private const string Homing = """, "homing": [{"axis": "X", "by": "switch", "direction": "minus"}, {"axis": "Y", "by": "switch", "direction": "minus"}]""";

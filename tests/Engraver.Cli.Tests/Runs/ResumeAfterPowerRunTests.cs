@@ -5,8 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The power of a mill fails in the middle of a run: <c>home</c> and <c>run --resume</c> cut the rest where the work is, in machine counts and to
-/// its depth.</summary>
+/// <summary>The power of a mill fails in the middle of a run: <c>home</c> and <c>run --resume</c> cut the rest at the position of the work, in machine counts
+/// and to its depth.</summary>
 public sealed class ResumeAfterPowerRunTests : IDisposable
 {
     private const int TopOfWork = 4800;
@@ -27,7 +27,7 @@ public sealed class ResumeAfterPowerRunTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
-    /// <summary>In the full run: a commit tries all strategies in the session itself, in <c>ResumeAfterPowerTests</c> of the Workbench.</summary>
+    /// <summary>Full run only: the fast subset runs all modes in <c>ResumeAfterPowerTests</c> of the Workbench.</summary>
     public static TheoryData<string, int> Modes => new() { { "stream", 730_001 }, { "calls", 730_002 }, { "program", 730_003 } };
 
     [FullRunTheory]
@@ -70,14 +70,14 @@ public sealed class ResumeAfterPowerRunTests : IDisposable
         var rest = controller.Record.Snapshot().Skip(behind).ToList();
         var whole = await WholeAsync(profile, mode, serialNumber + 10_000, limit.Token);
         AssertSameDrawing([.. first, .. rest], whole);
-        Assert.InRange(rest.Count(IsInWork), 1000, 0.85 * whole.Count(IsInWork)); // and what the first had cut not again
+        Assert.InRange(rest.Count(IsInWork), 1000, 0.85 * whole.Count(IsInWork)); // The first part is not cut again.
     }
 
     public void Dispose() => _folder.Dispose();
 
     private static bool IsInWork(MotionSample sample) => sample.C < TopOfWork;
 
-    /// <summary>Every place that an undisturbed run cuts was cut by the two together, and they were nowhere else in the work.</summary>
+    /// <summary>Both runs together cut every position of an undisturbed run, and no other position of the work.</summary>
     private static void AssertSameDrawing(IReadOnlyList<MotionSample> both, IReadOnlyList<MotionSample> whole)
     {
         var (cut, drawn) = (Squares(both), Squares(whole));
@@ -102,7 +102,7 @@ public sealed class ResumeAfterPowerRunTests : IDisposable
         return false;
     }
 
-    /// <summary>The same job at the same place without a failure, on a machine of which nothing is known yet.</summary>
+    /// <summary>The same job at the same place without a failure, on a machine without stored state.</summary>
     private async Task<IReadOnlyList<MotionSample>> WholeAsync(string profile, string mode, int serialNumber, CancellationToken limit)
     {
         await using var controller = SwitchedOn(serialNumber, 60, 25, 3);
@@ -122,7 +122,7 @@ public sealed class ResumeAfterPowerRunTests : IDisposable
         Assert.True(done.ExitCode == ExitCode.Done, $"{string.Join(' ', words)}: {done.Error}");
     }
 
-    /// <summary>Nobody answers any more from a report of the job on.</summary>
+    /// <summary>The controller stops answering after a given progress report.</summary>
     private static async Task<CliRun> CutOffAsync(SimulatedController controller, int report, string[] args)
     {
         using var output = new MemoryStream();
@@ -146,11 +146,11 @@ public sealed class ResumeAfterPowerRunTests : IDisposable
     private static async Task<string> AddressAsync(SimulatedController controller, CancellationToken limit)
     {
         var port = (await controller.ListenTcpAsync(0, limit)).Port;
-        var clock = (await controller.ListenClockAsync(limit)).Port; // a busy computer is no silent host
+        var clock = (await controller.ListenClockAsync(limit)).Port; // A busy computer must not count as a silent host.
         return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}");
     }
 
-    /// <summary>A machine whose switches lie at -1 mm (A and B) and 20 mm (C), switched on at this place.</summary>
+    /// <summary>A machine with switches at -1 mm (A and B) and 20 mm (C), switched on at this place.</summary>
     private static SimulatedController SwitchedOn(int serialNumber, int x, int y, int z) => new(new SimulatorOptions
     {
         Speed = double.PositiveInfinity,

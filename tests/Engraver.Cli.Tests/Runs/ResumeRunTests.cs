@@ -7,7 +7,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>A run that was stopped goes on with <c>--resume</c>: what both have cut is the drawing.</summary>
+/// <summary>A stopped run is continued with <c>--resume</c>: both runs together cut the drawing.</summary>
 public sealed class ResumeRunTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
@@ -49,7 +49,7 @@ public sealed class ResumeRunTests : IDisposable
         Assert.Contains(reason, second.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>As it was found: the rest of a job was cut at another feed without a word.</summary>
+    /// <summary>Regression: the rest of a job was cut at another feed without a warning.</summary>
     [Fact]
     public async Task A_setting_that_is_not_that_of_the_journal_is_refused_with_both_values()
     {
@@ -64,7 +64,7 @@ public sealed class ResumeRunTests : IDisposable
         await DoneAsync([.. run, "--resume", journal, "--feed", "1200", "--journal", _folder.PathOf("second.jsonl")]);
     }
 
-    /// <summary>As it was found: what was left could be cut twice, because the journal could not be told that it was cut.</summary>
+    /// <summary>Regression: the rest could be cut twice, because the journal did not record that it was cut.</summary>
     [Fact]
     public async Task A_journal_that_cannot_be_told_that_its_job_goes_on_is_refused_and_its_copy_is_taken()
     {
@@ -79,8 +79,8 @@ public sealed class ResumeRunTests : IDisposable
         await DoneAsync([.. run, "--resume", journal]);
     }
 
-    /// <summary>As it was found: a journal whose last place was edited was believed, and up to 27 % of the drawing was never cut. A crash leaves no end
-    /// and, at most, half a line.</summary>
+    /// <summary>Regression: a journal with an edited last position was accepted, and up to 27 % of the drawing was not cut. A crash leaves no end and at most
+    /// an incomplete line.</summary>
     [Theory]
     [InlineData("stream", false)]
     [InlineData("calls", true)]
@@ -118,7 +118,7 @@ public sealed class ResumeRunTests : IDisposable
 
         Assert.Equal((0, "complete", 0.0), (told.ExitCode, Text(told, "outcome"), JsonText.Of(told).GetProperty("missingLength").GetDouble()));
         Assert.Equal(isOld, told.Error.Contains("JOB0048", StringComparison.Ordinal));
-        await RefusedAsync("already resumed", [.. run, "--resume", kept]); // which was told behind the torn line
+        await RefusedAsync("already resumed", [.. run, "--resume", kept]); // Which was reported after the incomplete line.
     }
 
     private static string WithNumber(string line, string name, int more)
@@ -141,8 +141,8 @@ public sealed class ResumeRunTests : IDisposable
         Assert.Contains("--lead-in", run.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>As it was found: after a dry run in between nothing told any more where the job had been begun, and the rest was cut 33 mm beside it and
-    /// called complete; and what was left could be cut again and again.</summary>
+    /// <summary>Regression: after an intermediate dry run the start position of the job was lost, the rest was cut with an offset of 33 mm and reported as
+    /// complete, and the rest could be cut repeatedly.</summary>
     [Fact]
     public async Task A_job_goes_on_once_and_nowhere_else_whatever_was_run_in_between()
     {
@@ -185,7 +185,7 @@ public sealed class ResumeRunTests : IDisposable
 
     private static string? Text(CliRun run, string name) => JsonText.Of(run).GetProperty(name).GetString();
 
-    /// <summary>Ctrl-C at a report of the job.</summary>
+    /// <summary>Ctrl-C at a progress report of the job.</summary>
     private static async Task<CliRun> StoppedAsync(int report, params string[] args)
     {
         using var output = new MemoryStream();

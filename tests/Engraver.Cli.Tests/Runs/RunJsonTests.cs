@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary><c>run --json</c> prints its one object however the run ends, so that a script never has to parse an empty text.</summary>
+/// <summary><c>run --json</c> prints one object for every outcome, so that a script never has to parse an empty text.</summary>
 public sealed class RunJsonTests
 {
     [Theory]
@@ -33,7 +33,7 @@ public sealed class RunJsonTests
         Assert.Equal((ExitCode.DrawingError, "refused"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
     }
 
-    /// <summary>What the drawing has to say is said once, not again in the list before the start.</summary>
+    /// <summary>Findings of the drawing are printed once, not again in the start checks.</summary>
     [Fact]
     public async Task A_finding_of_the_drawing_is_told_once()
     {

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>Somebody at a terminal holds a run, lets it go on and changes its speed.</summary>
+/// <summary>An operator at a terminal holds a run, resumes it and changes its speed.</summary>
 public class RunKeysTests
 {
     [Theory]
@@ -62,7 +62,7 @@ public class RunKeysTests
 
     private static IEnumerable<char?> Nothing(int looks) => Enumerable.Repeat(default(char?), looks);
 
-    /// <summary>Each look at the keyboard takes the next key, or finds none.</summary>
+    /// <summary>Each poll of the keyboard returns the next key or none.</summary>
     private static async Task<CliRun> WithKeysAsync(Queue<char?> keys, params string[] args)
     {
         using var output = new MemoryStream();

@@ -5,15 +5,15 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The same job goes to the same place of the machine, whatever ended the one before: by the simulator's counts. The hosts are processes, which
-/// can be killed; the origin lies where nobody would get by chance.</summary>
+/// <summary>The same job cuts at the same machine position regardless of how the previous one ended, checked by the simulator's counts. The hosts are
+/// processes, which can be killed; the origin is at an unlikely position.</summary>
 public class SamePlaceTests
 {
     private const int Tool = 1;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
-    /// <summary>A commit tries one strategy from the console (in the session, which runs scripts too, <c>WorkOriginTests</c> try all), the full run each
-    /// from both programs.</summary>
+    /// <summary>The fast subset runs one mode from the console (<c>WorkOriginTests</c> run all in the session), the full run all modes from both
+    /// programs.</summary>
     public static TheoryData<string> ConsoleModes => TestExtent.IsFull ? ["stream", "calls", "program"] : ["program"];
 
     public static TheoryData<string> ScriptModes => ["Stream", "Calls", "Program"];
@@ -38,7 +38,7 @@ public class SamePlaceTests
         Assert.Equal((12500L, -7250L), (first.FinalX, first.FinalY));
     }
 
-    /// <summary>A script is typed to the same session that the desktop has; a desktop is left by a killed process as a script is.</summary>
+    /// <summary>A script uses the same session as the desktop, so a killed script represents a killed desktop.</summary>
     [FullRunTheory]
     [MemberData(nameof(ScriptModes))]
     public async Task So_is_a_job_of_the_desktops_commands(string mode)
@@ -75,7 +75,7 @@ public class SamePlaceTests
         Assert.True(set.ExitCode == ExitCode.Done, set.Error);
     }
 
-    /// <summary>The host is ended in the middle of a cut; the controller comes to rest by itself or by the stop, away from where the job ends.</summary>
+    /// <summary>The host is ended in the middle of a cut; the controller comes to rest on its own or by the stop, away from the end of the job.</summary>
     private static async Task InterruptedAsync(SimulatedController controller, string[] words, Action<EngraverProcess> end, CancellationToken cancellation)
     {
         using var host = EngraverProcess.Start(words);
@@ -87,7 +87,7 @@ public class SamePlaceTests
         Assert.NotEqual((12500L, -7250L), ((long)last.A, (long)last.B));
     }
 
-    /// <summary>The box of what was cut in this run alone, and where it ended; counts of the controller.</summary>
+    /// <summary>Bounds of the cut of this run and its final position; counts of the controller.</summary>
     private static async Task<Cut> CutAsync(SimulatedController controller, Func<Task<CliRun>> run)
     {
         var before = controller.Record.Count;

@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The main job on every sample, every way, judged by every motor sample of the simulated controller.</summary>
+/// <summary>The main job on every sample in every mode, judged by every motor sample of the simulated controller.</summary>
 public class SampleRunTests
 {
     /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
@@ -82,7 +82,7 @@ public class SampleRunTests
             report.EnumerateObject().Select(field => field.Name));
         Assert.Equal(System.Text.Json.JsonValueKind.Null, report.GetProperty("finalZ").ValueKind); // a machine without a Z axis
         Assert.Equal(System.Text.Json.JsonValueKind.Null, report.GetProperty("trajectory").ValueKind); // the drawing itself was run
-        Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32())); // behind the way back to the drawing's start
+        Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32())); // After the return to the drawing's start.
         Assert.Equal("""{"x":0,"y":0,"source":"work"}""", System.Text.Json.JsonSerializer.Serialize(report.GetProperty("origin")));
         Assert.True(File.Exists(folder.PathOf("run.jsonl")));
     }
@@ -102,7 +102,7 @@ public class SampleRunTests
         Assert.Equal(0.0, here.GetProperty("missingLength").GetDouble());
     }
 
-    /// <summary>A part that was cut out of a map: its counts exceed 32 bits, those from the machine do not.</summary>
+    /// <summary>A part with map coordinates: its counts exceed 32 bits, those relative to the machine do not.</summary>
     [Theory]
     [InlineData("stream")]
     [InlineData("calls")]
@@ -119,7 +119,7 @@ public class SampleRunTests
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
         Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
 
-        Assert.Equal(ExitCode.Refused, (await CliRun.RunAsync([.. run, "--origin", "work"])).ExitCode); // where the controller counts 0
+        Assert.Equal(ExitCode.Refused, (await CliRun.RunAsync([.. run, "--origin", "work"])).ExitCode); // At the controller's zero.
     }
 
     [Theory]

@@ -11,13 +11,13 @@ public class SerialRunTests
 {
     private const byte Tool = 1;
 
-    /// <summary>Four times real time, slow enough that a part is still being cut when the test breaks in. The host takes the controller's clock, so that a
-    /// busy computer does not set off the dead man.</summary>
+    /// <summary>Four times real time, slow enough that a part is still being cut when the test interferes. The host uses the controller's clock, so that a busy
+    /// computer does not trip the watchdog.</summary>
     private const double Slowly = 4.0;
     private const double AllowedDeviation = 0.0025 + 0.001;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
-    /// <summary>A commit tries each strategy once, the full run each drawing in both.</summary>
+    /// <summary>The fast subset runs each mode once, the full run each drawing in both.</summary>
     public static TheoryData<string, string> MainJobs
     {
         get
@@ -69,7 +69,7 @@ public class SerialRunTests
         Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
     }
 
-    /// <summary>The stroke runs from 10,10 to 10.5,10.017; the origin lies at 3,-2 mm of the machine.</summary>
+    /// <summary>The stroke runs from 10,10 to 10.5,10.017; the origin is at machine position 3,-2 mm.</summary>
     [Theory]
     [InlineData("stream", "origin", 3000, -2000)]
     [InlineData("stream", "stay", 13500, 8017)]
@@ -102,7 +102,7 @@ public class SerialRunTests
     {
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--serial", folder.PathOf("tty"), "--baud", "115200", "--speed", "4"); // at speed 1 there is no clock to take, and a busy computer sets off the dead man
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--serial", folder.PathOf("tty"), "--baud", "115200", "--speed", "4"); // At speed 1 there is no clock to share, and a busy computer may trip the watchdog.
         var clock = (await simulate.LineAsync("clock ", patience.Token)).Split(':')[^1];
         var network = await simulate.LineAsync("listening ", patience.Token);
         var serial = await simulate.LineAsync("listening ", patience.Token);
@@ -175,7 +175,7 @@ public class SerialRunTests
         Assert.Single(run.Error.TrimEnd().Split('\n'));
     }
 
-    /// <summary>Until the tool cuts; a run that ended before that is told.</summary>
+    /// <summary>Waits until the tool cuts; reports a run that ended before.</summary>
     private static async Task CuttingAsync(SimulatedController controller, Task<CliRun> running, CancellationToken cancellation)
     {
         var cutting = controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, cancellation);
@@ -185,7 +185,7 @@ public class SerialRunTests
 
     private static async Task<SimulatedController> ServeAsync(TemporaryFolder folder, double speed)
     {
-        // At speed max only the bytes on the wire move the clock, so that a busy computer cannot.
+        // At maximum speed only the bytes on the wire advance the clock, so that a busy computer has no effect.
         TimeProvider time = double.IsPositiveInfinity(speed) ? new ManualTimeProvider() : TimeProvider.System;
         var controller = new SimulatedController(new SimulatorOptions { Speed = speed, Time = time });
         await controller.ServeSerialAsync(folder.PathOf("tty"), 19200, CancellationToken.None);

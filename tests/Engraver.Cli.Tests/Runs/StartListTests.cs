@@ -4,8 +4,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The list that the desktop arms by is gone through by the console too, before anything moves; each line of it is asked of the controller
-/// then.</summary>
+/// <summary>The console runs the start checks of the desktop too, before any motion, with current data of the controller.</summary>
 public class StartListTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(120);

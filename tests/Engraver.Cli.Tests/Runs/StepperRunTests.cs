@@ -3,13 +3,13 @@ using Engraver.Simulator;
 
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>Nothing counts the motion of steppers: what is polled of them is what was commanded.</summary>
+/// <summary>Steppers have no feedback: their polled positions are the commanded ones.</summary>
 public class StepperRunTests
 {
     private const string Profile = """{ "motorTypeX": 2, "motorTypeY": -2 }""";
 
-    /// <summary>The shaft of X is blocked for a moment: the part is wrong by its record, which no host can see, and so none promises that it is
-    /// right.</summary>
+    /// <summary>The shaft of X is blocked for a moment: the record shows a wrong part, which the host cannot detect, so it must not report a correct
+    /// one.</summary>
     [Fact]
     public async Task A_run_in_which_a_stepper_has_lost_steps_promises_no_more_than_was_commanded()
     {
@@ -27,11 +27,11 @@ public class StepperRunTests
         Assert.Equal(0, controller.MotorPlace(0));
         Assert.Contains("maximum deviation of the commanded positions 0.00", told.Out, StringComparison.Ordinal);
         Assert.Contains("the whole drawing was cut; the motors of X, Y are steppers without feedback, lost steps are not detected.", told.Out, StringComparison.Ordinal);
-        Assert.EndsWith(" mm commanded; lost steps are not detected (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')[..^1]), StringComparison.Ordinal); // behind it the line of the budget
+        Assert.EndsWith(" mm commanded; lost steps are not detected (steppers: X, Y)", Assert.Single((await CliRun.RunAsync("history", "--search", drawing)).Out.TrimEnd().Split('\n')[..^1]), StringComparison.Ordinal); // The last line is the disk space limit of runs.
         Assert.Equal(["X", "Y"], JsonText.Of(await CliRun.RunAsync("history", "--search", drawing, "--json")).GetProperty("entries")[0].GetProperty("openLoop").EnumerateArray().Select(axis => axis.GetString()));
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("page.html"));
         var page = await File.ReadAllTextAsync(folder.PathOf("page.html"));
-        Assert.Equal(3, page.Split("The deviation is that of the commanded positions: the motors of X, Y are steppers without feedback, and lost steps are not detected.").Length); // below the picture and above the figures
+        Assert.Equal(3, page.Split("The deviation is that of the commanded positions: the motors of X, Y are steppers without feedback, and lost steps are not detected.").Length); // Below the picture and above the figures.
         Assert.Contains("Maximum deviation of the commanded positions, mm", page, StringComparison.Ordinal);
         Assert.EndsWith(" mm Sollwert; verlorene Schritte werden nicht erkannt (Schrittmotoren: X, Y)", (await CliRun.RunAsync("history", "--search", drawing, "--culture", "de")).Out.TrimEnd().Split('\n')[^2], StringComparison.Ordinal);
         await CliRun.RunAsync("report", drawing, "--machine", folder.PathOf("stepper.json"), "-o", folder.PathOf("seite.html"), "--culture", "de");
@@ -54,7 +54,7 @@ public class StepperRunTests
         Assert.Contains("the motors of X, Y are steppers without feedback, lost steps are not detected", told.Out, StringComparison.Ordinal);
     }
 
-    /// <summary>The simulator's own record is no witness of what was commanded but of where the shafts were.</summary>
+    /// <summary>The simulator's record contains shaft positions, not commanded ones.</summary>
     [Fact]
     public async Task With_the_record_of_a_simulated_controller_the_judge_sees_where_the_motors_were()
     {

@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Samples;
 
-/// <summary>What every stage makes of the samples, held against the files under samples/expected; `./test --update-golden` writes them anew.</summary>
+/// <summary>Output of every stage for the samples, compared with the files in samples/expected; `./test --update-golden` rewrites them.</summary>
 public class SampleGoldenTests
 {
     public static TheoryData<string> Names => [.. SampleDrawing.Names];

@@ -4,7 +4,7 @@ namespace Engraver.Cli.Tests.Terminals;
 
 public class LineQueueTests
 {
-    /// <summary>What speaks to the terminal while a job runs is the job itself, whose heartbeat the watchdog waits for.</summary>
+    /// <summary>A running job writes to the terminal on its own thread, whose heartbeat must not be delayed.</summary>
     [Fact]
     public async Task A_terminal_that_takes_nothing_holds_up_nobody_who_speaks_to_it()
     {

@@ -76,7 +76,7 @@ public class BadInputTests
         Assert.False(File.Exists(folder.PathOf(name)));
     }
 
-    /// <summary>The words of .NET name its types, repeat the path and are English in every language.</summary>
+    /// <summary>Messages of .NET contain type names, repeat the path and are always English.</summary>
     [Fact]
     public async Task A_missing_drawing_is_told_in_our_words_and_never_as_errors_that_can_be_accepted()
     {
@@ -92,7 +92,7 @@ public class BadInputTests
         }
     }
 
-    /// <summary>As a variable of a shell that is not set gives it.</summary>
+    /// <summary>The result of an unset shell variable.</summary>
     [Theory]
     [InlineData("FILE is empty.", "plan", "")]
     [InlineData("FILE is empty.", "profile", "check", "")]

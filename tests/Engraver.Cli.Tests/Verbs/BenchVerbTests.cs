@@ -50,7 +50,7 @@ public class BenchVerbTests
         Assert.Equal("hpgl", Assert.Single(one.Out.TrimEnd('\n').Split('\n')[2..], line => line.StartsWith('|')).Split('|', StringSplitOptions.TrimEntries)[1]);
     }
 
-    /// <summary>A drawing that ends in the middle is damaged: its program is written, no certificate of it stands, and the line below says so.</summary>
+    /// <summary>A drawing that ends in the middle is damaged: its program is written without a valid certificate, and the line below states this.</summary>
     [Fact]
     public async Task A_program_without_a_certificate_is_named_with_the_reason()
     {
@@ -66,7 +66,7 @@ public class BenchVerbTests
         Assert.Contains("damaged drawing", lines[^2], StringComparison.Ordinal);
     }
 
-    /// <summary>No time is looked at: every fault has its row, and where the link stands the stop was heard on the wire.</summary>
+    /// <summary>Times are not checked: every fault has its row, and with a working link the stop was sent.</summary>
     [Fact]
     public async Task A_stop_is_measured_under_the_faults_that_are_asked_for()
     {
@@ -79,7 +79,7 @@ public class BenchVerbTests
         Assert.Equal("1", rows[1][2]);
     }
 
-    /// <summary>The line under way is at most the whole time, and what comes behind it at least the bytes of CB 1 and STS.</summary>
+    /// <summary>The time of the current line is at most the whole time, and the following bytes include at least CB 1 and STS.</summary>
     [Fact]
     public async Task A_stop_is_measured_on_a_serial_line_and_behind_the_line_under_way()
     {

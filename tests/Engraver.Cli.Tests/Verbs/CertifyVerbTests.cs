@@ -84,7 +84,7 @@ public class CertifyVerbTests
         Assert.Equal("program", Assert.Single(JsonText.Of(stale).GetProperty("differs").EnumerateArray()).GetString());
     }
 
-    /// <summary>What a pipe has given cannot be read again, so that nothing could ever be held against the certificate.</summary>
+    /// <summary>A pipe cannot be read again, so the certificate could not be checked later.</summary>
     [Fact]
     public async Task A_drawing_that_is_no_file_gets_none()
     {

@@ -18,7 +18,7 @@ public class CommissionVerbTests
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Contains("\"countsPerMillimetreX\": -1000", await File.ReadAllTextAsync(file), StringComparison.Ordinal);
         Assert.Contains("Axis A moves +1000 counts at 2000 counts/s, tool off. Is the path clear? [Yes/No] <No>:\n", run.Out, StringComparison.Ordinal);
-        Assert.Contains("is now the machine profile. To load it later, use --machine.", run.Out, StringComparison.Ordinal); // and not CNCPROFILE, which the console has not
+        Assert.Contains("is now the machine profile. To load it later, use --machine.", run.Out, StringComparison.Ordinal); // The console does not have CNCPROFILE.
         var next = await CliRun.Typing(WithoutMoves + "No\n", "commission", "--connect", "sim:", "--machine", file);
         Assert.Equal(ExitCode.Done, next.ExitCode);
         Assert.Contains("X: axis A, -1000 counts/mm.", next.Out, StringComparison.Ordinal);

@@ -4,8 +4,8 @@ namespace Engraver.Cli.Tests.Verbs;
 
 public sealed class DesktopVerbTests
 {
-    /// <summary>A published program has no runtime beside it: the executable is started itself. From a build both lie there, and the runtime that runs this
-    /// program runs the desktop.</summary>
+    /// <summary>A published program has no runtime beside it: the executable is started directly. A build contains both, and the desktop is started with the
+    /// runtime of this program.</summary>
     [Theory]
     [InlineData("engraver", "engraver", false)]
     [InlineData("engraver", "desktop", false)]

@@ -4,7 +4,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>status, zero and goto against a simulated controller in another process, which keeps its place from verb to verb as a machine does.</summary>
+/// <summary>status, zero and goto against a simulated controller in another process, which keeps its position between verbs like a machine.</summary>
 public class HandVerbTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(120);
@@ -42,7 +42,7 @@ public class HandVerbTests
         Assert.Equal(("complete", 12000, -7500), (run.GetProperty("outcome").GetString(), run.GetProperty("finalX").GetInt32(), run.GetProperty("finalY").GetInt32()));
     }
 
-    /// <summary>Somebody else's job moves the machine, over a connection of its own: where it happens to be is no origin.</summary>
+    /// <summary>A job of another program moves the machine over another connection: no origin can be set.</summary>
     [Fact]
     public async Task An_origin_is_not_set_while_the_machine_moves()
     {
@@ -100,7 +100,7 @@ public class HandVerbTests
         Task<JsonElement> DoAsync(params string[] words) => SeenAsync([.. words, .. machine]);
 
         await DoAsync("goto", "10,20", "--machine-position");
-        Assert.Equal((null, null), Work(await DoAsync("zero", "--edge", "left", "--radius", "1.5"))); // half an origin is none
+        Assert.Equal((null, null), Work(await DoAsync("zero", "--edge", "left", "--radius", "1.5"))); // Half an origin is not an origin.
         await DoAsync("goto", "30,7", "--machine-position");
         Assert.Equal((18.5, -1.5), Work(await DoAsync("zero", "--edge", "bottom", "--radius", "1.5")));
         Assert.Equal((18.5, 1.5), Work(await DoAsync("zero", "--edge", "top", "--radius", "1.5")));

@@ -4,13 +4,13 @@ using Engraver.Simulator;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary><c>engraver jog --hold</c> as a process of its own: what stops it, and what stops the machine when it dies. The simulated controller keeps the
-/// time of its host, and with the wall once that is dead.</summary>
+/// <summary><c>engraver jog --hold</c> as a separate process: what stops it, and what stops the machine when the process is killed. The simulated controller
+/// uses the clock of its host, and the wall clock after the host has ended.</summary>
 public class HeldJogTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(120);
 
-    /// <summary>Also on the axis that holds the tool.</summary>
+    /// <summary>Also on the tool axis.</summary>
     [Theory]
     [InlineData("x+", 10)]
     [InlineData("z+", 4)]
@@ -28,7 +28,7 @@ public class HeldJogTests
         var rows = controller.Record.Snapshot();
         var speeds = rows.Zip(rows.Skip(1)).Where(pair => pair.First.Sample >= killed).ToList();
         var brakes = speeds.First(pair => pair.Second.A + pair.Second.C - pair.First.A - pair.First.C < step - 1).First;
-        Assert.InRange(brakes.Sample - killed, 0, 400); // 0.26 s on the controller's clock, and what this computer took to kill
+        Assert.InRange(brakes.Sample - killed, 0, 400); // 0.26 s on the controller's clock, plus the time for killing the process.
         Assert.InRange(rows[^1].Sample - brakes.Sample, 1, 60); // 10000 / 256000 s
         Assert.Equal(0, (int)controller.Status.Outputs);
     }
@@ -53,11 +53,11 @@ public class HeldJogTests
         Assert.True(controller.Status.IsIdle);
     }
 
-    /// <returns>When it moves at its speed.</returns>
+    /// <returns>Time at which it has reached its speed.</returns>
     private static async Task<EngraverProcess> JoggingAsync(SimulatedController controller, CancellationToken patience, string way = "x+")
     {
         var port = (await controller.ListenTcpAsync(0, patience)).Port;
-        var clock = (await controller.ListenClockAsync(patience)).Port; // a busy computer is no slow link
+        var clock = (await controller.ListenClockAsync(patience)).Port; // A busy computer must not count as a slow link.
         var host = EngraverProcess.Start("jog", "--hold", way, "--feed", way == "x+" ? "600" : "300", "--machine", SampleDrawing.MillProfile, "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}"));
         var moves = controller.WaitUntilAsync(status => status.IsMoving, patience);
         if (await Task.WhenAny(moves, host.WaitAsync(patience)) != moves) Assert.Fail($"It ended before it moved: {await host.Error.ReadToEndAsync(patience)}");

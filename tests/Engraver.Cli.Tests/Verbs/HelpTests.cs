@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>What the help and the contract's page say of verbs and options is what the program has.</summary>
+/// <summary>Help and contract page list exactly the verbs and options of the program.</summary>
 public sealed partial class HelpTests
 {
     public static TheoryData<string> Verbs => [.. Root().Subcommands.Select(verb => verb.Name)];

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>Each test looks for a drawing of its own, for all of them write into one index.</summary>
+/// <summary>Each test uses a separate drawing, because all write to one index.</summary>
 public class HistoryVerbTests
 {
     [Fact]
@@ -62,7 +62,7 @@ public class HistoryVerbTests
 
     private static string? Word(JsonElement entry, string field) => entry.GetProperty(field).GetString();
 
-    /// <summary>As it was found: nothing was known of the dialect of a program, nor that it had been read back.</summary>
+    /// <summary>Regression: the dialect and the read-back result of a program were missing.</summary>
     [Fact]
     public async Task What_was_chosen_for_a_program_and_how_it_was_read_back_stand_with_it_and_are_found()
     {

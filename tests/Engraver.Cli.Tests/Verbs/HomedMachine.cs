@@ -8,7 +8,7 @@ internal sealed class HomedMachine : IAsyncDisposable
 {
     private const int CountsPerMillimetre = 1000;
 
-    /// <param name="serialNumber">By which the verbs know it again.</param>
+    /// <param name="serialNumber">Identifies the machine to the verbs.</param>
     public HomedMachine(int serialNumber) => Controller = new SimulatedController(new SimulatorOptions
     {
         Speed = double.PositiveInfinity,
@@ -22,7 +22,7 @@ internal sealed class HomedMachine : IAsyncDisposable
 
     public SimulatedController Controller { get; }
 
-    /// <summary>A profile of the machine; its homing tells no millimetres of the mark, so that it is the same by any counts per millimetre.</summary>
+    /// <summary>A profile of the machine; its homing has no position of the mark, so that it is independent of the scale.</summary>
     public static string Profile(double countsPerMillimetre = CountsPerMillimetre, string more = "") => string.Create(CultureInfo.InvariantCulture, $$"""
         {
           "countsPerMillimetreX": {{countsPerMillimetre}}, "countsPerMillimetreY": {{countsPerMillimetre}}, {{more}}
@@ -37,7 +37,7 @@ internal sealed class HomedMachine : IAsyncDisposable
     public async Task<string> AddressAsync(CancellationToken limit)
     {
         var port = (await Controller.ListenTcpAsync(0, limit)).Port;
-        var clock = (await Controller.ListenClockAsync(limit)).Port; // a busy computer is no silent host
+        var clock = (await Controller.ListenClockAsync(limit)).Port; // A busy computer must not count as a silent host.
         return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}");
     }
 

@@ -14,7 +14,7 @@ public class KerfOptionTests
         Assert.Equal(120.0 + (4.0 * Math.PI) + (6.0 * Math.PI), plan.GetProperty("cutLength").GetDouble(), 2);
     }
 
-    /// <summary>The posted program follows the compensated path and no other; without the option it is not what is drawn.</summary>
+    /// <summary>The posted program follows the compensated path and no other; without the option it differs from the drawing.</summary>
     [Theory]
     [InlineData("galil")]
     [InlineData("galil-calls")]
@@ -88,7 +88,7 @@ public class KerfOptionTests
         Assert.Contains("KRF0001", run.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>Trajectories that nobody made before follow the compensated path as well.</summary>
+    /// <summary>Automatically created trajectories follow the compensated path as well.</summary>
     [Fact]
     public async Task Trajectories_run_beside_the_lines()
     {

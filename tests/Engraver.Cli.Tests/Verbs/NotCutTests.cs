@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>What the operator sees in the drawing and the machine will not do is said before the run and in its last line.</summary>
+/// <summary>Visible but uncut entities are reported before the run and in its last line.</summary>
 public sealed class NotCutTests
 {
     private static readonly (int, object)[] s_line = [(0, "LINE"), (8, "0"), (10, 0.0), (20, 0.0), (11, 10.0), (21, 0.0)];
@@ -27,7 +27,7 @@ public sealed class NotCutTests
         Assert.DoesNotContain("the whole drawing was cut", said.Out, StringComparison.Ordinal);
     }
 
-    /// <summary>The plan says it too, and the last line of a dry run that nothing was cut.</summary>
+    /// <summary>The plan reports it too, and the last line of a dry run states that nothing was cut.</summary>
     [Fact]
     public async Task The_plan_counts_it_and_a_hatch_is_told_with_the_option_that_cuts_it()
     {
@@ -39,7 +39,7 @@ public sealed class NotCutTests
         Assert.Contains("DRY RUN, tool off, nothing was cut; visible but NOT CUT (1 HATCH): name outlines with --cut", said.Out, StringComparison.Ordinal);
     }
 
-    /// <summary>--cut takes no dimension and no point: no advice names what is refused.</summary>
+    /// <summary>--cut accepts no dimensions and points: no advice suggests them.</summary>
     [Theory]
     [InlineData("DIMENSION", "To cut them: explode DIMENSION into lines in the CAD program. To leave them uncut")]
     [InlineData("POINT", "To cut them: draw a small circle or a short line at each point. To leave them uncut")]

@@ -8,7 +8,7 @@ namespace Engraver.Cli.Tests.Verbs;
 /// anything happens.</summary>
 public class NumberOptionTests
 {
-    /// <summary>What a comma for a point, a variable of a shell that is not set, a unit or a slip of the hand gives.</summary>
+    /// <summary>Values with a comma, from an unset shell variable, with a unit or a typing error.</summary>
     private static readonly string[] s_unreadable = ["1,5", "1,000", "1,000,5", "", " ", "NaN", "nan", "Infinity", "-Infinity", "inf", "∞", "1e300", "-1e300", "1e999", "5mm", "5 mm", "0x10", "1..5", "1.5.5", "--5", "1e", "¼", "٣", "(5)", "$5", "5%"];
 
     public static TheoryData<string, string> Options()
@@ -47,7 +47,7 @@ public class NumberOptionTests
         Assert.Contains(option.Split('=')[0], run.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>Options of posts are texts for the library; those that take 1 take a number.</summary>
+    /// <summary>Options of posts are texts for the library; those that accept 1 accept numbers.</summary>
     [Fact]
     public void Numbers_of_posts_are_read_strictly()
     {

@@ -7,8 +7,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>The page of a job is well-formed, needs nothing from elsewhere, says the figures of <c>plan</c> exactly, and does not obey what a drawing
-/// says.</summary>
+/// <summary>The job report is well-formed and self-contained, has the exact figures of <c>plan</c>, and does not execute content of the drawing.</summary>
 public class ReportVerbTests
 {
     private const string Html = "{http://www.w3.org/1999/xhtml}";
@@ -53,7 +52,7 @@ public class ReportVerbTests
         Assert.Equal(folder.PathOf("b.html"), entry.GetProperty("report").GetString());
     }
 
-    /// <summary>Figures of a run of another state of the job are not those of what the page shows.</summary>
+    /// <summary>Figures of a run of another state of the job are not shown as those of the reported job.</summary>
     [Fact]
     public async Task A_run_before_the_drawing_or_a_setting_changed_is_told_as_such()
     {
@@ -88,7 +87,7 @@ public class ReportVerbTests
         Assert.Contains("followed the trajectories", Section(Read(folder.PathOf("a.html")), "run").Value, StringComparison.Ordinal);
     }
 
-    /// <summary>Names of layers and files are foreign: what they say is shown and never run.</summary>
+    /// <summary>Names of layers and files are untrusted: shown but not executed.</summary>
     [Theory]
     [InlineData("<script>alert(1)</script>", true)]
     [InlineData("</style><img src=x onerror=alert(1)>", true)]
@@ -134,7 +133,7 @@ public class ReportVerbTests
         Assert.All(["b.html", "d.html"], name => Assert.False(File.Exists(folder.PathOf(name))));
     }
 
-    /// <summary>As XML, without what HTML forgives.</summary>
+    /// <summary>Parsed as XML, without the tolerance of HTML.</summary>
     private static XDocument Read(string path)
     {
         using var reader = XmlReader.Create(path, new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = true });
@@ -147,10 +146,10 @@ public class ReportVerbTests
 
     private static double Figure(XElement section, string name) => double.Parse(Cell(section, name).Attribute("data-value")!.Value, NumberStyles.Float, CultureInfo.InvariantCulture);
 
-    /// <summary>Without the line that says when the page was made.</summary>
+    /// <summary>Without the date of the report.</summary>
     private static string Body(string text) => string.Concat(text.Split('\n').Where(line => !line.Contains("Job report, created", StringComparison.Ordinal)));
 
-    /// <summary>As it was found: such a page said that the job had not been run.</summary>
+    /// <summary>Regression: such a page stated that the job had not been run.</summary>
     [Fact]
     public async Task A_run_that_the_history_does_not_know_is_told_by_its_journal()
     {

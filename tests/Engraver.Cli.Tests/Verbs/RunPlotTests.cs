@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary><c>plot --what deviation|speed</c>: from what was kept with the journal of a run.</summary>
+/// <summary><c>plot --what deviation|speed</c>: from the trace saved with the journal of a run.</summary>
 public class RunPlotTests
 {
     [Theory]

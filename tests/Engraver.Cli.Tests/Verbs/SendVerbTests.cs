@@ -48,7 +48,7 @@ public class SendVerbTests
         Assert.Empty(Directory.EnumerateFileSystemEntries(folder.PathOf("")));
     }
 
-    /// <summary>What was stopped in the middle never stands where a whole program is expected, and is not lost.</summary>
+    /// <summary>An incomplete program is saved, but not under the name of a complete one.</summary>
     [Fact]
     public async Task A_stop_in_the_middle_of_a_program_ends_with_5_and_keeps_the_part_under_another_name()
     {
@@ -62,7 +62,7 @@ public class SendVerbTests
         var receiving = EngraverProgram.RunAsync(["receive", "--from", $"serial://{cable.Device}?baud=115200", "-o", folder.PathOf("heard.nc"), "--silence", "600", "--json", "--verbose"], streams, stop.Token);
         await told.Written.WaitAsync(s_patience);
         cable.Say("G1 X1\r\n");
-        await told.Second.WaitAsync(s_patience); // the line has come
+        await told.Second.WaitAsync(s_patience); // The line was received.
         await stop.CancelAsync();
         var code = await receiving.WaitAsync(s_patience);
 
@@ -88,7 +88,7 @@ public class SendVerbTests
         Assert.InRange(int.Parse(run.Error.Split(' ')[2], System.Globalization.CultureInfo.InvariantCulture), 10, 4999);
     }
 
-    /// <summary>A control sends its program once: a place that cannot be written is told before anything is listened to.</summary>
+    /// <summary>A control sends its program once: an unwritable path is reported before listening.</summary>
     [Fact]
     public async Task A_place_that_cannot_be_written_and_an_endless_silence_are_refused_before_the_line_is_opened()
     {
@@ -138,7 +138,7 @@ public class SendVerbTests
         Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync(["send", folder.PathOf("a.nc"), .. options])).ExitCode);
     }
 
-    /// <summary>What the sender says goes on to the receiver, which holds it now and then.</summary>
+    /// <summary>Forwards the sender's data to the receiver, which pauses it from time to time.</summary>
     private static void Relay(PseudoTerminalPair from, PseudoTerminalPair to)
     {
         for (var turn = 0; from.HearSome(64) is { Length: > 0 } some; turn++)
@@ -150,7 +150,7 @@ public class SendVerbTests
         }
     }
 
-    /// <summary>Tells when the first line was written, and the second.</summary>
+    /// <summary>Signals when the first and the second line were written.</summary>
     private sealed class FirstLine : StringWriter
     {
         private readonly TaskCompletionSource _written = new(TaskCreationOptions.RunContinuationsAsynchronously);

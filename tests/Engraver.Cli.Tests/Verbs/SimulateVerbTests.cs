@@ -21,7 +21,7 @@ public class SimulateVerbTests
         Assert.Equal(ExitCode.Done, simulate.ExitCode);
     }
 
-    /// <summary>As it was found: the file was closed before the controller that writes it had ended, which aborted half of the runs.</summary>
+    /// <summary>Regression: the file was closed before the controller that writes it had ended, which aborted half of the runs.</summary>
     [Fact]
     public async Task A_signal_while_something_moves_completes_the_record_and_is_exit_0()
     {
@@ -125,7 +125,7 @@ public class SimulateVerbTests
         Assert.Contains("--faults", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
     }
 
-    /// <summary>As it was found: each was a sentence of the JSON reader, with names of types and without the name that was meant.</summary>
+    /// <summary>Regression: each was a message of the JSON reader with type names and without the offending name.</summary>
     [Theory]
     [InlineData("""{"refusals":null}""", 1, "FLT0003", "refusals in the fault file is not valid; it must be a list")]
     [InlineData("""{"drops":[null]}""", 1, "FLT0003", "drops[0] in the fault file is not valid; it must be an object")]

@@ -57,7 +57,7 @@ public class TerminalVerbTests
         Assert.Equal(ExitCode.StoppedByOperator, run.ExitCode);
     }
 
-    /// <summary>Somebody who does not type, and whose silence ends by Ctrl-C.</summary>
+    /// <summary>Input without data that ends with Ctrl-C.</summary>
     private sealed class SilentReader(Action pressed) : TextReader
     {
         private readonly ManualResetEventSlim _released = new();

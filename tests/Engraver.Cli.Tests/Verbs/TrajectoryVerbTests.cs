@@ -214,7 +214,7 @@ public class TrajectoryVerbTests
         Assert.Matches(@"Up to (4[89]|50)\.", run.Error); // sqrt(256 x 10) = 50.6 on the circle itself
     }
 
-    /// <summary>A trajectory on a machine of lines and arcs: what moved is compared with what was drawn, not with the spline.</summary>
+    /// <summary>A trajectory on a machine of lines and arcs: the motion is compared with the drawing, not with the spline.</summary>
     [Theory]
     [InlineData("paper-001", "stream")]
     [InlineData("gasket", "stream")]
@@ -232,7 +232,7 @@ public class TrajectoryVerbTests
         Assert.True(report.GetProperty("trajectory").GetProperty("points").GetInt32() > 10);
     }
 
-    /// <summary>Not the drawing is run but what stands beside it.</summary>
+    /// <summary>The trajectories of the sidecar are run instead of the drawing.</summary>
     [Fact]
     public async Task The_trajectories_beside_a_drawing_are_the_ones_that_run()
     {

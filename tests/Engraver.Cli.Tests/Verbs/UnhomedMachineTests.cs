@@ -1,12 +1,12 @@
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>What an operator may do at the console with a machine that has to be homed and is not, and what is said to him.</summary>
+/// <summary>Allowed actions and messages at the console with a machine that requires homing and is not homed.</summary>
 public sealed class UnhomedMachineTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(120));
 
-    /// <summary>As it was found: <c>jog --x -500</c> ran at the rapid speed of 3000 mm/min into the limit switch.</summary>
+    /// <summary>Regression: <c>jog --x -500</c> ran at the rapid speed of 3000 mm/min into the limit switch.</summary>
     [Fact]
     public async Task It_is_jogged_no_faster_than_it_searches_its_switches_and_that_no_limit_stops_it_is_said()
     {
@@ -43,8 +43,8 @@ public sealed class UnhomedMachineTests : IDisposable
         Assert.InRange(machine.FastestFrom(0), 7, 8);
     }
 
-    /// <summary>As it was found: <c>zero</c> stored an origin, by which no job runs, said that its place is not known, and forgot those that a homing would
-    /// have brought back.</summary>
+    /// <summary>Regression: <c>zero</c> stored an unusable origin, reported that its position is unknown, and deleted the origins that homing would have
+    /// restored.</summary>
     [Fact]
     public async Task An_origin_is_not_set_before_the_homing_and_what_to_do_is_told_in_verbs()
     {
@@ -85,7 +85,7 @@ public sealed class UnhomedMachineTests : IDisposable
         _limit.Dispose();
     }
 
-    /// <summary>A console at which nobody types.</summary>
+    /// <summary>A console without input.</summary>
     private sealed class SilentReader : TextReader
     {
         public override async ValueTask<string?> ReadLineAsync(CancellationToken cancellationToken)

@@ -5,10 +5,10 @@ using System.Text;
 
 namespace Engraver.Cli.Tests.Verbs;
 
-/// <summary>docs/verbs.md, from the command line as it is built.</summary>
+/// <summary>docs/verbs.md, generated from the command line definition.</summary>
 internal static class VerbPage
 {
-    /// <summary>An option that so many verbs take with the same meaning stands in one table for all of them.</summary>
+    /// <summary>An option of at least this many verbs with the same meaning is listed in a common table.</summary>
     private const int Shared = 4;
 
     private const int WordsOfALine = 16;
@@ -65,7 +65,7 @@ internal static class VerbPage
         foreach (var option in all) page.Append(CultureInfo.InvariantCulture, $"| {string.Join(", ", option.Aliases.Prepend(option.Name).Distinct().Select(name => $"`{name}`"))} | {(option.ValueType == typeof(bool) ? "" : $"`{Cell(ValueOf(option))}`")} | {Cell(option.Description)} |\n");
     }
 
-    /// <summary>A few words a line, so that the page reads well as text.</summary>
+    /// <summary>Limits the line length, so that the page is readable as text.</summary>
     private static string Lines(string? text) => string.Join('\n', (text ?? "").Split(' ').Chunk(WordsOfALine).Select(words => string.Join(' ', words)));
 
     private static string ValueOf(Option option) => option.HelpName ?? (option.GetCompletions(CompletionContext.Empty).Select(value => value.Label).ToList() is { Count: > 0 } values ? string.Join('|', values) : "VALUE");

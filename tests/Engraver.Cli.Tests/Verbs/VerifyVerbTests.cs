@@ -18,7 +18,7 @@ public class VerifyVerbTests
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("tolerance").GetDouble());
     }
 
-    /// <summary>As a monkey found it: it was an arithmetic overflow and a crash report.</summary>
+    /// <summary>Regression found by random tests: an arithmetic overflow and a crash report.</summary>
     [Theory]
     [InlineData("1e15,0", "MOT0003")]
     [InlineData("1e9,0", "VER0009")]
@@ -32,7 +32,7 @@ public class VerifyVerbTests
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.Contains(id, run.Error, StringComparison.Ordinal);
         Assert.False(JsonText.Of(run).GetProperty("ok").GetBoolean());
-        Assert.True(JsonText.Of(run).GetProperty("missingLength").GetDouble() > 100.0); // nothing of it is cut
+        Assert.True(JsonText.Of(run).GetProperty("missingLength").GetDouble() > 100.0); // No part of it is cut.
     }
 
     [Theory]
@@ -151,7 +151,7 @@ public class VerifyVerbTests
         Assert.Contains($": error {id}", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
     }
 
-    /// <summary>As it was found: G-code without --target was said to lack #JOB.</summary>
+    /// <summary>Regression: G-code without --target was reported to lack #JOB.</summary>
     [Fact]
     public async Task Without_a_target_the_file_itself_says_in_which_form_it_is_and_otherwise_it_is_told_what_was_tried()
     {
@@ -165,7 +165,7 @@ public class VerifyVerbTests
         Assert.Contains("was not detected; it is read as galil", unknown.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>What was chosen for the post is said to the verification; otherwise the program is not what the job asks for.</summary>
+    /// <summary>The post options must be given to the verification; otherwise the program does not match the job.</summary>
     [Fact]
     public async Task A_program_in_another_frame_is_ok_only_where_the_frame_is_named()
     {

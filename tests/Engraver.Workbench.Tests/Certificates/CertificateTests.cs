@@ -12,8 +12,8 @@ using Engraver.Workbench.Tests.Machines;
 
 namespace Engraver.Workbench.Tests.Certificates;
 
-/// <summary>A certificate holds for exactly what was read back: a byte of the drawing, a setting, a field of the profile or a letter of the program that is
-/// another makes it stale, and it says which.</summary>
+/// <summary>A certificate is valid only for exactly the verified inputs: a change of one byte of the drawing, a setting, a field of the profile or a character
+/// of the program makes it stale, and it names the difference.</summary>
 public class CertificateTests
 {
     [Fact]
@@ -62,7 +62,7 @@ public class CertificateTests
         Assert.Contains("changed: CNCJOINTOL, CNCORDER;", SettingWording.AtCommandLine(other.Sentence), StringComparison.Ordinal);
     }
 
-    /// <summary>The machine is sent another program in another mode; each has its own certificate, and none replaces another.</summary>
+    /// <summary>Each mode sends another program; each has its own certificate file.</summary>
     [Fact]
     public async Task Each_target_has_its_own()
     {
@@ -126,7 +126,7 @@ public class CertificateTests
         Assert.Equal(CertificateState.Stands, CertificateStanding.OfRun(job, job.Motion.Program!).State);
     }
 
-    /// <summary>What a slow serial line makes slower is another program, and it is the slower one that the machine is sent.</summary>
+    /// <summary>A slow serial line reduces the feed: the certificate covers the slower program that is sent.</summary>
     [Fact]
     public async Task The_program_is_the_one_that_the_link_can_carry()
     {

@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Certificates;
 
-/// <summary>A copy of a sample in a folder that is gone afterwards, with what is needed to certify and to run it.</summary>
+/// <summary>A copy of a sample in a temporary folder, with the settings to certify and run it.</summary>
 internal sealed class CertifiedPart : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-certificate-");
@@ -29,7 +29,7 @@ internal sealed class CertifiedPart : IDisposable
 
     public CertificationRequest Request(string target = "galil") => new(DrawingFile.Open(File, Settings, CancellationToken.None), ContentHash.OfFile(File), Settings, PostTable.Find(target), Now);
 
-    /// <summary>Certifies the part as it is now and keeps the certificate.</summary>
+    /// <summary>Certifies the current part and saves the certificate.</summary>
     public async Task<JobCertificate> CertifyAsync(CertificationRequest? request = null)
     {
         var made = (await Certification.CertifyAsync(request ?? Request(), null, CancellationToken.None)).Certificate!;
@@ -37,7 +37,7 @@ internal sealed class CertifiedPart : IDisposable
         return made;
     }
 
-    /// <summary>How a run of the part would stand, with other settings where they are given.</summary>
+    /// <summary>Certificate status of a run of the part, optionally with other settings.</summary>
     public CertificateStanding Standing(JobMode mode = JobMode.Stream, DrawingSettings? settings = null)
     {
         var job = JobPreparation.Prepare(DrawingFile.Open(File, settings ?? Settings, CancellationToken.None), settings ?? Settings, JobPlan.StyleOf(mode));

@@ -5,7 +5,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.CommandLanguage;
 
-/// <summary>Lengths and angles as they are printed.</summary>
+/// <summary>Lengths and angles as displayed.</summary>
 public class FiguresTests
 {
     [Theory]
@@ -38,7 +38,7 @@ public class FiguresTests
         Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("LUPREC", "9"));
     }
 
-    /// <summary>A place that is pointed at is taken exactly, journalled exactly and echoed short.</summary>
+    /// <summary>A picked point is used and journalled with full precision, and echoed with display precision.</summary>
     [Fact]
     public async Task A_click_is_echoed_short_and_taken_whole()
     {

@@ -5,7 +5,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.CommandLanguage;
 
-/// <summary>File names as people type and paste them.</summary>
+/// <summary>File names as typed or pasted.</summary>
 public class FileNameTests
 {
     private static readonly string s_home = Environment.GetFolderPath(Environment.SpecialFolder.UserProfile, Environment.SpecialFolderOption.DoNotVerify);

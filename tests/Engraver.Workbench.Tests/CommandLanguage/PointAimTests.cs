@@ -6,7 +6,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.CommandLanguage;
 
-/// <summary>A prompt says what a place is for and where the way to it begins, so that a canvas can help.</summary>
+/// <summary>A prompt states the purpose of a point and its base point for the canvas.</summary>
 public class PointAimTests
 {
     private static readonly PointAim s_object = new(PointUse.Object, null);
@@ -49,7 +49,7 @@ public class PointAimTests
         Assert.Equal(aim, talk.Session.Prompt.Aim is { } asked ? asked with { Ghost = null } : null);
     }
 
-    /// <summary>The line from 0,0 to 10,0 seen from so near that the reach of the pickbox is a hundredth of a unit.</summary>
+    /// <summary>The line from 0,0 to 10,0 zoomed in so far that the pick radius is a hundredth of a unit.</summary>
     [Fact]
     public async Task A_pick_reaches_as_far_as_what_is_seen_is_large()
     {
@@ -76,7 +76,7 @@ public class PointAimTests
         Assert.Equal(new Point2D(5, 6), DrawingPick.Segments(talk.State.Drawing!, 5).First().Start);
     }
 
-    /// <summary>No file keeps what is hidden for the moment.</summary>
+    /// <summary>Temporarily hidden objects are not saved as hidden.</summary>
     [Fact]
     public async Task Hiding_objects_and_showing_them_is_no_edit()
     {
@@ -92,7 +92,7 @@ public class PointAimTests
         await talk.TypeAsync("UNDO", "2");
         Assert.False(talk.Session.Document.IsEdited);
         await talk.TypeAsync("UNDO", "2");
-        Assert.True(talk.Session.Document.IsEdited); // out.dxf has the erased one no longer
+        Assert.True(talk.Session.Document.IsEdited); // out.dxf no longer has the erased one.
     }
 
     [Fact]

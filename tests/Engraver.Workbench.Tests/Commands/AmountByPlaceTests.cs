@@ -2,10 +2,10 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>ROTATE and SCALE take an amount by pointing, as AutoCAD does: from the base point, or for a reference from one place to another.</summary>
+/// <summary>ROTATE and SCALE accept an amount by picking points, as in AutoCAD: from the base point, or for a reference between two points.</summary>
 public class AmountByPlaceTests
 {
-    /// <summary>Where the line from 0,0 to 10,0 ends afterwards.</summary>
+    /// <summary>End of the line from 0,0 to 10,0 afterwards.</summary>
     [Theory]
     [InlineData(new[] { "ROTATE", "H", "A1", "", "0,0", "0,5" }, 0.0, 10.0)]
     [InlineData(new[] { "ROTATE", "H", "A1", "", "0,0", "@0,-3" }, 0.0, -10.0)]

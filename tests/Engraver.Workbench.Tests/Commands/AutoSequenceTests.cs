@@ -2,7 +2,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>The walk of AUTOSEQUENCE along a drawing of a line, an arc, a circle and a square.</summary>
+/// <summary>The animation of AUTOSEQUENCE on a drawing of a line, an arc, a circle and a square.</summary>
 public class AutoSequenceTests
 {
     [Fact]

@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Commands beside one that is at work, which here works until it is let go.</summary>
+/// <summary>Concurrent commands while another one works until it is released.</summary>
 public sealed class BesideCommandTests : IAsyncDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-beside-");
@@ -149,8 +149,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
         Assert.DoesNotContain("WORK", _session.Document.UndoNames);
     }
 
-    /// <summary>Esc in the moment in which a command beside the work has its first answer and not yet its second question (seen once: the question stayed
-    /// open).</summary>
+    /// <summary>Esc after the first answer and before the second prompt of a concurrent command (regression: the prompt remained open).</summary>
     [Fact]
     public async Task Esc_between_two_questions_of_what_is_asked_beside_the_work_ends_it()
     {
@@ -171,8 +170,8 @@ public sealed class BesideCommandTests : IAsyncDisposable
         Assert.IsType<InputResult.Done>(await working.WaitAsync(_limit.Token));
     }
 
-    /// <summary>Esc from another thread while a command beside the work has begun and not come back yet (LIST of a large drawing): it is waited for, and
-    /// the token it was given still answers.</summary>
+    /// <summary>Esc from another thread while a concurrent command is computing (LIST of a large drawing): it is awaited, and its token is still
+    /// usable.</summary>
     [Fact]
     public async Task Esc_while_a_command_beside_the_work_computes_waits_until_it_has_ended()
     {
@@ -183,7 +182,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
         Assert.False(ending.IsCompleted);
         _count.LetGo();
 
-        Assert.False(await ending.WaitAsync(_limit.Token)); // it had asked nothing
+        Assert.False(await ending.WaitAsync(_limit.Token)); // It had not prompted.
         Assert.IsType<InputResult.Cancelled>(await counting.WaitAsync(_limit.Token));
         Assert.DoesNotContain(_said, message => message.Kind == MessageKind.Error);
         _work.LetGo();
@@ -221,7 +220,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
 
     private Task<InputResult> EnterAsync(string input) => _session.EnterAsync(input, _limit.Token);
 
-    /// <summary>Is at work until it is let go, looks at no cancellation meanwhile, and then takes a step.</summary>
+    /// <summary>Works until released, ignores cancellation, and then commits a step.</summary>
     private sealed class WorkCommand : ICommand
     {
         private readonly TaskCompletionSource _go = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -237,7 +236,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
         }
     }
 
-    /// <summary>Asks for two points and, until it is let go, looks between them at no cancellation.</summary>
+    /// <summary>Asks for two points and ignores cancellation between them until released.</summary>
     private sealed class LookCommand : ICommand
     {
         private readonly TaskCompletionSource _go = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -254,7 +253,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
         }
     }
 
-    /// <summary>Computes on the caller's thread until it is let go, and then looks at its token.</summary>
+    /// <summary>Computes on the caller's thread until released, and then checks its token.</summary>
     private sealed class CountCommand : ICommand
     {
         private readonly TaskCompletionSource _begun = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -270,7 +269,7 @@ public sealed class BesideCommandTests : IAsyncDisposable
         {
             _begun.TrySetResult();
             _go.Task.Wait(TimeSpan.FromSeconds(60), CancellationToken.None);
-            cancellation.WaitHandle.WaitOne(0); // throws where its source is gone
+            cancellation.WaitHandle.WaitOne(0); // Throws if its source is disposed.
             cancellation.ThrowIfCancellationRequested();
             return Task.CompletedTask;
         }

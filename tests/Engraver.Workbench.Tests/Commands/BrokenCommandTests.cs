@@ -6,7 +6,7 @@ using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>A bug inside a command: a sentence, an alarm, nothing that goes on moving, and a desk that still works.</summary>
+/// <summary>An exception inside a command: a message, an alarm, no further motion, and a working session.</summary>
 public sealed class BrokenCommandTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-broken-");
@@ -23,7 +23,7 @@ public sealed class BrokenCommandTests : IDisposable
         var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token));
         Assert.Equal((CommandFailure.Internal, "BREAKDOWN ended with an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
         Assert.IsType<KeyNotFoundException>(failed.Bug);
-        Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // where it was
+        Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // At its old position.
         var alarm = Assert.Single(session.Machine.Alarms.Open);
         Assert.Equal((AlarmCause.InternalError, "BREAKDOWN", true), (alarm.Cause, alarm.Where, alarm.NeedsAcknowledging));
         Assert.Equal(PromptView.Idle, session.Prompt);

@@ -31,7 +31,7 @@ public class CommandGrammarTests
         Assert.Equal(new PointAim(PointUse.Place, new Point2D(0, 0)), prompt.Aim! with { Ghost = null });
     }
 
-    /// <summary>A key of the desktop begins a command inside all the same.</summary>
+    /// <summary>A key of the desktop can still start a nested command.</summary>
     [Fact]
     public async Task In_an_answer_of_text_an_apostrophe_is_a_letter()
     {

@@ -4,7 +4,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>An operator at the command window, in a folder that is gone afterwards.</summary>
+/// <summary>A command session in a temporary folder.</summary>
 internal sealed class CommandTalk : IAsyncDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-commands-");
@@ -22,14 +22,14 @@ internal sealed class CommandTalk : IAsyncDisposable
 
     public DocumentState State => Session.Document.Current;
 
-    /// <summary>Everything said, echoes left out.</summary>
+    /// <summary>All messages without echoes.</summary>
     public string Said => string.Join('\n', _said.Where(message => message.Kind != MessageKind.Echo).Select(message => message.Text));
 
     public string PathOf(string name) => Path.Combine(_folder.FullName, name);
 
     public static string Sample(string name) => Path.Combine(RepositoryFolder.Samples, name);
 
-    /// <summary>A talk with a drawing of one line (A1), one arc (A2), one circle (A3) and a square (A4), already open.</summary>
+    /// <summary>A session with a drawing of one line (A1), one arc (A2), one circle (A3) and a square (A4), already open.</summary>
     public static CommandTalk WithDrawing()
     {
         var talk = new CommandTalk();
@@ -38,7 +38,7 @@ internal sealed class CommandTalk : IAsyncDisposable
         return talk;
     }
 
-    /// <summary>Enters the inputs and answers what the last one led to.</summary>
+    /// <summary>Enters the inputs and returns the result of the last one.</summary>
     public async Task<InputResult> TypeAsync(params string[] inputs)
     {
         InputResult result = new InputResult.Done();

@@ -6,13 +6,13 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCCOMMISSION: the whole conversation, each of its ends, and what it leaves in the controller.</summary>
+/// <summary>CNCCOMMISSION: the whole dialog, all its ends, and the resulting state of the controller.</summary>
 public class CommissionCommandTests
 {
-    /// <summary>Step 4: both motors go off by themselves on a following error above 500 counts.</summary>
+    /// <summary>Step 4: both motors switch off on a following error above 500 counts.</summary>
     private static readonly string[] s_errorLimits = ["", "500", "Yes", "500", "Yes"];
 
-    /// <summary>Every prompt of the conversation, with a switch sense that is tried and taken back.</summary>
+    /// <summary>Every prompt of the dialog, with a switch sense that is tried and reverted.</summary>
     private static readonly string[] s_everything =
     [
         "", "", "", "", "", "", "", "", "", "", "", "High", "No", "", .. s_errorLimits,
@@ -38,7 +38,7 @@ public class CommissionCommandTests
         Assert.Equal(('A', 2000.0), (profile.Axes.Y.Letter, profile.Axes.Y.CountsPerMillimetre));
         Assert.Equal(3, profile.ToolOutput);
         Assert.Equal(MachineProfile.Default.FeedMmPerMinute, profile.FeedMmPerMinute);
-        Assert.Equal(profile.Axes, talk.State.Settings.Machine.Axes); // and is used from now on
+        Assert.Equal(profile.Axes, talk.State.Settings.Machine.Axes); // It is used from now on.
         Assert.Contains("Not burned", talk.Said, StringComparison.Ordinal);
         Assert.Equal("500.0000 1.0000 0.0000 0.0000", await AskAsync(talk, "MG _ERA,_OEA,_RPA,_RPB"));
     }
@@ -105,14 +105,14 @@ public class CommissionCommandTests
         Assert.Equal("1.0000 0.0000", await AskAsync(talk, "MG _MOA,_RPA"));
     }
 
-    /// <summary>Until 2026-11-25 a step that was left at its first move was called gone through.</summary>
+    /// <summary>Regression: a step that was abandoned at its first move was reported as completed.</summary>
     [Fact]
     public async Task A_step_that_was_left_before_its_end_is_not_called_gone_through()
     {
         await using var talk = await ConnectedAsync();
 
         await talk.TypeAsync("Skip", "Skip", "Skip", "Go", "", "", "", "", "Go", "2000", "1000", "Yes", "Nothing"); // step 5: counts and does not move
-        await talk.TypeAsync("Go", "", "", "No", "", "No"); // step 6: the way is not free
+        await talk.TypeAsync("Go", "", "", "No", "", "No"); // Step 6: the move is not possible.
         await talk.TypeAsync("Go", "", "No"); // step 7
         await talk.TypeAsync("Go", "3", "Yes", "Yes");
 
@@ -148,7 +148,7 @@ public class CommissionCommandTests
         Assert.Contains("the positive direction of the drawing has increasing counts", talk.Said, StringComparison.Ordinal);
         Assert.Equal("-1.0000", await AskAsync(talk, "MG _MTA"));
         await talk.Session.CancelAsync();
-        Assert.Equal("1.0000", await AskAsync(talk, "MG _MOA")); // as it was found
+        Assert.Equal("1.0000", await AskAsync(talk, "MG _MOA")); // As found initially.
     }
 
     [Fact]
@@ -164,7 +164,7 @@ public class CommissionCommandTests
         Assert.Contains("An axis did not follow its command or ran away. The motors are off.", talk.Said, StringComparison.Ordinal);
         Assert.Equal("1.0000 1.0000", await AskAsync(talk, "MG _MOA,_MOB"));
         await talk.Session.CancelAsync();
-        Assert.Equal("1.0000 1.0000", await AskAsync(talk, "MG _MOA,_MOB")); // and nothing switches them on again by itself
+        Assert.Equal("1.0000 1.0000", await AskAsync(talk, "MG _MOA,_MOB")); // Nothing switches them on again.
     }
 
     [Fact]
@@ -207,7 +207,7 @@ public class CommissionCommandTests
         Assert.InRange(double.Parse(await AskAsync(talk, "MG _RPA"), System.Globalization.CultureInfo.InvariantCulture), 10_000, 50_000);
         Assert.Equal("0.0000 0.0000 0.0000", await AskAsync(talk, "MG _BGA,_MOA,_MOB"));
         if (isEsc) Assert.IsType<InputResult.Cancelled>(result);
-        else Assert.StartsWith("Step 6", talk.Session.Prompt.Text, StringComparison.Ordinal); // the step is left and can be repeated
+        else Assert.StartsWith("Step 6", talk.Session.Prompt.Text, StringComparison.Ordinal); // The step was abandoned and can be repeated.
     }
 
     [Fact]
@@ -312,6 +312,6 @@ public class CommissionCommandTests
 
     private static Task<string> FingerprintAsync(CommandTalk talk) => AskAsync(talk, "MG _MOA,_MOB,_OP0,_CN0,_CN1,_MTA,_MTB,_CEA,_CEB,_SPA,_ACA");
 
-    /// <summary>What the controller answers, by a line of its own language.</summary>
+    /// <summary>Reply of the controller to a line.</summary>
     private static async Task<string> AskAsync(CommandTalk talk, string line) => Assert.Single(await talk.Session.Machine.Terminal.TypeAsync(line, CancellationToken.None)).Text;
 }

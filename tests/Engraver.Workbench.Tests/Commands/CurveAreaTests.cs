@@ -3,7 +3,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>AREA of what has no closed formula here: ellipses and splines are measured along themselves.</summary>
+/// <summary>AREA of curves without a closed formula: ellipses and splines are measured numerically.</summary>
 public class CurveAreaTests
 {
     private const string Ellipse = "0\nELLIPSE\n5\nE1\n8\n0\n10\n50\n20\n40\n30\n0\n11\n20\n21\n0\n31\n0\n40\n0.25\n41\n0\n42\n6.283185307179586\n";
@@ -37,6 +37,6 @@ public class CurveAreaTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTERMINAL", "MG 6*7"));
         Assert.Contains("42.0000", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCTERMINAL", "XX"));
-        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCTERMINAL", "RS")); // withheld: it would wipe what others left there
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCTERMINAL", "RS")); // Withheld: it would erase programs of others.
     }
 }

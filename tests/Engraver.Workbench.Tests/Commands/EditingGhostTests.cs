@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>What is picked lights up at once, and what a click would give is seen before it, on a line (A1, from 0,0 to 10,0), an arc, a circle (A3, 20,5,
+/// <summary>Picked objects are highlighted at once, and the result of a click is previewed, on a line (A1, from 0,0 to 10,0), an arc, a circle (A3, 20,5,
 /// radius 3) and a square.</summary>
 public class EditingGhostTests
 {
@@ -105,7 +105,7 @@ public class EditingGhostTests
         Assert.InRange(talk.Session.Prompt.Aim!.Ghost!(new Point2D(1, 2)).Count, 4, 1100);
     }
 
-    /// <summary>What was picked first stays in sight while the second place is looked for; and not behind the command.</summary>
+    /// <summary>The first pick stays highlighted until the second point is entered, but not after the command.</summary>
     [Theory]
     [InlineData("FILLET", "5,0")]
     [InlineData("BREAK", "5,0")]

@@ -5,7 +5,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>The entering entity through edits that put another in its place.</summary>
+/// <summary>The entry entity after edits that replace it.</summary>
 public class EnteringEntityTests
 {
     [Fact]

@@ -107,8 +107,7 @@ public class FileCommandTests
         Assert.StartsWith("0\nSECTION", await File.ReadAllTextAsync(talk.PathOf("out.dxf")), StringComparison.Ordinal);
     }
 
-    /// <summary>At the command line nothing that is there is lost by a name typed twice; a script, which is run again and again, writes its results as
-    /// before.</summary>
+    /// <summary>At the command line an existing file is not overwritten without a question; a script overwrites its results.</summary>
     [Theory]
     [InlineData("POST Galil", "out.dmc")]
     [InlineData("PLOT Path", "out.svg")]

@@ -4,7 +4,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCFINISH is one setting for the plan, the playback and the run: the machine ends where they say.</summary>
+/// <summary>CNCFINISH is one setting for the plan, the playback and the run: the machine ends at the planned position.</summary>
 public class FinishCommandTests
 {
     [Theory]
@@ -24,7 +24,7 @@ public class FinishCommandTests
         Assert.Equal(JobOutcome.Complete, talk.Session.Machine.LastRun!.Result.Outcome);
         Assert.Equal((x, y), (talk.Session.Machine.Status.MachinePosition!.Value.X, talk.Session.Machine.Status.MachinePosition!.Value.Y));
         var planned = (await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None)).Motion!;
-        if (place != "Park") Assert.Equal(x, planned.At(planned.DurationSeconds).Position.X, 9); // where it parks is a place of the machine
+        if (place != "Park") Assert.Equal(x, planned.At(planned.DurationSeconds).Position.X, 9); // The park position is a machine position.
         await talk.TypeAsync("U", "U");
         Assert.Equal(FinishPlace.Origin, talk.Session.Document.Current.Settings.Finish);
     }

@@ -2,7 +2,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>A front end that lives: it gives the signs that a continuous jog needs.</summary>
+/// <summary>A responsive front end, which sends the signals required by a continuous jog.</summary>
 internal sealed class FrontEnd(MachineSession machine) : IDisposable
 {
     private readonly Timer _beat = new(_ => machine.Presence.Sign(), null, TimeSpan.Zero, OperatorPresence.Beat / 2);

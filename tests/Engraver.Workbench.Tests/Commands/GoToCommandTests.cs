@@ -8,8 +8,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCGOTO moves the machine by hand, under the watchdog and the stop of a job. The simulated controller is behind a socket, as a real one would
-/// be.</summary>
+/// <summary>CNCGOTO moves the machine manually with the watchdog and the stop of a job. The simulated controller is connected over a socket, like a real
+/// one.</summary>
 public sealed class GoToCommandTests : IAsyncDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-goto-");
@@ -70,12 +70,12 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await using var session = await ConnectedAsync();
         await TypeAsync(session, "CNCGOTO", "12,-4");
         await TypeAsync(session, "CNCZERO", "All");
-        await session.Machine.Terminal.TypeAsync("cncmark=7", _limit.Token); // as a power cycle leaves it: not ours
+        await session.Machine.Terminal.TypeAsync("cncmark=7", _limit.Token); // As after a power cycle: not the same zero.
         var rows = _controller.Record.Snapshot().Count;
 
         Assert.Contains("G54", await FailedAsync(session, "CNCGOTO", "Work", "3,5"), StringComparison.Ordinal);
         Assert.Contains("G54", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
-        Assert.Contains("G54", await FailedAsync(session, "CNCORIGIN", "Typed", "1,2", "Yes"), StringComparison.Ordinal); // a number from before would be another place now
+        Assert.Contains("G54", await FailedAsync(session, "CNCORIGIN", "Typed", "1,2", "Yes"), StringComparison.Ordinal); // An old number would be another position now.
         Assert.Equal(0, Moves(_controller.Record.Snapshot().Skip(rows)));
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "11,-4")); // a machine position needs no origin
     }
@@ -113,7 +113,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         Assert.All(way.Where(sample => sample.A is > 12000 and < 42000), sample => Assert.Equal(3200, sample.C));
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCJOG", "Z+", "6"));
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "Start"));
-        Assert.Equal(8000, _controller.Record.Snapshot()[^1].C); // higher is not lowered
+        Assert.Equal(8000, _controller.Record.Snapshot()[^1].C); // A higher tool is not lowered.
     }
 
     [Fact]
@@ -132,7 +132,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "30,0"));
     }
 
-    /// <summary>Where it was switched on says nothing about the work, although the controller counts 0 there.</summary>
+    /// <summary>The power-on position is not the work origin, although the controller's position is 0 there.</summary>
     [Fact]
     public async Task A_tool_that_was_switched_on_somewhere_does_not_travel_before_the_height_of_the_work_is_set()
     {
@@ -140,7 +140,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await TypeAsync(session, "CNCPROFILE", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"));
 
         Assert.Contains("has no height", await FailedAsync(session, "CNCGOTO", "30,0"), StringComparison.Ordinal);
-        Assert.DoesNotContain(_controller.Record.Snapshot(), sample => (sample.A, sample.B, sample.C) is not (0, 0, 0)); // and was not raised either
+        Assert.DoesNotContain(_controller.Record.Snapshot(), sample => (sample.A, sample.B, sample.C) is not (0, 0, 0)); // It was not raised either.
         await TypeAsync(session, "CNCZERO", "Z");
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "30,0"));
         Assert.Equal(3200, _controller.Record.Snapshot()[^1].C);
@@ -190,7 +190,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         _controller.DropConnections();
 
         Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
-        await SeenAsync(session.Machine, status => status.State == MachineState.NoOrigin); // the watch, whose links were cut too, is opened anew
+        await SeenAsync(session.Machine, status => status.State == MachineState.NoOrigin); // The polling connection, whose links were cut too, is reopened.
         Assert.InRange(At(session).X, 5.0, 499.0);
         Assert.Equal(0, (int)_controller.Status.Outputs);
     }

@@ -22,7 +22,7 @@ public class GripEditTests
         Assert.Equal([0], talk.State.Selection);
     }
 
-    /// <summary>Held against the circle through three points: its centre is as far from all of them.</summary>
+    /// <summary>Compared with the circle through three points: its centre has the same distance from all of them.</summary>
     [Fact]
     public async Task An_arc_is_bent_by_its_middle_and_keeps_its_ends()
     {
@@ -78,7 +78,7 @@ public class GripEditTests
         Assert.Equal([new(29, -1), new(40, 0), new(40, 8), new(30, 8)], DrawingPick.Segments(talk.State.Drawing!, 3).Select(side => side.Start));
     }
 
-    /// <summary>Two lines that meet: the grips lie on each other and go together.</summary>
+    /// <summary>Two lines that meet: the grips coincide and move together.</summary>
     [Fact]
     public async Task Grips_in_one_place_are_dragged_together()
     {

@@ -9,8 +9,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCHOME, and what homing is for: work origins that outlive a power cycle. The simulated machine is switched on at another place each time; its
-/// switches stay where they are.</summary>
+/// <summary>CNCHOME, and work origins that remain valid after a power cycle because of homing. The simulated machine is switched on at another position each
+/// time; its switches do not move.</summary>
 public sealed class HomeCommandTests : IAsyncDisposable
 {
     private const int Number = 2143;
@@ -135,7 +135,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
         await using var session = await ConnectedAsync();
 
         Assert.Contains("not homed", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCGOTO", "1,1")).Sentence, StringComparison.Ordinal);
-        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCJOG", "-5,0")); // outside the travel, were it homed here
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCJOG", "-5,0")); // Outside the travel if it were homed here.
         Assert.Equal(-5.0, At(session).X);
     }
 
@@ -166,7 +166,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
         _folder.Delete(recursive: true);
     }
 
-    /// <summary>A machine whose switches lie at -1 mm (A) and 40 mm (B), switched on at this place.</summary>
+    /// <summary>A machine with switches at -1 mm (A) and 40 mm (B), switched on at this place.</summary>
     private static SimulatedController SwitchedOn(int x, int y) => new(new SimulatorOptions
     {
         Speed = double.PositiveInfinity,
@@ -209,7 +209,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
     {
         var session = NewSession(profile ?? Profile);
         var port = (await _controller.ListenTcpAsync(0, _limit.Token)).Port;
-        var clock = (await _controller.ListenClockAsync(_limit.Token)).Port; // a busy computer is no silent host
+        var clock = (await _controller.ListenClockAsync(_limit.Token)).Port; // A busy computer must not count as a silent host.
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCCONNECT", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}")));
         return session;
     }

@@ -41,7 +41,7 @@ public class JobCommandTests
         var run = talk.Session.Machine.LastRun!;
 
         Assert.Equal(0.0, run.Judgement.MissingLengthMm);
-        Assert.Equal(new CountsPoint(0, 0), run.Result.FinalPosition); // back at the drawing's start, both times
+        Assert.Equal(new CountsPoint(0, 0), run.Result.FinalPosition); // Back at the drawing's start both times.
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCDISCONNECT"));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCDISCONNECT"));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN"));
@@ -87,7 +87,7 @@ public class JobCommandTests
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
         await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCHOLD"));
-        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRESUME", "Whole")); // with none held it chooses what START cuts
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRESUME", "Whole")); // Without a held job it selects what START cuts.
         await talk.TypeAsync("CNCOVERRIDE", "50", "CNCRUN");
         var job = talk.TypeAsync("Yes");
         await UntilAsync(talk, () => talk.Session.Machine.Progress is not null, limit.Token);

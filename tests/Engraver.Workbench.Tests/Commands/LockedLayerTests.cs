@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>What lies on a locked layer is shown, cut and copied, and no command changes it, as in AutoCAD.</summary>
+/// <summary>Objects on a locked layer are shown, cut and copied, but not changed by any command, as in AutoCAD.</summary>
 public sealed class LockedLayerTests
 {
     /// <summary>The first line on layer 0; a line that crosses it, and one that meets its end, on a layer that the file locks (70 bit 4).</summary>
@@ -75,7 +75,7 @@ public sealed class LockedLayerTests
         Assert.Equal("Command:", talk.Session.Prompt.Text.Trim());
     }
 
-    /// <summary>Texts and points cannot be selected: those of a locked layer stay when everything is erased or moved, are copied, and move with the whole
+    /// <summary>Texts and points cannot be selected: those on a locked layer are kept when everything is erased or moved, are copied, and move with the whole
     /// drawing.</summary>
     [Fact]
     public async Task Texts_and_points_of_a_locked_layer_stay()
@@ -117,7 +117,7 @@ public sealed class LockedLayerTests
         return talk;
     }
 
-    /// <summary>Ends and layers of what is locked.</summary>
+    /// <summary>Ends and layers of the locked objects.</summary>
     private static List<string> Locked(CommandTalk talk)
     {
         var drawing = talk.State.Drawing!;

@@ -77,7 +77,7 @@ public class OffsetCommandTests
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
     }
 
-    /// <summary>Multiple goes on from what was made last, in either direction, until Enter; then another object is asked for.</summary>
+    /// <summary>Multiple continues from the last result, in either direction, until Enter; then it asks for another object.</summary>
     [Fact]
     public async Task Multiple_offsets_what_was_made_last()
     {
@@ -120,7 +120,7 @@ public class OffsetCommandTests
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
     }
 
-    /// <summary>Before the click the prompt gives what the click will give.</summary>
+    /// <summary>The prompt previews the result of the click.</summary>
     [Fact]
     public async Task The_ghost_is_what_will_be_drawn()
     {

@@ -3,7 +3,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCZERO says where the drawing lies on the machine, CNCORIGIN which of the six places jobs use.</summary>
+/// <summary>CNCZERO sets the position of the drawing on the machine, CNCORIGIN selects one of the six work origins.</summary>
 public class OriginCommandTests
 {
     [Theory]
@@ -42,7 +42,7 @@ public class OriginCommandTests
         Assert.Equal(new Point2D(workX, workY), talk.Session.Machine.Status.WorkPosition);
     }
 
-    /// <summary>The tool stands outside of the work piece: its zero is a radius farther in.</summary>
+    /// <summary>The tool is outside of the workpiece: the zero is one radius farther in.</summary>
     [Theory]
     [InlineData("Left", 13500, 0, 12.0, 0.0)]
     [InlineData("Right", 10500, 0, 12.0, 0.0)]
@@ -62,7 +62,7 @@ public class OriginCommandTests
     {
         await using var talk = await StandingAsync("12,-4");
         await talk.TypeAsync("CNCZERO", "Edges", "Left", "1.5", "CNCGOTO", "30,-10");
-        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Edges", "", "")); // the bottom is next, the radius is the same
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Edges", "", "")); // The bottom edge is next, with the same radius.
 
         Assert.Equal((13500, -8500), Active(talk));
     }
@@ -188,7 +188,7 @@ public class OriginCommandTests
         Assert.Contains("stepper", talk.Said, StringComparison.Ordinal);
         Assert.Equal((12000, -4000), Active(talk));
         await talk.TypeAsync("CNCTERMINAL", "SHA");
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why); // with current again it stands where somebody may have moved it
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why); // Powered again, it may have been moved by hand.
         await talk.TypeAsync("CNCZERO", "All");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
     }
@@ -205,7 +205,7 @@ public class OriginCommandTests
         Assert.Contains("Work origin G54: machine position X 12 mm, Y -4 mm, Z 6.5 mm.", talk.Said, StringComparison.Ordinal);
     }
 
-    /// <summary>Over a feeler gauge of 0.5 mm, say; and every sentence about the present place tells it.</summary>
+    /// <summary>For example above a feeler gauge of 0.5 mm; every message about the current position shows it.</summary>
     [Fact]
     public async Task The_height_at_which_the_tool_stands_may_be_typed_and_every_sentence_about_the_place_tells_the_height()
     {

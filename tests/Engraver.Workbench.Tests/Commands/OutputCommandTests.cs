@@ -3,8 +3,8 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCOUTPUT goes by what an output does at the level asked for, not by its level: what works on the material is for jobs, whatever begins to work
-/// is asked about first.</summary>
+/// <summary>CNCOUTPUT depends on the effect of an output at the requested level: outputs that process material are reserved for jobs, and activating other
+/// outputs requires confirmation.</summary>
 public class OutputCommandTests
 {
     private static readonly MachineAxes s_withZ = MachineAxes.Default with { Z = new MachineAxis('C', 800.0) };

@@ -24,7 +24,7 @@ public class PocketCommandTests
         Assert.Equal("POCKET", drawing.Layers[drawing.Entities[added].Layer].Name);
         Assert.Equal(CurveType.LwPolyline, drawing.Entities[added].Type);
         Assert.Contains("100 % of 28.274 mm2 covered", talk.Said, StringComparison.Ordinal);
-        Assert.Equal(["POCKET"], talk.State.Settings.Layers!); // the circle itself would be cut half a tool diameter into the wall
+        Assert.Equal(["POCKET"], talk.State.Settings.Layers!); // The circle itself would be cut half a tool diameter into the wall.
         Assert.DoesNotContain("half a tool diameter into the wall", talk.Said, StringComparison.Ordinal);
         Assert.All(Outline(drawing, added), segment => Assert.True(segment.PointAt(0.5).DistanceTo(new Point2D(20, 5)) <= 2.0 + 1e-9));
         await talk.TypeAsync("U");
@@ -55,13 +55,13 @@ public class PocketCommandTests
         Assert.Same(before, talk.State.Drawing);
     }
 
-    /// <summary>At each question what Enter would give is shown; at the depth it is what will be drawn.</summary>
+    /// <summary>Each prompt previews the result of Enter; at the depth prompt this is the final result.</summary>
     [Fact]
     public async Task The_passes_are_seen_before_they_are_taken()
     {
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("POCKET", "H", "A3", "");
-        Assert.Equal(2.5, Widest(talk), 9); // the tool of 1 that Enter would take
+        Assert.Equal(2.5, Widest(talk), 9); // The default tool of 1.
         await talk.TypeAsync("2");
         Assert.Equal(2.0, Widest(talk), 9);
         await talk.TypeAsync("0.5", "Contour", "Allowance");
@@ -74,7 +74,7 @@ public class PocketCommandTests
         Assert.Equal(drawn.Sum(segment => segment.Length), shown.Sum(segment => segment.Length), 9);
         Assert.All(drawn, segment => Assert.Contains(shown, one => one.DistanceTo(segment.PointAt(0.5)) < 1e-9));
         Assert.Null(talk.Session.Prompt.Preview);
-        Assert.InRange(drawn[^1].Start.DistanceTo(new Point2D(20, 5)), 2.0 - 1e-9, 2.0 + 1e-9); // the last pass is that along the wall
+        Assert.InRange(drawn[^1].Start.DistanceTo(new Point2D(20, 5)), 2.0 - 1e-9, 2.0 + 1e-9); // The last pass is along the wall.
     }
 
     /// <summary>Passes of radius 2 and 1, inwards or outwards.</summary>
@@ -100,7 +100,7 @@ public class PocketCommandTests
         Assert.Equal(0.75, talk.Session.Prompt.Preview!(default).Max(segment => segment.Start.DistanceTo(new Point2D(1, 1))), 9);
     }
 
-    /// <summary>Ramps lie before the strokes that they lead to; nothing else is cut any more, and one step brings all of it back.</summary>
+    /// <summary>Ramps precede their strokes; nothing else is cut, and one undo step reverts everything.</summary>
     [Fact]
     public async Task A_pocket_with_ramps_becomes_the_job_and_is_cut_by_a_mill()
     {
@@ -113,7 +113,7 @@ public class PocketCommandTests
 
         Assert.Equal(["POCKET"], settings.Layers!);
         Assert.Equal((StrokeOrder.Drawn, KerfSide.Off), (settings.Order, settings.Kerf));
-        Assert.Equal((0.0, true), (heights[0].C, heights[0].Item2 < 0.0)); // a way down first
+        Assert.Equal((0.0, true), (heights[0].C, heights[0].Item2 < 0.0)); // An entry move first.
         Assert.Contains((-0.5, -0.5), heights);
         Assert.Equal((-1.0, -1.0), heights[^1]);
         Assert.Contains("The job cuts only layer POCKET", talk.Said, StringComparison.Ordinal);
@@ -142,7 +142,7 @@ public class PocketCommandTests
         Assert.Equal(["POCKET"], talk.State.Settings.Layers!);
     }
 
-    /// <summary>With Enter at every question nothing is cut nearer to the wall than the tool's radius.</summary>
+    /// <summary>With all defaults nothing is cut closer to the wall than the tool radius.</summary>
     [Fact]
     public async Task What_Enter_gives_never_cuts_into_the_wall()
     {
@@ -155,7 +155,7 @@ public class PocketCommandTests
         Assert.All(moves, move => Assert.InRange(move.Segment.PointAt(0.5).DistanceTo(new Point2D(20, 5)), 0.0, 3.0 - 1.0 + 0.001));
     }
 
-    /// <summary>A square of 8: a tool of 7.8 has no room for a screw line and goes down on its pass; for one of 8 all of it is one place.</summary>
+    /// <summary>A square of 8: a tool of 7.8 has no room for a helix and plunges along its pass; for one of 8 the pocket is a single position.</summary>
     [Theory]
     [InlineData("7.8", "POC0007", 1)]
     [InlineData("8", "POC0008", 0)]

@@ -40,7 +40,7 @@ public class PropertyTests
         Assert.Contains("Color", mixed);
     }
 
-    /// <summary>One span of it bent would be no ellipse, and a file cannot hold that.</summary>
+    /// <summary>One bent span would not be an ellipse, and a file cannot store it.</summary>
     [Fact]
     public async Task An_end_of_an_elliptical_arc_cannot_be_moved_by_itself()
     {
@@ -73,7 +73,7 @@ public class PropertyTests
         Assert.Equal(before, Ends(talk, entity));
     }
 
-    /// <summary>Closing adds the line from the last vertex to the first, opening takes away what lies there.</summary>
+    /// <summary>Closing adds the line from the last vertex to the first, opening removes it.</summary>
     [Theory]
     [InlineData("PLINE|50,0|60,0|60,8|", "Closed", "Yes", "LwPolyline closed: 50,0>60,0 | 60,0>60,8 | 60,8>50,0")]
     [InlineData("PLINE|50,0|60,0|60,8|", "Closed", "y", "LwPolyline closed: 50,0>60,0 | 60,0>60,8 | 60,8>50,0")]

@@ -4,10 +4,10 @@ using FsCheck.Fluent;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Nobody types like this, which is why it must hold.</summary>
+/// <summary>Random command sequences, which no operator would type.</summary>
 public class RandomCommandTests
 {
-    /// <summary>Whole edits, each a sequence of inputs that a person could type.</summary>
+    /// <summary>Whole edits, each a sequence of inputs that an operator could type.</summary>
     private static readonly string[][] s_edits =
     [
         ["MOVE", "ALL", "", "0,0", "1.5,0.25"], ["MOVE", "L", "", "D", "@3,4"], ["ROTATE", "ALL", "", "5,5", "33.3"], ["RO", "L", "", "0,0", "C", "-90"], ["SCALE", "ALL", "", "1,1", "R", "3", "2"],
@@ -38,7 +38,7 @@ public class RandomCommandTests
         var steps = document.UndoNames.Count();
         foreach (var edit in edits)
         {
-            if (document.Current.Drawing is null) break; // words of an edit that fails would be commands of their own
+            if (document.Current.Drawing is null) break; // The words of a failed edit would be separate commands.
             await talk.TypeAsync(edit);
             await talk.Session.CancelAsync();
             if (document.UndoNames.Count() > steps) prints.Add("");

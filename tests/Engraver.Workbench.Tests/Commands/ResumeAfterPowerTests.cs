@@ -9,8 +9,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>The power fails in the middle of a cut with a tool that an axis holds: switched on elsewhere, homed and resumed, the rest is cut where the work
-/// is. By the records of both lives of the controller, in machine counts.</summary>
+/// <summary>The power fails in the middle of a cut with a tool axis: switched on elsewhere, homed and resumed, the rest is cut at the position of the work.
+/// Checked by the records before and after the power failure, in machine counts.</summary>
 public sealed class ResumeAfterPowerTests : IAsyncDisposable
 {
     private const int TopOfWork = 4000;
@@ -79,8 +79,8 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
         _folder.Delete(recursive: true);
     }
 
-    /// <summary>An L of 30 and 20 mm from the origin, half a millimetre deep: every sample in the work lies on it, or above it, and every place was
-    /// passed.</summary>
+    /// <summary>An L of 30 and 20 mm from the origin, half a millimetre deep: every sample in the work is on or above it, and every position was
+    /// reached.</summary>
     private static void AssertCut(IReadOnlyList<MotionSample> record)
     {
         var deep = record.Where(sample => sample.C < TopOfWork).ToList();
@@ -100,7 +100,7 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
         Assert.InRange(sorted.Zip(sorted.Skip(1)).Max(pair => pair.Second - pair.First), 1, 45);
     }
 
-    /// <summary>The power fails: nobody answers any more.</summary>
+    /// <summary>The power fails: the controller stops answering.</summary>
     private void FailAt(CommandSession session, Func<JobProgress, bool> when)
     {
         var failed = false;
@@ -114,7 +114,7 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
 
     private static CountsPoint Origin(CommandSession session) => session.Machine.Hold!.Memory.ActiveOrigin is { X: { } x, Y: { } y, Z: { } z } ? new CountsPoint(x, y, z) : default;
 
-    /// <summary>A machine whose switches lie at -1 mm (A), 40 mm (B) and 20 mm (C), switched on at this place.</summary>
+    /// <summary>A machine with switches at -1 mm (A), 40 mm (B) and 20 mm (C), switched on at this place.</summary>
     private static SimulatedController SwitchedOn(int x, int y, int z) => new(new SimulatorOptions
     {
         Speed = double.PositiveInfinity,
@@ -134,7 +134,7 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
         var state = new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 30, 0).Line(30, 0, 30, 20).Build() };
         session.Document.Take("OPEN", state with { Settings = state.Settings with { Machine = Profile } });
         var port = (await _controller.ListenTcpAsync(0, _limit.Token)).Port;
-        var clock = (await _controller.ListenClockAsync(_limit.Token)).Port; // a busy computer is no silent host
+        var clock = (await _controller.ListenClockAsync(_limit.Token)).Port; // A busy computer must not count as a silent host.
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCCONNECT", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}")));
         return session;
     }

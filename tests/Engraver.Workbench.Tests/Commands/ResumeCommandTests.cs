@@ -3,7 +3,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCRESUME with no job held: what START cuts is what an interrupted job has left, or the contours from one on.</summary>
+/// <summary>CNCRESUME without a held job: START cuts the rest of an interrupted job, or the contours from one on.</summary>
 public class ResumeCommandTests
 {
     [Theory]
@@ -96,7 +96,7 @@ public class ResumeCommandTests
         Assert.Equal(2.5, talk.Session.Machine.Part!.Request.LeadInMm);
     }
 
-    /// <summary>Two plates in two fixtures: the first is not cut to its end in the place of the second.</summary>
+    /// <summary>Two plates in two fixtures: the rest of the first is not cut in the fixture of the second.</summary>
     [Fact]
     public async Task What_was_begun_at_one_origin_is_not_cut_at_another()
     {

@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>SAVEAS loses nothing that the drawing holds, and says what the file held besides.</summary>
+/// <summary>SAVEAS keeps everything in the drawing, and reports other content of the file.</summary>
 public class SaveAsTests
 {
     private static readonly (int, object)[] s_knots = [(40, 0.0), (40, 0.0), (40, 0.0), (40, 0.0), (40, 1.0), (40, 1.0), (40, 1.0), (40, 1.0)];
@@ -109,7 +109,7 @@ public class SaveAsTests
         Assert.True(talk.Said.IndexOf("DOC0003", StringComparison.Ordinal) < talk.Said.IndexOf("out.dxf written: 8 curves and 0 texts, 2 points", StringComparison.Ordinal), talk.Said);
     }
 
-    /// <summary>SAVEAS gives the drawing another file, which QSAVE writes from then on; what was opened stays as it was.</summary>
+    /// <summary>SAVEAS gives the drawing another file, which QSAVE writes from then on; the opened file is unchanged.</summary>
     [Fact]
     public async Task QSAVE_writes_the_file_that_was_saved_last()
     {
@@ -128,7 +128,7 @@ public class SaveAsTests
         await talk.TypeAsync("OPEN", "other.dxf");
         Assert.Equal(101.0, talk.State.Drawing!.Parts[0].A);
         await talk.TypeAsync("OPEN", "in.dxf", "MOVE", "ALL", "", "0,0", "1,0", "QSAVE");
-        Assert.Contains("Replace in.dxf?", talk.Session.Prompt.Text, StringComparison.Ordinal); // opened anew, it is itself again
+        Assert.Contains("Replace in.dxf?", talk.Session.Prompt.Text, StringComparison.Ordinal); // Opened again, it is equal.
         await talk.Session.CancelAsync();
     }
 

@@ -7,7 +7,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>What may start a machine that is not simulated. The controller here is simulated too, but behind a socket: nobody on this side can know.</summary>
+/// <summary>Who may start a machine that is not simulated. The controller of the test is simulated, but connected over a socket, so that the session cannot
+/// know.</summary>
 public sealed class ScriptedStartTests : IAsyncDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-start-");

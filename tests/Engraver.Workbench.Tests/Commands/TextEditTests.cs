@@ -2,10 +2,10 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Texts and points cannot be selected; they go along with an edit of everything that can be seen, and otherwise stay and say so.</summary>
+/// <summary>Texts and points cannot be selected; they move with an edit of all visible curves, and otherwise do not, which is reported.</summary>
 public class TextEditTests
 {
-    /// <summary>Two lines (the second on a layer of its own), a fitted text on layer 0, a wrapped one on layer NOTES.</summary>
+    /// <summary>Two lines (the second on a separate layer), a fitted text on layer 0, a wrapped one on layer NOTES.</summary>
     private static readonly (int, object)[] s_entities =
     [
         (0, "LINE"), (5, "A1"), (8, "0"), (10, 0.0), (20, 0.0), (11, 10.0), (21, 0.0),

@@ -7,7 +7,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>CNCTRACE: a kept run over its drawing.</summary>
+/// <summary>CNCTRACE: a saved run over its drawing.</summary>
 public class TraceCommandTests
 {
     [Fact]

@@ -2,7 +2,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>Inputs that wait for the command at work: in their order, only where it ended as it should, and never to the machine.</summary>
+/// <summary>Inputs queued behind the running command: in order, only after success, and never for commands that move the machine.</summary>
 public class TypedAheadTests
 {
     private static readonly InputResult s_done = new InputResult.Done();

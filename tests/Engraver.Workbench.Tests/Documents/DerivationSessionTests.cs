@@ -33,7 +33,7 @@ public sealed class DerivationSessionTests : IDisposable
         Assert.True(_derivation.IsCurrent);
     }
 
-    /// <summary>A window shows a drawing before it plans it; that the picture fails or never comes does not keep anybody from the plan.</summary>
+    /// <summary>A window shows a drawing before it plans it; a failed or missing picture does not block the plan.</summary>
     [Fact]
     public async Task Nothing_is_computed_before_what_is_waited_for_has_ended_however_it_ends()
     {
@@ -46,7 +46,7 @@ public sealed class DerivationSessionTests : IDisposable
 
         Assert.Equal(2, (await derived.WaitAsync(TimeSpan.FromSeconds(60))).Analysed!.Count);
         _derivation.Before = _ => new TaskCompletionSource().Task;
-        _derivation.Line = new SerialAddress("/dev/ttyS0", 9600); // of a job that is known only the plan is made anew
+        _derivation.Line = new SerialAddress("/dev/ttyS0", 9600); // Of a known job only the plan is recomputed.
         Assert.NotNull((await _derivation.ForCurrentAsync(CancellationToken.None).WaitAsync(TimeSpan.FromSeconds(60))).Plan);
     }
 

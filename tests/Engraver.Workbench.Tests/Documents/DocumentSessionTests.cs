@@ -32,7 +32,7 @@ public class DocumentSessionTests
         }).QuickCheckThrowOnFailure();
     }
 
-    /// <summary>Undo has no end that closes the drawing; what CLOSE closed it opens, also through an OPEN of another one.</summary>
+    /// <summary>Undo never closes the drawing; it reopens a drawing closed by CLOSE, also after an OPEN of another one.</summary>
     [Fact]
     public void With_a_drawing_open_undo_never_leads_to_none()
     {

@@ -81,7 +81,7 @@ public class DocumentWeightTests
         return (new WeakReference(derived.Job), new WeakReference(derived.Motion));
     }
 
-    /// <summary>What still runs in the background (the look at a certificate) may hold it a little longer.</summary>
+    /// <summary>Background work (the certificate check) may keep it alive a little longer.</summary>
     private static async Task<bool> IsReleasedAsync(WeakReference held)
     {
         for (var look = 0; look < 2_000 && held.IsAlive; look++)

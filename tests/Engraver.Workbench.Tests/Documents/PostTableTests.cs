@@ -8,7 +8,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Documents;
 
-/// <summary>One table of posts, from which console, command window and page are made.</summary>
+/// <summary>One table of posts, used by console, command window and documentation.</summary>
 public class PostTableTests
 {
     public static TheoryData<string> Names => [.. PostTable.All.Select(entry => entry.Post.Name)];
@@ -42,7 +42,7 @@ public class PostTableTests
     {
         await using var talk = new CommandTalk();
         var file = talk.PathOf("out.txt");
-        var sample = name.StartsWith("xps", StringComparison.Ordinal) ? "paper-001" : "gasket"; // splines take long to prove
+        var sample = name.StartsWith("xps", StringComparison.Ordinal) ? "paper-001" : "gasket"; // Splines take long to verify.
         await talk.TypeAsync("OPEN", CommandTalk.Sample(sample + ".dxf"), "POST", name, file);
 
         Assert.Equal(PostedProgram.Create(Open(sample), new DrawingSettings(), PostTable.Find(name).Post, PostedProgram.NoOptions).Text, await File.ReadAllTextAsync(file));
@@ -60,7 +60,7 @@ public class PostTableTests
         Assert.All(chunks, chunk => Assert.InRange(chunk.Count(c => c == '\n'), 10, 100));
     }
 
-    /// <summary>A file that was saved under any name is read as what it is, also where endings say nothing or something else.</summary>
+    /// <summary>The format of a file is detected from its content, also with an unknown or wrong extension.</summary>
     [Fact]
     public void A_posted_file_is_known_by_how_it_begins_and_otherwise_by_its_ending()
     {

@@ -14,8 +14,8 @@ using Engraver.Workbench.Tests.Machines;
 
 namespace Engraver.Workbench.Tests.Documents;
 
-/// <summary>A toolpath that is not what is drawn makes no program, so that it can neither be run nor posted nor armed, whoever accepts what; and no good
-/// drawing is refused.</summary>
+/// <summary>A toolpath that differs from the drawing gives no program, so that it cannot be run, posted or armed even with accepted errors; correct drawings
+/// are not refused.</summary>
 public class SpoiledToolpathTests
 {
     private static readonly DrawingSettings s_settings = new();
@@ -81,7 +81,7 @@ public class SpoiledToolpathTests
     {
         var files = Directory.GetFiles(Path.Combine(RepositoryFolder.Corpus!, "files"), "*.dxf", SearchOption.AllDirectories).Where(file => new FileInfo(file).Length < 300_000).Order(StringComparer.Ordinal).ToArray();
         Assert.InRange(files.Length, 100, 400);
-        var step = TestExtent.IsFull ? 1 : 3; // a commit takes every third
+        var step = TestExtent.IsFull ? 1 : 3; // The fast subset tests every third.
         foreach (var file in files.Where((_, i) => i % step == 0)) AssertPasses(file, s_settings);
     }
 

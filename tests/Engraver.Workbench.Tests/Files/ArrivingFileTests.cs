@@ -34,7 +34,7 @@ public sealed class ArrivingFileTests
     public void A_file_that_is_not_there_is_told_as_such() =>
         Assert.Throws<FileNotFoundException>(() => ArrivingFile.TryBegin(Path.Combine(Path.GetTempPath(), Guid.NewGuid().ToString())));
 
-    /// <summary>Another program writes it anew: what was there of it is not the drawing.</summary>
+    /// <summary>Another program rewrites it: the part already read is not the drawing.</summary>
     [Fact]
     public void A_file_that_has_become_shorter_meanwhile_is_told_as_such()
     {
@@ -55,7 +55,7 @@ public sealed class ArrivingFileTests
         Assert.ThrowsAny<IOException>(() => arriving.WaitFor(1));
     }
 
-    /// <summary>Esc on a share that has stopped to answer.</summary>
+    /// <summary>Esc on a network share that does not respond.</summary>
     [Fact]
     public async Task Who_waits_is_let_go_when_the_rest_is_not_wanted_any_more()
     {
@@ -89,7 +89,7 @@ public sealed class ArrivingFileTests
         await file.WasClosed.Task;
     }
 
-    /// <summary>Larger than what is read in one piece.</summary>
+    /// <summary>Larger than one chunk.</summary>
     [Fact]
     public async Task A_large_drawing_is_opened_and_one_that_is_given_up_is_no_drawing()
     {

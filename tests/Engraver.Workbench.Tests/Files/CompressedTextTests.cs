@@ -5,7 +5,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Tests.Files;
 
-/// <summary>What was said to a controller is kept compressed, and a crash leaves it readable up to its last flush.</summary>
+/// <summary>The conversation with a controller is stored compressed, and readable up to its last flush after a crash.</summary>
 public sealed class CompressedTextTests : IDisposable
 {
     private const double PollSeconds = 0.0116;
@@ -66,7 +66,7 @@ public sealed class CompressedTextTests : IDisposable
         Assert.Equal(text, reader.ReadToEnd());
     }
 
-    /// <summary>As it was found: 31 MB. Flushed every second, as a run is in real time.</summary>
+    /// <summary>Regression: 31 MB. Flushed every second, as a run is in real time.</summary>
     [Fact]
     public void An_hour_of_polls_and_segments_takes_less_than_4_MB()
     {

@@ -51,7 +51,7 @@ public class OutputFileTests
     [Fact]
     public void A_link_stays_a_link_and_what_it_leads_to_is_written()
     {
-        if (OperatingSystem.IsWindows()) return; // links need a right there
+        if (OperatingSystem.IsWindows()) return; // Creating links requires a privilege there.
         var folder = Directory.CreateTempSubdirectory("engraver-test-");
         try
         {

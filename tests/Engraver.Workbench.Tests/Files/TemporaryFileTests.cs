@@ -2,7 +2,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Tests.Files;
 
-/// <summary>A result is whole or not there, also when the program ends in the middle of writing it.</summary>
+/// <summary>A result is complete or missing, also if the program ends while writing it.</summary>
 public sealed class TemporaryFileTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-test-");

@@ -7,7 +7,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Histories;
 
-/// <summary>The index of jobs: nothing half written, several writers at a time, a bounded number of entries, and what is no entry is kept aside.</summary>
+/// <summary>The index of jobs: complete files, concurrent writers, a limited number of entries, and invalid files are moved aside.</summary>
 public sealed class JobHistoryTests : IDisposable
 {
     private static readonly DateTimeOffset s_now = new(2026, 11, 23, 9, 0, 0, TimeSpan.Zero);

@@ -7,8 +7,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Languages;
 
-/// <summary>Options of prompts in another language: shown in it, answered in it, and still in English, so that scripts and hands that know AutoCAD go
-/// on.</summary>
+/// <summary>Options of prompts in another language: shown and accepted in that language and in English, for scripts and AutoCAD users.</summary>
 public sealed partial class OptionLanguageTests
 {
     private static readonly CultureInfo s_german = new("de");
@@ -118,7 +117,7 @@ public sealed partial class OptionLanguageTests
     private static bool IsOption(string text) =>
         text == "?" || (text.All(char.IsAsciiLetterOrDigit) && text.Any(char.IsAsciiLetterUpper) && !(text.Length > 3 && !text.Any(char.IsAsciiLetterLower)));
 
-    /// <summary>The options that are given to a list, a question or an array of words.</summary>
+    /// <summary>The options passed to a list, a prompt or an array of words.</summary>
     [GeneratedRegex("""(?:Keyword\.List|ShapePrompts\.\w+|ChoiceAsync)\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)|(?:string\[\] \w+ =|\?|:) \[(?:"\w+"|[\w ]+\? "\w+" : "\w+")(?:, (?:"\w+"|[\w ]+\? "\w+" : "\w+"))*\]""")]
     private static partial Regex ListOfOptions();
 

@@ -7,16 +7,16 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Languages;
 
-/// <summary>Every command is talked to in the pseudo-language. A plain letter outside of marks is a text that no language could translate.</summary>
+/// <summary>Runs every command in the pseudo-language. An unmarked letter is text that cannot be translated.</summary>
 public class PseudoLanguageTests
 {
-    /// <summary>Words that stay as they are in every language: what is typed back, and what a machine wrote.</summary>
+    /// <summary>Words that are equal in every language: echoed input and text from a machine.</summary>
     private static readonly string[] s_stays = ["mm", "s", "in", "x", "TC"];
 
-    /// <summary>Commands that write a file of a machine's language; Enter alone would show it on the screen.</summary>
+    /// <summary>Commands that write a file in a machine language; Enter alone would show it.</summary>
     private static readonly string[] s_machineText = ["POST", "PLOT", "TABLE"];
 
-    /// <summary>Conversations beyond "every default" and "nonsense", which each command gets.</summary>
+    /// <summary>Inputs in addition to "every default" and "nonsense", which each command gets.</summary>
     private static readonly string[][] s_talks =
     [
         ["LINE?", "'PAN", "MOVE", "'MOVE", "'ZOOM", "E", "ALL", "", "0,0", "5,5"],

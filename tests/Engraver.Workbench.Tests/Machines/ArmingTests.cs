@@ -18,7 +18,7 @@ public class ArmingTests
         var begun = bench.Time.GetUtcNow();
         Arm(bench);
 
-        // Look by look: a whole minute at once would let a question that is under way run out of its time.
+        // Advance poll by poll: advancing a whole minute at once would let a pending query time out.
         var status = await bench.UntilAsync(status => status.State != MachineState.Armed);
 
         Assert.Equal(MachineState.Ready, status.State);
@@ -78,7 +78,7 @@ public class ArmingTests
         Assert.True(ready.Passed);
     }
 
-    /// <summary>A tick stands for what was asked just now: of a dead link nothing is known, whatever it said before.</summary>
+    /// <summary>A check passes only with current data: with a dead link its state is unknown.</summary>
     [Fact]
     public void Nothing_that_a_dead_or_silent_link_said_has_a_tick()
     {
@@ -103,7 +103,7 @@ public class ArmingTests
         Assert.NotNull(await bench.Machine.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit));
         await bench.Controller.DisposeAsync();
 
-        Assert.Null(await bench.Machine.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit)); // nobody has looked since
+        Assert.Null(await bench.Machine.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit)); // It was not polled since.
         Assert.Equal((MachineState.Fault, true), (bench.Machine.Status.State, bench.Machine.Status.IsLinkLost));
     }
 
@@ -145,7 +145,7 @@ public class ArmingTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         var said = talk.Said.Split('\n').Last(line => line.StartsWith("WARN", StringComparison.Ordinal));
         Assert.Contains("The last job on this machine ended early: stopped by the operator.", said, StringComparison.Ordinal);
-        Assert.Contains("The drawing's zero is at machine position 0,0 mm.", talk.Said, StringComparison.Ordinal); // set by the first job, wherever the stop left the machine
+        Assert.Contains("The drawing's zero is at machine position 0,0 mm.", talk.Said, StringComparison.Ordinal); // Set by the first job, wherever the stop left the machine.
         Assert.True(Assert.Single(talk.Session.Machine.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
     }
 

@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>As <see cref="CorpusTheoryAttribute"/>, for a test without data.</summary>
+/// <summary>Like <see cref="CorpusTheoryAttribute"/>, for a test without data.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class CorpusFactAttribute : FactAttribute
 {

@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A test on drawings of the corpus beside the project; skipped, visibly, where that is not laid out. In CI a skip is a failure.</summary>
+/// <summary>A test on drawings of the corpus beside the project; skipped if the corpus is missing. In CI a skip is a failure.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class CorpusTheoryAttribute : TheoryAttribute
 {

@@ -4,8 +4,8 @@ using Engraver.TestKit;
 namespace Engraver.Workbench.Tests.Machines;
 
 /// <summary>The main job three ways over each kind of link, judged by every motor sample of the simulated controller.</summary>
-/// <remarks>A commit tries each foreign drawing and each sample in one strategy over one link, so that with the corpus every strategy is tried over every
-/// link (on <c>sim:</c> the console's <c>SampleRunTests</c> try each sample in every strategy); <c>./test --full</c> every combination.</remarks>
+/// <remarks>The fast subset runs each foreign drawing and each sample in one mode over one link, so that with the corpus every mode is run over every link (on
+/// <c>sim:</c> the console's <c>SampleRunTests</c> run each sample in every mode); <c>./test --full</c> every combination.</remarks>
 public class EveryStrategyTests
 {
     /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
@@ -13,8 +13,8 @@ public class EveryStrategyTests
 
     private static readonly string[] s_links = ["sim", "serial", "tcp"];
 
-    /// <summary>In this order the longest jobs of a commit go over the link that costs least, and short ones over the serial line, on which each byte is
-    /// handed over by itself; the stream over TCP is what the console's <c>NetworkRunTests</c> run.</summary>
+    /// <summary>In this order the longest jobs of the fast subset use the cheapest link, and short ones over the serial line, which transfers single bytes; the
+    /// console's <c>NetworkRunTests</c> cover streaming over TCP.</summary>
     private static readonly string[] s_samples = ["clock-dial.dxf", "pcb-outline.dxf", "nameplate.dxf", "paper-001.dxf", "gasket.dxf", "nested-logo.dxf"];
 
     /// <summary>Ten drawings by nine programs: arcs, ellipses, splines, bulges, old polylines; inches, no unit; blocks nested, in arrays, turned and

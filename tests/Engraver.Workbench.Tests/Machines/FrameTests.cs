@@ -8,7 +8,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>Once round the job before it is cut: by the simulator's counts, tool off.</summary>
+/// <summary>The frame run before a job: checked by the simulator's counts, tool off.</summary>
 public sealed class FrameTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-frame-");
@@ -32,7 +32,7 @@ public sealed class FrameTests : IDisposable
         Assert.Equal((48000L, 7000L), ((long)samples.Max(sample => sample.A), (long)samples.Max(sample => sample.B))); // 45, 5 of the drawing
         Assert.Contains(MachineState.Moving, states);
         Assert.DoesNotContain(MachineState.Running, states);
-        Assert.Null(bench.Machine.Status.LastOutcome); // it was no job
+        Assert.Null(bench.Machine.Status.LastOutcome); // It was not a job.
     }
 
     [Fact]
@@ -53,7 +53,7 @@ public sealed class FrameTests : IDisposable
         Assert.Equal(MachineState.NoOrigin, bench.Machine.Status.State);
     }
 
-    /// <summary>The controller watches the travel too, as it does during jobs and jogs, and gets its own limits back.</summary>
+    /// <summary>The controller monitors the travel too, as during jobs and jogs, and its own limits are restored.</summary>
     [Fact]
     public async Task On_its_way_round_the_controller_has_the_travel_as_soft_limits_and_afterwards_its_own()
     {
@@ -85,7 +85,7 @@ public sealed class FrameTests : IDisposable
         return Encoding.ASCII.GetString(answer, 0, link.Read(answer));
     }
 
-    /// <summary>One list says it, before anything moves: what the placed job would leave, and what to do.</summary>
+    /// <summary>One list states before any motion which limit the placed job would exceed, and what to do.</summary>
     [Fact]
     public async Task A_job_that_would_leave_the_travel_is_on_the_list_and_is_neither_armed_nor_framed()
     {

@@ -2,14 +2,14 @@ using System.Text;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>One byte of one line harmed, from a seed: a digit or letter changed, dropped, doubled, or another put before it.</summary>
+/// <summary>Corrupts one byte of one line, from a seed: a digit or letter changed, dropped, doubled, or another one inserted before it.</summary>
 internal static class HarmedByte
 {
     private const string Digits = "0123456789";
     private const string Letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-    /// <param name="line">What is to be sent. Only digits, letters and signs are harmed, so that a line remains one line.</param>
-    /// <returns>The harmed line; null where nothing can be harmed.</returns>
+    /// <param name="line">The sent line. Only digits, letters and signs are changed, so that a line remains one line.</param>
+    /// <returns>The corrupted line; null if there is nothing to change.</returns>
     public static string? Of(string line, Random random)
     {
         var places = Enumerable.Range(0, line.Length).Where(i => char.IsAsciiLetterOrDigit(line[i]) || line[i] is '-' or '.').ToList();
@@ -27,7 +27,7 @@ internal static class HarmedByte
         return text.ToString();
     }
 
-    /// <summary>Of the same kind: a digit for a digit, a letter for a letter.</summary>
+    /// <summary>Another character of the same kind: a digit for a digit, a letter for a letter.</summary>
     private static char Another(char old, Random random)
     {
         var kind = char.IsAsciiLetter(old) ? Letters : Digits;

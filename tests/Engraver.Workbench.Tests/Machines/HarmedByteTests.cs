@@ -12,8 +12,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A wire that harms one byte: whatever it does to the job, it never ends as complete with something else than the drawing cut, and it ends.</summary>
-/// <remarks>ENGRAVER_HARM_CASES=1000 runs as many seeds; ENGRAVER_HARM_FIRST=N begins at another.</remarks>
+/// <summary>One corrupted byte on the link: the job ends, and is never reported as complete with a wrong cut.</summary>
+/// <remarks>ENGRAVER_HARM_CASES=1000 runs as many seeds; ENGRAVER_HARM_FIRST=N starts at another seed.</remarks>
 public sealed class HarmedByteTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-test-");
@@ -31,7 +31,7 @@ public sealed class HarmedByteTests : IDisposable
         Assert.Equal(("complete", true), (run.Outcome, run.IsCutRight));
     }
 
-    /// <summary>As found on a proxy: a line ten times as long, a turn cut short, a speed, a tool that is not the tool.</summary>
+    /// <summary>Regressions found with a proxy: a line ten times as long, a turn cut short, a speed, a tool that is not the tool.</summary>
     [Theory]
     [InlineData(JobMode.Stream, "LI ", 3)]
     [InlineData(JobMode.Stream, "VP ", 1)]
@@ -49,7 +49,7 @@ public sealed class HarmedByteTests : IDisposable
         Assert.False(run is { Outcome: "complete", IsCutRight: false }, run.ToString());
     }
 
-    /// <summary>One vertex among segments that are shorter than the way between two polls: no poll sees it, and the path is hardly longer.</summary>
+    /// <summary>One vertex among segments shorter than the distance between two polls: no poll detects it, and the path length hardly changes.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -69,10 +69,9 @@ public sealed class HarmedByteTests : IDisposable
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
     }
 
-    /// <summary>The same with an arc in the sequence. Over a network its vertices go as places (VP), and nothing repeats them to us: the polls, the end and
-    /// the length of the path are all that tells.
-    /// The length may differ by 2 counts and half a count a segment, here 52 (galil-dmc.md B.1 does not say how it is kept). A vertex between two segments
-    /// of 60 counts must be moved by 62 to add so much.</summary>
+    /// <summary>The same with an arc in the sequence. Over a network its vertices are sent as positions (VP) and not echoed: only the polls, the end and the
+    /// length of the path can reveal it. The length may differ by 2 counts and half a count a segment, here 52 (galil-dmc.md B.1 does not define how it is
+    /// computed). A vertex between two segments of 60 counts must be moved by 62 to add so much.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -95,7 +94,7 @@ public sealed class HarmedByteTests : IDisposable
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
     }
 
-    /// <summary>Each command that switches the tool off arrives as one that switches it on, also those of the stop before and behind the job.</summary>
+    /// <summary>Each command that switches the tool off arrives as one that switches it on, also those of the stop before and after the job.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -140,7 +139,7 @@ public sealed class HarmedByteTests : IDisposable
         }
 
         Assert.True(wrong.Count == 0, Text($"{wrong.Count} of {cases}:\n") + string.Join('\n', wrong));
-        Assert.True(cases < 20 || outcomes.Count >= 3, string.Join(' ', outcomes)); // a wire that harms nothing would prove nothing
+        Assert.True(cases < 20 || outcomes.Count >= 3, string.Join(' ', outcomes)); // Corruption without effect would prove nothing.
     }
 
     private async Task<HarmedRun> RunAsync(JobMode mode, HarmingWire wire, byte[]? part = null)
@@ -190,22 +189,22 @@ public sealed class HarmedByteTests : IDisposable
         var part = new List<(int Code, object Value)>();
         (double X, double Y) At(int i) => (Radius * Math.Sin(i * Turn), Radius * Math.Cos(i * Turn));
         for (var i = 0; i < 100; i++) part.AddRange([(0, "LINE"), (8, "0"), (10, At(i).X), (20, At(i).Y), (11, At(i + 1).X), (21, At(i + 1).Y)]);
-        if (withArc) part.AddRange([(0, "ARC"), (8, "0"), (10, At(100).X * 0.9), (20, At(100).Y * 0.9), (40, 3.0), (50, 0.0), (51, 90.0 - (100 * Turn * 180.0 / Math.PI))]); // goes on in the same direction
+        if (withArc) part.AddRange([(0, "ARC"), (8, "0"), (10, At(100).X * 0.9), (20, At(100).Y * 0.9), (40, 3.0), (50, 0.0), (51, 90.0 - (100 * Turn * 180.0 / Math.PI))]); // It continues in the same direction.
         return DxfText.WithEntities([.. part]).ToAscii();
     }
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>How a run ended by its own account, and what the motors did.</summary>
+    /// <summary>Reported result of a run, and the actual motion.</summary>
     private sealed record HarmedRun(string Outcome, string Sentence, RunJudgement Record, double Tolerance)
     {
-        /// <summary>When the host has gone.</summary>
+        /// <summary>After the host has disconnected.</summary>
         public bool IsToolOn { get; init; }
 
         public bool IsCutRight => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && deviation <= Tolerance && missing <= Tolerance;
     }
 
-    /// <summary>Puts a digit behind the first digit of one such command.</summary>
+    /// <summary>Inserts a digit after the first digit of one such command.</summary>
     private sealed class DigitWire(string command, int which) : HarmingWire(-1, 0)
     {
         private int _seen;
@@ -218,7 +217,7 @@ public sealed class HarmedByteTests : IDisposable
         }
     }
 
-    /// <summary>Makes one command that switches the tool off one that switches it on.</summary>
+    /// <summary>Changes one command that switches the tool off to one that switches it on.</summary>
     private sealed class SwitchWire(int which) : HarmingWire(-1, 0)
     {
         private int _seen;

@@ -4,11 +4,11 @@ using Engraver.Galil.Links;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>What the wires of one run have carried, and which line is harmed on its way to the controller.</summary>
-/// <param name="harmAt">Place of the line among those that can be harmed, from 0; -1 for none.</param>
+/// <summary>The lines transferred in one run, and the line that is corrupted on its way to the controller.</summary>
+/// <param name="harmAt">Index of the line among those that can be corrupted, from 0; -1 for none.</param>
 internal class HarmingWire(int harmAt, int seed)
 {
-    /// <summary>So many lines are far more than any run of the test's drawing takes: whoever sends more does not end.</summary>
+    /// <summary>More lines than any run of the test drawing needs: a run that sends more does not end.</summary>
     private const int MostLines = 60_000;
 
     private readonly Random _random = new(seed);
@@ -17,13 +17,13 @@ internal class HarmingWire(int harmAt, int seed)
     /// <summary>Motion and setting commands, and lines of programs, seen so far.</summary>
     public int Harmable { get; private set; }
 
-    /// <summary>The harmed line as it was and as it went on; null before.</summary>
+    /// <summary>The corrupted line before and after; null until then.</summary>
     public (string Was, string Became)? Harmed { get; private set; }
 
-    /// <summary>The run sent more than it ever should.</summary>
+    /// <summary>The run sent too many lines.</summary>
     public bool IsHung => _lines > MostLines;
 
-    /// <returns>What goes on to the controller.</returns>
+    /// <returns>The line for the controller.</returns>
     /// <exception cref="IOException">The run does not end.</exception>
     public string Carry(string text)
     {
@@ -40,16 +40,16 @@ internal class HarmingWire(int harmAt, int seed)
         return string.Join('\r', lines);
     }
 
-    /// <returns>What becomes of a line that can be harmed; null when it goes on as it is.</returns>
+    /// <returns>The corrupted line; null if it is unchanged.</returns>
     protected virtual string? Harm(string line) => Harmable++ == harmAt ? HarmedByte.Of(line, _random) : null;
 
-    /// <summary>Questions carry nothing that could harm a run, and heartbeats come by the thousand.</summary>
+    /// <summary>Queries cannot affect a run, and there are thousands of heartbeats.</summary>
     private static bool IsCommand(string line) =>
         line.Length > 1 && char.IsAsciiLetter(line[0]) && !(line.StartsWith("hb=", StringComparison.Ordinal) && !line.Contains(';', StringComparison.Ordinal))
         && !new[] { "MG", "TC", "UL", "QZ", "WH", "EO" }.Any(question => line.StartsWith(question, StringComparison.Ordinal));
 }
 
-/// <summary>A link through a wire that harms bytes: every write is one line, or one download.</summary>
+/// <summary>A link that corrupts bytes: every write is one line, or one download.</summary>
 internal sealed class HarmingLink(IControllerLink inner, HarmingWire wire) : IControllerLink
 {
     public string Description => inner.Description;

@@ -9,8 +9,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A part with two depths and a ramp on the sample mill: from the DXF to the simulator's record, every sample of which lies within 2.5 counts of
-/// the drawing in X, Y and Z.</summary>
+/// <summary>A part with two depths and a ramp on the sample mill: from the DXF to the simulator's record, all samples are within 2.5 counts of the drawing in
+/// X, Y and Z.</summary>
 public sealed class HeightPartTests : IDisposable
 {
     private const double Count = 1.0 / 800.0;

@@ -10,8 +10,8 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>The travel of the axis that holds the tool: a cut 2.5 mm deep under a clearance of 4 mm reaches from -2.5 to 4 mm over the work, a dry run of
-/// it from 4 to 10.5 mm.</summary>
+/// <summary>The travel of the tool axis: a cut 2.5 mm deep under a clearance of 4 mm reaches from -2.5 to 4 mm over the work, a dry run of it from 4 to 10.5
+/// mm.</summary>
 public sealed class HeightTravelTests
 {
     [Fact]
@@ -25,7 +25,7 @@ public sealed class HeightTravelTests
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why);
         Assert.Contains("JOB0033", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("inside the travel", talk.Said, StringComparison.Ordinal);
-        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Dryrun", "Stream")); // it does not go down so far
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Dryrun", "Stream")); // It does not reach that depth.
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
         await talk.TypeAsync("CNCZERO", "Z", "Yes"); // 4 mm higher now, where the run has left the tool
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
@@ -64,7 +64,7 @@ public sealed class HeightTravelTests
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCGOTO", "3,4")); // still a millimetre under the clearance over the work
     }
 
-    /// <summary>What is foretold is what the motors do.</summary>
+    /// <summary>The forecast matches the motion of the motors.</summary>
     [Theory]
     [InlineData(JobMode.Stream, false)]
     [InlineData(JobMode.Stream, true)]

@@ -6,7 +6,7 @@ using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>How the end of a job becomes an alarm: cause, text, place, and what to do.</summary>
+/// <summary>Alarms for the end of a job: cause, text, location and remedy.</summary>
 public class MachineAlarmTests
 {
     private const string Link = "tcp://10.0.0.7:23";
@@ -69,7 +69,7 @@ public class MachineAlarmTests
         Assert.Equal([AlarmState.ClearedUnacknowledged, AlarmState.Unacknowledged], log.All.Select(alarm => alarm.State));
     }
 
-    /// <summary>A limit ended the job: one event, one alarm, which says both.</summary>
+    /// <summary>A limit ended the job: one event, one alarm, which states both.</summary>
     [Theory]
     [InlineData("the forward limit of axis A", false, "", AlarmCause.Limit)]
     [InlineData("", true, "", AlarmCause.AbortInput)]
@@ -96,7 +96,7 @@ public class MachineAlarmTests
         Assert.Equal([AlarmCause.Limit, AlarmCause.JobStopped], log.All.Select(alarm => alarm.Cause));
     }
 
-    /// <summary>The job says that the link is lost, and then the watch finds nobody: the same event.</summary>
+    /// <summary>The job reports a lost link, and then polling fails: the same event.</summary>
     [Theory]
     [InlineData(LinkLoss.Link, AlarmCause.LinkLost)]
     [InlineData(LinkLoss.Watchdog, AlarmCause.WatchdogTripped)]

@@ -8,15 +8,14 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A machine session connected over TCP to a simulated controller that the test holds in its hands; the session's clock moves only when the test
-/// says so.</summary>
+/// <summary>A machine session connected over TCP to a simulated controller controlled by the test; the session's clock is advanced only by the test.</summary>
 internal sealed class MachineBench : IAsyncDisposable
 {
-    private static readonly TimeSpan s_untilNextStep = TimeSpan.FromSeconds(1); // of the wall
+    private static readonly TimeSpan s_untilNextStep = TimeSpan.FromSeconds(1); // Wall-clock time.
     private static readonly TimeSpan s_step = TimeSpan.FromMilliseconds(100);
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
 
-    /// <summary>A drawing whose zero lies where the controller counts 0.</summary>
+    /// <summary>A drawing whose zero is at the controller's zero.</summary>
     public static PlacementResult Placed { get; } = new(default(CountsPoint), OriginSource.Work, null);
 
     private MachineBench(SimulatorOptions options)
@@ -48,7 +47,7 @@ internal sealed class MachineBench : IAsyncDisposable
     /// <summary>A line of 20 mm and a circle.</summary>
     public static PreparedJob Job(MachineProfile? profile = null) => JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings { Machine = profile ?? MachineProfile.Default }, MotionStyle.Continuous);
 
-    /// <summary>Moves the clock on, look by look, until the status is as wanted.</summary>
+    /// <summary>Advances the clock poll by poll until the status satisfies the condition.</summary>
     public async Task<MachineStatus> UntilAsync(Func<MachineStatus, bool> wanted)
     {
         while (true)
@@ -63,7 +62,7 @@ internal sealed class MachineBench : IAsyncDisposable
         }
     }
 
-    /// <summary>Moves the clock on until there is something to see: a step waits for the next look to be set, where one will be.</summary>
+    /// <summary>Advances the clock until something changes: a step waits until the next poll is scheduled, if there is one.</summary>
     private async Task PassAsync(Task changed)
     {
         while (true)

@@ -119,7 +119,7 @@ public class MachineFactsTests
         Assert.Equal((true, 5, null), (status.ToolCommanded!.Value, status.Outputs!.Value, status.Inputs));
     }
 
-    /// <summary>The last look was before the job: it says neither where the machine stands now nor what the tool does.</summary>
+    /// <summary>The last poll was before the job: it has neither the current position nor the tool state.</summary>
     [Fact]
     public void Once_the_link_is_lost_only_the_last_place_is_known()
     {

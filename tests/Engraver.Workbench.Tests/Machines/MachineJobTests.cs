@@ -11,7 +11,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>Jobs on a machine that is watched. The wall clock runs here: a job waits for a controller in real or virtual time.</summary>
+/// <summary>Jobs on a polled machine. Uses the wall clock: a job waits for a controller in real or virtual time.</summary>
 public sealed class MachineJobTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-machine-");
@@ -38,7 +38,7 @@ public sealed class MachineJobTests : IDisposable
 
         var rest = machine.Status;
         Assert.Equal((MachineState.Complete, 1.0, true), (rest.State, rest.Progress!.Fraction, rest.IsSimulation));
-        Assert.Equal(rest.WorkPosition, rest.MachinePosition); // the job began at the controller's zero
+        Assert.Equal(rest.WorkPosition, rest.MachinePosition); // The job started at the controller's zero.
         Assert.Empty(machine.Alarms.All);
     }
 
@@ -79,7 +79,7 @@ public sealed class MachineJobTests : IDisposable
     {
         await using var machine = new MachineSession(TimeProvider.System);
         await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
-        var slow = new DrawingSettings { Machine = MachineProfile.Default with { AccelerationCounts = 10_240 } }; // brakes for a second
+        var slow = new DrawingSettings { Machine = MachineProfile.Default with { AccelerationCounts = 10_240 } }; // It decelerates for a second.
         var running = RunAsync(machine, JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Build(), slow, MotionStyle.Continuous));
         await SeenAsync(machine, status => status is { State: MachineState.Running, WorkPosition.X: > 5.0 });
         var told = SeenAsync(machine, status => status.State == MachineState.Stopping);

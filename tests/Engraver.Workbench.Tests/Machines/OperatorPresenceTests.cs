@@ -4,8 +4,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A continuous jog needs signs of life from whoever shows the machine to the operator; the clock of the session is the test's, the simulated
-/// machine goes by its own.</summary>
+/// <summary>A continuous jog requires signals from the front end. The session uses the clock of the test, the simulated machine its own.</summary>
 public sealed class OperatorPresenceTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-presence-");
@@ -54,7 +53,7 @@ public sealed class OperatorPresenceTests : IDisposable
         Assert.False(other.Lost.IsCompleted);
     }
 
-    /// <summary>Also before the machine moves: a jog that waits for its turn does not begin behind the back of an operator who has gone.</summary>
+    /// <summary>Also before the machine moves: a waiting jog does not start after the operator has left.</summary>
     [Fact]
     public async Task Signs_are_needed_from_the_press_on_and_no_longer_than_the_jog()
     {
@@ -75,7 +74,7 @@ public sealed class OperatorPresenceTests : IDisposable
         Assert.Equal((true, false), (told[0], told[^1]));
     }
 
-    /// <summary>A look that comes late itself cannot tell who was held up: it looks once more.</summary>
+    /// <summary>A delayed check cannot tell which side was delayed: it checks again.</summary>
     [Fact]
     public async Task When_this_program_was_held_up_as_a_whole_the_sign_behind_it_counts()
     {
@@ -93,7 +92,7 @@ public sealed class OperatorPresenceTests : IDisposable
 
     public void Dispose() => _folder.Delete(recursive: true);
 
-    /// <returns>When it moves.</returns>
+    /// <returns>Time at which it moves.</returns>
     private async Task<Task<JobResult>> JoggingAsync(MachineBench bench, HeldJog jog, bool staysReady)
     {
         var journal = Path.Combine(_folder.FullName, "jog.jsonl");
@@ -102,7 +101,7 @@ public sealed class OperatorPresenceTests : IDisposable
         return jogging;
     }
 
-    /// <summary>A clock whose one timer comes once, however long it was held up.</summary>
+    /// <summary>A clock whose single timer fires once, regardless of its delay.</summary>
     private sealed class LumpyTime : TimeProvider
     {
         private TimerCallback _callback = _ => { };

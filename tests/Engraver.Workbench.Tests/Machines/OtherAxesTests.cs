@@ -9,7 +9,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A machine whose drawing axes are not A and B is a profile and nothing else: letters stand in <see cref="MachineAxes"/> alone.</summary>
+/// <summary>A machine whose drawing axes are not A and B needs only a profile: only <see cref="MachineAxes"/> contains axis letters.</summary>
 public sealed class OtherAxesTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-axes-");

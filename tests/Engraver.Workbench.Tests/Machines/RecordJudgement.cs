@@ -5,7 +5,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>Judges a job by the record that a simulated controller kept.</summary>
+/// <summary>Judges a job by the record of a simulated controller.</summary>
 internal static class RecordJudgement
 {
     /// <param name="frameX">Counts of the controller at the drawing's zero.</param>

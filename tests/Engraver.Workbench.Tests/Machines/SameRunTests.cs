@@ -9,8 +9,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>Host and simulated controller go by one clock, which goes on only while the host waits: the same job does the same, byte for byte, however the
-/// host's tasks are held up.</summary>
+/// <summary>Host and simulated controller share one clock, which advances only while the host waits: the same job gives the same result, byte for byte,
+/// regardless of delays of the host's tasks.</summary>
 [Collection(nameof(SameRunTests))]
 [CollectionDefinition(nameof(SameRunTests), DisableParallelization = true)]
 public sealed class SameRunTests : IDisposable
@@ -90,7 +90,7 @@ public sealed class SameRunTests : IDisposable
 
     private sealed record RunFiles(JobOutcome Outcome, string Record, string Journal, string Trace);
 
-    /// <summary>Holds a task up now and then: it goes on later, on another thread, behind other work of the pool.</summary>
+    /// <summary>Delays a task from time to time: it continues later on another thread, after other work of the pool.</summary>
     private sealed class Stalls(Random? random)
     {
         private const int OneIn = 10;
@@ -99,7 +99,7 @@ public sealed class SameRunTests : IDisposable
 
         public int Count { get; private set; }
 
-        /// <summary>The first handle is the job's; the second one is asked beside it, so that the order of the two on the wire is not the clock's.</summary>
+        /// <summary>The first handle is the job's; the second one is polled concurrently, so that the clock does not define their order on the wire.</summary>
         public IControllerLink Over(IControllerLink link)
         {
             if (_hasCommands) return link;

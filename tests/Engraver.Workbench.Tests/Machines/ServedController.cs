@@ -8,8 +8,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A simulated controller at full speed in this process or behind a socket or a pseudo-terminal, and its record held against a drawing.</summary>
-/// <remarks>The wall stands, and the host takes the controller's clock: no run depends on the computer.</remarks>
+/// <summary>A simulated controller at full speed in this process or behind a socket or a pseudo-terminal, and its record compared with a drawing.</summary>
+/// <remarks>The wall clock does not advance, and the host uses the controller's clock: runs do not depend on the speed of the computer.</remarks>
 internal sealed class ServedController : IAsyncDisposable
 {
     /// <summary>The fastest rate of the serial port: every byte still takes its time.</summary>
@@ -28,7 +28,7 @@ internal sealed class ServedController : IAsyncDisposable
         _address = address;
     }
 
-    /// <param name="link">tcp, serial, or sim for a controller that the run itself makes and judges.</param>
+    /// <param name="link">tcp, serial, or sim for a controller created and judged by the run.</param>
     public static async Task<ServedController> StartAsync(string link)
     {
         var clock = new ManualTimeProvider();

@@ -3,7 +3,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>The trace of a run ends behind its session: what is said while the controller is given back stands in it too.</summary>
+/// <summary>The trace of a run ends after its session: it includes the commands that restore the controller.</summary>
 public sealed class WireTraceOrderTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-test-");

@@ -31,7 +31,7 @@ public class PlannedMotionTests
         for (var i = 1; i <= steps; i++)
         {
             var at = motion.At(motion.DurationSeconds * i / steps);
-            Assert.InRange(at.Position.DistanceTo(last.Position), 0.0, (fastest * motion.DurationSeconds / steps) + 0.003); // an arc's predicted end is rounded to counts
+            Assert.InRange(at.Position.DistanceTo(last.Position), 0.0, (fastest * motion.DurationSeconds / steps) + 0.003); // The predicted end of an arc is rounded to counts.
             last = at;
         }
 
@@ -51,15 +51,15 @@ public class PlannedMotionTests
         {
             var begins = motion.TimeOfSegment(segment);
             var later = motion.At(begins + 0.05);
-            var at = later.Segment == segment ? later : motion.At(begins + 1e-6); // well inside, where two rows do not touch
+            var at = later.Segment == segment ? later : motion.At(begins + 1e-6); // Well inside, where two rows do not meet.
             Assert.Equal(segment, at.Segment);
             Assert.Equal(at.Entity, table.EntityIndexOf(at.Row));
             Assert.InRange(table[at.Row].ToSegment().DistanceTo(at.Position), 0.0, 0.004);
         }
     }
 
-    /// <summary>An ellipse is one row of the table and many moves of the toolpath: what was cut is told by moves, or the canvas lights up another part of
-    /// the drawing (seen: an ellipse before two circles).</summary>
+    /// <summary>An ellipse is one row of the table and many moves of the toolpath: progress is given by moves, otherwise the canvas highlights another part of
+    /// the drawing (regression: an ellipse before two circles).</summary>
     [Fact]
     public void A_segment_of_an_ellipse_is_on_its_move_and_what_follows_on_its_own()
     {
@@ -79,7 +79,7 @@ public class PlannedMotionTests
         Assert.Null(motion.TimeOfMove(moves.Length));
     }
 
-    /// <summary>What is picked on the canvas, the lit row of the table and the listed rows of the properties are one thing.</summary>
+    /// <summary>The picked object on the canvas, the highlighted table row and the rows of the properties are the same object.</summary>
     [Theory]
     [InlineData("gasket.dxf")]
     [InlineData("paper-001.dxf")]
@@ -152,7 +152,7 @@ public class PlannedMotionTests
         Assert.Equal(0, motion.LineOf(motion.At(begins).Segment));
     }
 
-    /// <summary>A move that is shorter than a count has no segment: those behind it are not taken for it.</summary>
+    /// <summary>A move shorter than a count has no segment: the following ones are not mistaken for it.</summary>
     [Fact]
     public void What_follows_a_move_without_a_segment_is_on_its_own_move()
     {
@@ -163,7 +163,7 @@ public class PlannedMotionTests
         Assert.Equal([0, 2, 3], Enumerable.Range(0, 3).Select(segment => motion.At(motion.TimeOfSegment(segment) + 0.01).Move));
     }
 
-    /// <summary>Where the tool is in a segment says when it is there: a long segment does not stand still in the time that is left.</summary>
+    /// <summary>The position in a segment determines the time: the remaining time decreases within a long segment.</summary>
     [Theory]
     [InlineData("gasket.dxf")]
     [InlineData("clock-dial.dxf")]

@@ -38,7 +38,7 @@ public class PlaybackSessionTests
         Assert.Equal(0.0, _playback.Position);
     }
 
-    /// <summary>A mark on the canvas that nobody asked for would be taken for the machine.</summary>
+    /// <summary>An unrequested mark on the canvas could be mistaken for the machine.</summary>
     [Fact]
     public void It_is_shown_while_it_plays_or_was_put_somewhere()
     {

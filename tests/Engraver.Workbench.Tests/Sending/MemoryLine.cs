@@ -3,7 +3,7 @@ using Engraver.Workbench.Sending;
 
 namespace Engraver.Workbench.Tests.Sending;
 
-/// <summary>A line of memory: keeps what is sent with its time, and says what the test wants at a given place.</summary>
+/// <summary>A port in memory: stores sent bytes with their times, and sends given bytes at a given position.</summary>
 internal sealed class MemoryLine(TimeProvider time) : IProgramLine
 {
     private readonly Channel<byte> _said = Channel.CreateUnbounded<byte>();
@@ -12,10 +12,10 @@ internal sealed class MemoryLine(TimeProvider time) : IProgramLine
 
     public List<(TimeSpan At, byte Bits)> Heard { get; } = [];
 
-    /// <summary>Said when so many characters have come; the sender has taken it before it goes on.</summary>
+    /// <summary>Sent after this number of received characters; the sender processes it before it continues.</summary>
     public (int At, byte Bits)? Answer { get; set; }
 
-    /// <summary>The line is gone after so many characters.</summary>
+    /// <summary>The port fails after this number of characters.</summary>
     public int BreaksAt { get; set; } = int.MaxValue;
 
     public bool WasDrained { get; private set; }
@@ -39,7 +39,7 @@ internal sealed class MemoryLine(TimeProvider time) : IProgramLine
         Answer = null;
         await _listens.WaitAsync(cancellation);
         Say(answer.Bits);
-        await _listens.WaitAsync(cancellation); // it was taken, and the sender listens again
+        await _listens.WaitAsync(cancellation); // It was processed, and the sender listens again.
     }
 
     public async ValueTask<int> ReadAsync(Memory<byte> bits, CancellationToken cancellation)

@@ -23,7 +23,7 @@ public class ProgramReceiverTests
         Assert.Empty(receiver.Characters);
     }
 
-    /// <summary>A leader of NULs is no program, and a sender that is at work. Whoever is told of the progress may take as long as he likes.</summary>
+    /// <summary>A leader of NULs is not part of the program, but shows that the sender is active. A slow progress handler does not matter.</summary>
     [Theory]
     [InlineData("\0")]
     [InlineData("G")]

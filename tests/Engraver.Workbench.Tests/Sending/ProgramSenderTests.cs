@@ -35,7 +35,7 @@ public class ProgramSenderTests
         var pace = new SendPace(CharacterFrame.EightNone, TimeSpan.FromMilliseconds(10)) { CharacterDelay = TimeSpan.FromMilliseconds(40) };
         await FinishAsync(ProgramSender.SendAsync(line, Job(2, 8), pace, null, time, CancellationToken.None), time);
 
-        // A timer that rings late on a busy computer is made up for by at most 5 ms.
+        // A late timer on a busy computer is compensated by at most 5 ms.
         Assert.Equal(20, line.Heard.Count);
         for (var i = 1; i < line.Heard.Count; i++) Assert.True(line.Heard[i].At - line.Heard[i - 1].At >= TimeSpan.FromMilliseconds(45), $"character {i}");
     }
@@ -108,7 +108,7 @@ public class ProgramSenderTests
         Assert.Equal((SendOutcome.LinkLost, 2, "the cable was pulled"), (result.Outcome, result.Lines, result.Reason));
     }
 
-    /// <summary>The other side of a real terminal reads as it likes, holds the sender at random and lets it go on.</summary>
+    /// <summary>The receiver of a real terminal reads irregularly, and pauses and resumes the sender at random.</summary>
     [Theory]
     [InlineData(CharacterFrame.SevenEven, 1)]
     [InlineData(CharacterFrame.EightNone, 2)]

@@ -5,7 +5,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Settings;
 
-/// <summary>What a window of settings shows is what the tables of settings hold.</summary>
+/// <summary>The OPTIONS page shows the settings of the tables.</summary>
 public sealed class OptionTableTests
 {
     [Fact]
@@ -23,7 +23,7 @@ public sealed class OptionTableTests
         Assert.All(entries, entry => Assert.True(entry.PageTitle.Length > 0 && entry.Name.Length > 0 && entry.Meaning.EndsWith('.'), entry.Key));
     }
 
-    /// <summary>Each value that is shown is one that its own command takes, and it stays as it is.</summary>
+    /// <summary>Each displayed value is accepted by its command and remains unchanged.</summary>
     [Fact]
     public async Task Every_value_that_is_shown_is_taken_by_the_command_of_its_setting()
     {

@@ -9,7 +9,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Settings;
 
-/// <summary>What a certificate and the history keep of settings is all of them.</summary>
+/// <summary>Certificates and history store all settings.</summary>
 public class SettingWordsTests
 {
     private static readonly DrawingSettings s_other = new()
@@ -33,7 +33,7 @@ public class SettingWordsTests
 
     public static TheoryData<string> Names => [.. typeof(DrawingSettings).GetProperties(BindingFlags.Public | BindingFlags.Instance).Select(property => property.Name).Where(name => name != nameof(DrawingSettings.Machine))];
 
-    /// <summary>By reflection, so that a setting which is added later cannot be forgotten.</summary>
+    /// <summary>By reflection, so that new settings are included.</summary>
     [Theory]
     [MemberData(nameof(Names))]
     public void Each_setting_is_kept_and_comes_back(string name)

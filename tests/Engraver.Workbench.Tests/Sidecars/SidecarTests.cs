@@ -8,7 +8,7 @@ using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Sidecars;
 
-/// <summary>NAME.dxf.engraver.json (docs/sidecar.md): what belongs to a drawing comes back, and nothing is ever lost.</summary>
+/// <summary>NAME.dxf.engraver.json (docs/sidecar.md): the data of a drawing is restored, and nothing is lost.</summary>
 public class SidecarTests
 {
     [Fact]
@@ -73,7 +73,7 @@ public class SidecarTests
         Assert.Contains("part.dxf.engraver.json", talk.Said, StringComparison.Ordinal);
         Assert.NotNull(talk.State.Drawing);
 
-        await talk.TypeAsync("QSAVE"); // nothing to save: the file is not touched
+        await talk.TypeAsync("QSAVE"); // Nothing to save: the file is not touched.
         Assert.Equal(text, await File.ReadAllTextAsync(talk.PathOf("part.dxf.engraver.json")));
         await talk.TypeAsync("SACEPATH", "H", "A3", "", "QSAVE");
         var kept = Assert.Single(Directory.GetFiles(talk.PathOf("."), "part.dxf.engraver.json.kept-*"));
@@ -81,7 +81,7 @@ public class SidecarTests
         Assert.Contains("SID0005", talk.Said, StringComparison.Ordinal);
         Assert.Contains("traj0_path", await File.ReadAllTextAsync(talk.PathOf("part.dxf.engraver.json")), StringComparison.Ordinal);
         await talk.TypeAsync("SACEPATH", "H", "A1", "", "QSAVE");
-        Assert.Single(Directory.GetFiles(talk.PathOf("."), "*.kept-*")); // ours by now
+        Assert.Single(Directory.GetFiles(talk.PathOf("."), "*.kept-*")); // Written by this session by now.
     }
 
     [Fact]
@@ -105,7 +105,7 @@ public class SidecarTests
         Assert.Empty(Directory.GetFiles(talk.PathOf("."), "*.kept-*"));
     }
 
-    /// <summary>A bound that stands in a file is not believed.</summary>
+    /// <summary>An error bound in a file is verified again.</summary>
     [Theory]
     [InlineData("lines")]
     [InlineData("knots")]
@@ -154,7 +154,7 @@ public class SidecarTests
         Assert.Equal(others, await File.ReadAllTextAsync(Assert.Single(Directory.GetFiles(talk.PathOf("."), "*.kept-*"))));
     }
 
-    /// <summary>Every beginning of a file, as a crash of another program would leave it, and every byte changed: told or used, never a crash.</summary>
+    /// <summary>Every truncation of a file, as after a crash of another program, and every changed byte: reported or used, without an exception.</summary>
     [Fact]
     public async Task No_damage_of_a_file_breaks_the_reader()
     {
@@ -184,7 +184,7 @@ public class SidecarTests
     private static string Shown(DocumentTrajectory one) => FormattableString.Invariant(
         $"{one.Name} {one.MaxErrorMm:R} {one.SegmentLengthMm:R} {string.Join(',', one.Handles)} {one.Curve.Closed} {one.Curve.Z:R} {one.Curve.VerifiedBound:R} {one.Curve.SampledError:R} {one.Curve.SpacingRatio:R} {one.Curve.Length:R} {string.Join(';', one.Curve.Lines)} {string.Join(';', one.Curve.Knots)} {string.Join(';', one.Curve.Heights ?? [])}");
 
-    /// <summary>A talk with part.dxf open: a line, an arc, a circle, a square, an ellipse.</summary>
+    /// <summary>A session with part.dxf open: a line, an arc, a circle, a square, an ellipse.</summary>
     private static async Task<CommandTalk> WithFileAsync(string? sidecar = null)
     {
         var talk = new CommandTalk();

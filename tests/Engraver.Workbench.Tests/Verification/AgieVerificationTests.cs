@@ -9,13 +9,12 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>A posted AGIE program is read back as what it says, and every way of spoiling one is noticed or does not matter.</summary>
+/// <summary>A posted AGIE program is read back correctly, and every corruption is detected or harmless.</summary>
 public class AgieVerificationTests
 {
     private const string Row = "%\t001\t01\t000\t000\t+001000\t+000000\t02\t02\n";
 
-    /// <summary>Largest allowed distance of a cut from the drawing, and of the drawing from a cut, mm; the second with what the places between samples may
-    /// lack.</summary>
+    /// <summary>Largest allowed distance of a cut from the drawing, and of the drawing from a cut, mm; the second including the gaps between samples.</summary>
     private const double Tolerance = 0.0036;
     private const double Coverage = 0.0056;
 
@@ -84,7 +83,7 @@ public class AgieVerificationTests
         Assert.Equal(posted.Forecast.MaxError, report.MaxDeviationMm!.Value, 1e-4);
     }
 
-    /// <summary>Seeded corruptions of one character or one number. Whether one matters is computed here, from a path that this test made itself.</summary>
+    /// <summary>Seeded corruptions of one character or one number. The test computes independently whether a corruption matters.</summary>
     [Fact]
     public async Task Corruptions_are_noticed_or_do_no_harm()
     {
@@ -125,7 +124,7 @@ public class AgieVerificationTests
         };
     }
 
-    /// <summary>Another number of the same form in one field, often near the one that stood there.</summary>
+    /// <summary>Another number of the same form in one field, often close to the original.</summary>
     private static string WithOtherNumber(Random random, string text)
     {
         var rows = text.Split('\n');

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Seeded damage to a program: one character or one number is another.</summary>
+/// <summary>Seeded corruption of a program: one character or one number is changed.</summary>
 internal static partial class Corruption
 {
     public static string Of(Random random, string text, int number) => number % 2 == 0 ? WithOtherCharacter(random, text) : WithOtherNumber(random, text);
@@ -19,7 +19,7 @@ internal static partial class Corruption
         };
     }
 
-    /// <summary>Another number with as many decimals, often near the one that stood there.</summary>
+    /// <summary>Another number with as many decimals, often close to the original.</summary>
     private static string WithOtherNumber(Random random, string text)
     {
         var found = Number().Matches(text);

@@ -10,11 +10,11 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Whatever number stands in a program, of any format: the verification ends, with a result or with a finding, and does no more work than for any
-/// other program.</summary>
+/// <summary>Any number in a program of any format: the verification ends with a result or a finding, and does not take longer than for other
+/// programs.</summary>
 public sealed partial class ExtremeNumberTests
 {
-    /// <summary>A guard only: one verification takes a few hundredths of a second.</summary>
+    /// <summary>A timeout only: one verification takes a few hundredths of a second.</summary>
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60.0);
 
     /// <summary>With digits alone too, for formats that know no exponent.</summary>
@@ -42,7 +42,7 @@ public sealed partial class ExtremeNumberTests
         await TryAllAsync(text, target, options.ContainsKey("dialect") ? entry.Dialects["grbl"] : entry.Reader!);
     }
 
-    /// <summary>Points of the drawing, as SACE reads them.</summary>
+    /// <summary>Points of the drawing in the SACE format.</summary>
     [Fact]
     public Task A_spline_in_places_of_the_drawing_with_an_extreme_number_is_judged_in_bounded_work() =>
         TryAllAsync("-1,0,0\n0,0,0\n1,0.5,0\n2,0,0\n3,-0.5,0\n", "sace", TrajectoryReadBack.ReaderOf(Core.Trajectories.Formats.TrajectoryFormat.Sace));
@@ -85,7 +85,7 @@ public sealed partial class ExtremeNumberTests
         }
     }
 
-    /// <summary>One of each kind of curve, as small as they come.</summary>
+    /// <summary>One of each kind of curve, as small as possible.</summary>
     private static Drawing Part() => new DrawingBuilder().Line(0, 0, 2, 0).Arc(2, 1, 1, 270, 90).Line(5, 0, 5, 2).Free(FreeCurves.Ellipse(9.0, 0.0, 1.0, 0.5, 0.0, 20.0, 40.0).ToCurve()).Build();
 
     [GeneratedRegex(@"(?<![\w.])-?\d+(\.\d+)?(E-?\d+)?|(?<=[A-Z=])-?\d+(\.\d+)?")]

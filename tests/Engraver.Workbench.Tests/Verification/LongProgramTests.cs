@@ -10,11 +10,11 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>A program is read as it goes: of every target no more is read ahead of the motions than a line, a command, or what is loaded at once. So memory
-/// does not grow with its length.</summary>
+/// <summary>A program is read incrementally: for every target at most a line, a command or one block is read ahead of the motion. So memory does not grow with
+/// its length.</summary>
 public class LongProgramTests
 {
-    /// <summary>Characters: what is read from a file at once, and a hundred lines of a controller's program.</summary>
+    /// <summary>Maximum characters read ahead: a file buffer and a hundred lines of a controller's program.</summary>
     private const int MostAhead = 16_384;
 
     private static readonly Lazy<Drawing> s_zigzag = new(() => Zigzag(4000));
@@ -85,7 +85,7 @@ public class LongProgramTests
         return drawing.Build();
     }
 
-    /// <summary>How many characters were read from one motion to the next, at most.</summary>
+    /// <summary>Maximum number of characters read between two motions.</summary>
     private sealed class FarthestAhead(CountedText program) : ITraceJudge
     {
         private int _before;
@@ -101,12 +101,12 @@ public class LongProgramTests
         private void Look() => (Most, _before) = (Math.Max(Most, program.Count - _before), program.Count);
     }
 
-    /// <summary>Knows how far it was read.</summary>
+    /// <summary>Counts the characters read.</summary>
     private sealed class CountedText(string text) : TextReader
     {
         public int Count { get; private set; }
 
-        /// <summary>Behind so many characters it cannot be read on.</summary>
+        /// <summary>Fails after this number of characters.</summary>
         public int BreaksAt { get; init; } = int.MaxValue;
 
         public override int Peek() => Count < text.Length ? text[At()] : -1;

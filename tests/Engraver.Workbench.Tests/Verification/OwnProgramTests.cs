@@ -9,8 +9,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Whatever is drawn, whatever the machine and the options of the post: a program that was posted is never refused by the verification that is
-/// told the same, and one of another feed, wait or place always is.</summary>
+/// <summary>For any drawing, machine and post options: verification with the same parameters accepts a posted program, and rejects one with another feed, wait
+/// or position.</summary>
 public class OwnProgramTests
 {
     private static readonly string[] s_targets = ["galil", "galil-calls", "galil", "galil-calls", "galil", "galil-calls", "galil", "galil-calls", "cldata", "agie", "gcode", "gcode grbl", "hpgl", "xps-linearc", "xps-spline", "xps-pvt"];
@@ -33,7 +33,7 @@ public class OwnProgramTests
         Assert.True(refused.Count == 0, string.Join('\n', refused));
     }
 
-    /// <summary>In parts too, between strokes and inside one.</summary>
+    /// <summary>Also split into parts, between strokes and inside one.</summary>
     [Theory]
     [InlineData("galil", "VS 20000", "VS 20600")]
     [InlineData("galil", "VA 256000", "VA 128000")]
@@ -65,7 +65,7 @@ public class OwnProgramTests
         }
     }
 
-    /// <summary>Arcs of a radius that the controller cannot take are chords, more than its memory holds.</summary>
+    /// <summary>Arcs with a radius beyond the controller's limit become chords, more than its memory can hold.</summary>
     [Theory]
     [InlineData("galil")]
     [InlineData("galil-calls")]

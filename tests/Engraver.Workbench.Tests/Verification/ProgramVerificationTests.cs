@@ -13,7 +13,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>A faithful program is found ok, and every way of spoiling one is found not to be.</summary>
+/// <summary>A correct program passes, and every corruption is detected.</summary>
 public class ProgramVerificationTests
 {
     public static TheoryData<string, MotionStyle> Posts
@@ -45,8 +45,8 @@ public class ProgramVerificationTests
         Assert.Equal((0.0035, 0.0, 0.0), (report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm));
     }
 
-    /// <summary>A sample of the corpus, posted and verified: real drawings of every size, and those that were made to be difficult or damaged.
-    /// tests/verify-corpus does it for all of them, with limits of time and memory.</summary>
+    /// <summary>A sample of the corpus, posted and verified: real drawings of every size, and difficult or damaged ones. tests/verify-corpus does it for all of
+    /// them, with limits of time and memory.</summary>
     [CorpusTheory]
     [InlineData("files", 0, 60_000, 12)]
     [InlineData("files", 60_000, 250_000, 40)]
@@ -73,7 +73,7 @@ public class ProgramVerificationTests
         }
     }
 
-    /// <summary>What Ctrl-C does: the stop is asked for when the program is already being run.</summary>
+    /// <summary>Ctrl-C: the stop is requested while the program is being run.</summary>
     [Fact]
     public async Task A_verification_under_way_is_stopped()
     {
@@ -220,7 +220,7 @@ public class ProgramVerificationTests
     [InlineData(MotionStyle.Continuous, -0.009)]
     public async Task A_gap_that_the_join_tolerance_bridges_is_allowed_for_and_nothing_else_is(MotionStyle style, double aside)
     {
-        var slow = new DrawingSettings { Machine = new() { FeedMmPerMinute = 60 } }; // a count a sample: the middle of the bridge is among them
+        var slow = new DrawingSettings { Machine = new() { FeedMmPerMinute = 60 } }; // One count per sample: the middle of the bridge is among them.
         var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10.003, aside, 20, aside).Line(0, 5, 10, 5).Build();
         var motion = JobPreparation.Prepare(drawing, slow, style).Motion.Program!;
         var text = style == MotionStyle.Calls ? DmcPost.Calls(motion, DmcPostOptions.Default).Text : DmcPost.Sequences(motion, DmcPostOptions.Default).Text;

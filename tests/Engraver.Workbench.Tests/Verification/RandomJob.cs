@@ -9,8 +9,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>A drawing, a machine and options of a post, that are told to the verification too.</summary>
-/// <param name="Target">Name of a post, with a dialect behind it or not.</param>
+/// <summary>A random drawing, machine and post options, which are passed to the verification too.</summary>
+/// <param name="Target">Name of a post, optionally followed by a dialect.</param>
 internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings Settings, IReadOnlyDictionary<string, string> Options)
 {
     private string _shapes = "";
@@ -24,8 +24,8 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
         return new RandomJob(target, drawing, settings, OptionsOf(random, target)) { _shapes = shapes };
     }
 
-    /// <summary>The program; null where the post refuses the job, and then it must say why, and where strokes are shorter than a count (MOT0004), which no
-    /// program cuts.</summary>
+    /// <summary>The program; null if the post refuses the job, which requires a reason, and if strokes are shorter than a count (MOT0004), which no program
+    /// cuts.</summary>
     public string? Post()
     {
         var posted = PostedProgram.Create(Drawing, Settings, Entry.Post, Options);

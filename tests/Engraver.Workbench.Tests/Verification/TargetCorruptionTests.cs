@@ -10,12 +10,11 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>Of every target's program, seeded corruptions of one character or one number are noticed by the verification, or do no harm: what a test reads
-/// from the text in its own way cuts the drawing and nothing else, and does everything else (tool, frame, speeds, waits, pen, heights, times) as the
-/// program does that was posted.</summary>
+/// <summary>For every target, seeded corruptions of one character or one number are detected by the verification or are harmless: an independent reader of the
+/// test finds exactly the drawing as cut, and the same tool, frame, speeds, waits, pen, heights and times as in the posted program.</summary>
 public sealed class TargetCorruptionTests : IDisposable
 {
-    /// <summary>The curves of these two are read as many chords, which takes a second each time.</summary>
+    /// <summary>Slow targets: their curves are read as many chords, which takes a second each time.</summary>
     private static int CasesOf(string target) => TestExtent.Cases(perCommit: target is "xps-spline" or "xps-pvt" ? 2 : 10, full: 200, "ENGRAVER_CORRUPTIONS");
 
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-corrupt-");
@@ -55,7 +54,7 @@ public sealed class TargetCorruptionTests : IDisposable
     private static Task<VerificationReport> VerifyAsync(Drawing drawing, string text, IProgramReader reader) =>
         ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, new DrawingSettings(), progress: null, CancellationToken.None);
 
-    /// <summary>Cuts lie on the drawing and the drawing on cuts, within what the form may round.</summary>
+    /// <summary>Cuts coincide with the drawing within the rounding of the format.</summary>
     private bool DoesNoHarm(string text, string target, IReadOnlyList<Segment> drawn, IProgramReader reader, IReadOnlyList<(string Name, double Value)> acts)
     {
         var cuts = target switch
@@ -71,7 +70,7 @@ public sealed class TargetCorruptionTests : IDisposable
         return cuts is { Count: > 0 } && TabProgram.Farthest(cuts, drawn, 0.1) <= allowed && TabProgram.Farthest(drawn, cuts, 0.05) <= allowed + 0.002;
     }
 
-    /// <summary>As the reader of drawings understands the file, which the verification never asks.</summary>
+    /// <summary>As read by the DXF reader, which the verification does not use.</summary>
     private Segment[] DxfCuts(string text)
     {
         var file = Path.Combine(_folder.FullName, "cl.dxf");

@@ -8,7 +8,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>What a program makes the machine do beside its way is held against the job too: frame, switches, waits, tool, speeds, times.</summary>
+/// <summary>Program content other than the path is compared with the job too: frame, switches, waits, tool, speeds, times.</summary>
 public class TargetTermsTests
 {
     [Theory]
@@ -72,7 +72,7 @@ public class TargetTermsTests
         Assert.Equal((false, "VER0013"), (report.Ok, report.Diagnostics[0].Id));
     }
 
-    /// <summary>What was chosen for the post is said to the verification, which then holds the program against it.</summary>
+    /// <summary>The post options are passed to the verification, which compares the program with them.</summary>
     [Theory]
     [InlineData("gcode", "work-offset", "G57")]
     [InlineData("gcode", "tool-switch", "m8")]
@@ -88,7 +88,7 @@ public class TargetTermsTests
         Assert.Equal("VER0013", Assert.Single((await VerifyAsync(Plate(), new DrawingSettings(), target, text)).Diagnostics).Id);
     }
 
-    /// <summary>One part in a thousand is within what the form of a program may round a feed (docs/cli-contract.md, verify).</summary>
+    /// <summary>One part in a thousand is within the allowed rounding of a feed (docs/cli-contract.md, verify).</summary>
     [Theory]
     [InlineData("F1201", true)]
     [InlineData("F1202", false)]

@@ -10,7 +10,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
 
-/// <summary>What each plain-text target writes of the samples is read back as the drawing, all of it and nothing else.</summary>
+/// <summary>Programs of each plain-text target for the samples are read back as exactly the drawing.</summary>
 public class TargetVerificationTests
 {
     private static readonly string[] s_targets = ["cldata", "gcode", "gcode grbl", "hpgl", "hpgl 1000", "hpgl aa", "xps-linearc", "xps-spline", "xps-pvt"];
@@ -74,7 +74,7 @@ public class TargetVerificationTests
         Assert.Contains(report.Diagnostics, finding => finding.Id == id);
     }
 
-    /// <summary>As of a map: the limits are those of each form, and the 32 bits of counts are the Galil targets' alone.</summary>
+    /// <summary>Map coordinates: each format has its own limits, and only the Galil targets have 32-bit counts.</summary>
     [Theory]
     [InlineData("galil", true)]
     [InlineData("galil-calls", true)]
@@ -120,7 +120,7 @@ public class TargetVerificationTests
         Assert.True(report.Ok);
     }
 
-    /// <summary>Corners are rounded by P, and lines joined within as much (rs274-hpgl.md 1.4).</summary>
+    /// <summary>Corners are rounded by P, and lines joined within the same tolerance (rs274-hpgl.md 1.4).</summary>
     [Theory]
     [InlineData("0.05", 0.0, "VER0011", 0.1)]
     [InlineData("0.05", 0.04, "VER0011", 0.1)]
@@ -152,7 +152,7 @@ public class TargetVerificationTests
         var found = Assert.Single(report.Diagnostics);
         Assert.Equal(("VER0012", unbounded.Split('\n').ToList().FindIndex(line => line is ['G', >= '1' and <= '3', ' ', ..]) + 1), (found.Id, found.Source.Line));
         Assert.Equal((false, null, null), (report.Ok, report.MaxDeviationMm, report.BlendMm));
-        Assert.True((await VerifyAsync(drawing, new DrawingSettings(), text.Replace("\n%\n", "\n", StringComparison.Ordinal).Replace("%\n", "", StringComparison.Ordinal).Replace(was, becomes.Replace("G64", "G61", StringComparison.Ordinal), StringComparison.Ordinal), entry.Dialects["grbl"])).Ok); // grbl rounds nothing
+        Assert.True((await VerifyAsync(drawing, new DrawingSettings(), text.Replace("\n%\n", "\n", StringComparison.Ordinal).Replace("%\n", "", StringComparison.Ordinal).Replace(was, becomes.Replace("G64", "G61", StringComparison.Ordinal), StringComparison.Ordinal), entry.Dialects["grbl"])).Ok); // grbl does not round corners.
     }
 
     public static TheoryData<string> Targets => [.. PostTable.All.Select(entry => entry.Post.Name)];

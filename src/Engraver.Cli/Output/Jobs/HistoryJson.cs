@@ -4,12 +4,12 @@ namespace Engraver.Cli.Output.Jobs;
 
 /// <summary>What <c>engraver history --json</c> prints; names, units and meanings are the runner's contract.</summary>
 /// <param name="Entries">The newest first.</param>
-/// <param name="Findings">A sentence for each file of the index that is no entry.</param>
+/// <param name="Findings">A sentence for each invalid file of the index.</param>
 internal sealed record HistoryJson(IReadOnlyList<HistoryJson.JobJson> Entries, IReadOnlyList<string> Findings)
 {
     public static HistoryJson From(IEnumerable<HistoryEntry> entries, IReadOnlyList<string> findings) => new([.. entries.Select(JobJson.From)], findings);
 
-    /// <summary>The fields mean what those of <see cref="HistoryEntry"/> do.</summary>
+    /// <summary>The fields have the same meaning as those of <see cref="HistoryEntry"/>.</summary>
     internal sealed record JobJson(
         string Id, DateTimeOffset Date, string Kind, string Drawing, string? DrawingSha256, string Target, string? Mode, string? Address, string Outcome, string Sentence,
         double? Seconds, double? PlannedSeconds, double? MaxDeviation, double? MissingLength, IReadOnlyList<string> OpenLoop, string? Journal, string? Program, string? Report, IReadOnlyDictionary<string, string> Settings, IReadOnlyDictionary<string, string> Options, HistoryReadBack? ReadBack)

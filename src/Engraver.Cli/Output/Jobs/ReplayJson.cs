@@ -4,10 +4,10 @@ using Engraver.Workbench.Machines.Runs;
 namespace Engraver.Cli.Output.Jobs;
 
 /// <summary>What <c>engraver replay --json</c> prints; names, units and meanings are the runner's contract.</summary>
-/// <param name="Outcome">As the journal tells it; null where the job did not end in order.</param>
+/// <param name="Outcome">From the journal; null if the journal has no regular end.</param>
 /// <param name="Clock">controller: the times are exact; wall: those of the host.</param>
-/// <param name="Whole">False where the host did not come to the end of the conversation.</param>
-/// <param name="Late">Seconds by which the replay was behind the host, at most.</param>
+/// <param name="Whole">False if the recorded conversation is incomplete.</param>
+/// <param name="Late">Maximum delay of the replay relative to the host, seconds.</param>
 internal sealed record ReplayJson(
     string Journal, string? Drawing, string? Outcome, string Clock, bool Whole, int Said, int Samples, double Seconds, long? FinalX, long? FinalY, long? JournalX, long? JournalY, bool? Agrees, double Late, ReplayJson.AgainstJson? Against)
 {
@@ -28,8 +28,8 @@ internal sealed record ReplayJson(
         replay.LateSeconds,
         compared is null ? null : new AgainstJson(compared.IsSame, compared.Same, compared.There, compared.Here));
 
-    /// <param name="Lines">From the beginning that are the same.</param>
-    /// <param name="Record">The first other line of the record; null where it ends before, or nothing differs.</param>
-    /// <param name="Replay">The same of the replay.</param>
+    /// <param name="Lines">Number of matching lines from the start.</param>
+    /// <param name="Record">First differing line of the record; null if it ends earlier or nothing differs.</param>
+    /// <param name="Replay">First differing line of the replay; null if it ends earlier or nothing differs.</param>
     internal sealed record AgainstJson(bool Same, int Lines, string? Record, string? Replay);
 }

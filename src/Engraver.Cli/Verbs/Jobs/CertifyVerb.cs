@@ -14,8 +14,8 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Cli.Verbs.Jobs;
 
-/// <summary><c>engraver certify</c>: reads the program of a job back and writes down that it does what the drawing says; with <c>--check</c> only whether
-/// what is written down still holds.</summary>
+/// <summary><c>engraver certify</c>: reads the program of a job back and certifies that it matches the drawing; with <c>--check</c> it only checks whether the
+/// certificate is still valid.</summary>
 internal sealed class CertifyVerb
 {
     private readonly VerbHost _host;
@@ -93,20 +93,20 @@ internal sealed class CertifyVerb
         return standing.State == CertificateState.Stands ? ExitCode.Done : ExitCode.DrawingError;
     }
 
-    /// <summary>Without a target: what the machine would be sent in the mode.</summary>
+    /// <summary>Without a target: the program that would be sent to the machine in this mode.</summary>
     private PostEntry Target(ParseResult parsed) =>
         parsed.GetValue(_target) is { } name ? PostTable.Find(name) : PostTable.ForMotion(JobPlan.StyleOf(ModeOption.Mode(parsed.GetValue(_mode))));
 
     private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.ForMotion(MotionStyle.Continuous).Post.Name;
 
-    /// <exception cref="UsageException">Something is said of a program that is not given: the one that is posted here has the defaults.</exception>
+    /// <exception cref="UsageException">An option describes a given program but none is given: the program posted here has the defaults.</exception>
     private PostedWith Posted(ParseResult parsed)
     {
         var posted = _posted.Of(parsed);
         return posted == PostedWith.Defaults || parsed.GetValue(_program) is not null ? posted : throw new UsageException(Wording.Get("Certify.PostedWithoutProgram"));
     }
 
-    /// <summary>Null for the dialect that the post of the target writes without being asked.</summary>
+    /// <summary>Null for the default dialect of the target.</summary>
     /// <exception cref="UsageException">The target does not have it.</exception>
     private string? Dialect(ParseResult parsed)
     {

@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Cli.Verbs.Jobs;
 
-/// <summary><c>engraver replay</c>: what was said to the controller in a run is said again to a simulated one.</summary>
+/// <summary><c>engraver replay</c>: sends the recorded conversation of a run to a simulated controller.</summary>
 internal static class ReplayVerb
 {
     public static Command Build(VerbHost host)

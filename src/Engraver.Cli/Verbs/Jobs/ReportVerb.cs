@@ -7,7 +7,7 @@ using Engraver.Workbench.Reports.Pages;
 
 namespace Engraver.Cli.Verbs.Jobs;
 
-/// <summary><c>engraver report</c>: a job, and its run where there was one, as a page for the browser and for paper.</summary>
+/// <summary><c>engraver report</c>: a job, and its run if any, as a page for the browser and for printing.</summary>
 internal static class ReportVerb
 {
     public static Command Build(VerbHost host)

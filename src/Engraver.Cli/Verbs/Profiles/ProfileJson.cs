@@ -5,8 +5,8 @@ using Engraver.Core.Machines.Profiles;
 namespace Engraver.Cli.Verbs.Profiles;
 
 /// <summary>What <c>engraver profile check --json</c> prints; names and meanings are the runner's contract.</summary>
-/// <param name="Ok">Whether a job may be run with it; warnings do not prevent that.</param>
-/// <param name="Findings">What is wrong, in order of the check.</param>
+/// <param name="Ok">Whether a job can run with it; warnings do not prevent that.</param>
+/// <param name="Findings">Findings in the order of the check.</param>
 /// <param name="Meaning">Sentences; empty when the profile cannot be used.</param>
 internal sealed record ProfileJson(string File, bool Ok, IReadOnlyList<DiagnosticJson> Findings, IReadOnlyList<string> Meaning)
 {

@@ -5,7 +5,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs.Profiles;
 
-/// <summary><c>engraver profile check</c>: what a machine profile means, and everything that is wrong with it.</summary>
+/// <summary><c>engraver profile check</c>: the meaning of a machine profile and all its errors.</summary>
 internal static class ProfileVerb
 {
     public static Command Build(VerbHost host)

@@ -3,7 +3,7 @@ using Engraver.Core.Sending;
 
 namespace Engraver.Cli.Verbs.Sending;
 
-/// <summary>The serial line of a verb that sends or takes a program.</summary>
+/// <summary>The serial line of a verb that sends or receives a program.</summary>
 internal static class LineOption
 {
     public static Option<SendAddress?> New(string name, string description) => new(name)

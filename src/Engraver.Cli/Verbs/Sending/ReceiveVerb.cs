@@ -11,10 +11,10 @@ using Engraver.Workbench.Sending;
 
 namespace Engraver.Cli.Verbs.Sending;
 
-/// <summary><c>engraver receive</c>: takes a program from a serial line into a file, and says where its parity was wrong.</summary>
+/// <summary><c>engraver receive</c>: receives a program from a serial line into a file, and reports parity errors.</summary>
 internal sealed class ReceiveVerb(VerbHost host)
 {
-    /// <summary>Behind the name of a program that may not be whole: it never stands where a whole one is expected.</summary>
+    /// <summary>Suffix of the file name of a program that may be incomplete, so that it is not taken for a complete one.</summary>
     private const string TornEnding = ".part";
 
     private readonly Option<SendAddress?> _from = LineOption.New("--from", Wording.Get("Receive.From"));
@@ -49,7 +49,7 @@ internal sealed class ReceiveVerb(VerbHost host)
         return end switch { ReceiveEnd.Complete => code, ReceiveEnd.Stopped => ExitCode.StoppedByOperator, _ => ExitCode.LinkLost };
     }
 
-    /// <returns>How it ended, and in a sentence why, where the line or the other side was the reason.</returns>
+    /// <returns>The outcome, and a sentence with the reason if the line or the other side caused it.</returns>
     private async Task<(ReceiveEnd End, string? Reason)> ListenAsync(ProgramReceiver receiver, SendAddress address, TimeSpan silence, ParseResult parsed, CancellationToken stop)
     {
         try
@@ -74,7 +74,7 @@ internal sealed class ReceiveVerb(VerbHost host)
 
     private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>A line for every line that has come, as it comes.</summary>
+    /// <summary>Shows each received line.</summary>
     private sealed class LineCount(TextWriter error) : IProgress<int>
     {
         private int _lines;
@@ -89,13 +89,13 @@ internal sealed class ReceiveVerb(VerbHost host)
 
     private enum ReceiveEnd : byte
     {
-        /// <summary>Something came, and then nothing more.</summary>
+        /// <summary>Data was received, then the line was silent.</summary>
         Complete,
 
-        /// <summary>By the operator.</summary>
+        /// <summary>Stopped by the operator.</summary>
         Stopped,
 
-        /// <summary>Nothing came at all.</summary>
+        /// <summary>Nothing was received.</summary>
         Silent,
 
         LinkLost,

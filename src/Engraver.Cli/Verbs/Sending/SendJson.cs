@@ -6,10 +6,10 @@ namespace Engraver.Cli.Verbs.Sending;
 
 /// <summary>What <c>engraver send --json</c> prints; names and meanings are the runner's contract.</summary>
 /// <param name="Outcome">complete, stopped, linkLost or heldTooLong.</param>
-/// <param name="Lines">Lines of the program that are out whole.</param>
-/// <param name="Characters">Everything that is out.</param>
-/// <param name="Holds">How often XOFF was heard.</param>
-/// <param name="Heard">Characters that came back beside XON and XOFF.</param>
+/// <param name="Lines">Lines of the program that were sent completely.</param>
+/// <param name="Characters">All characters sent.</param>
+/// <param name="Holds">Number of received XOFF.</param>
+/// <param name="Heard">Received characters other than XON and XOFF.</param>
 internal sealed record SendJson(string Outcome, int Lines, int OfLines, long Characters, int Holds, long Heard, double Seconds, string? Reason)
 {
     public static SendJson From(SendResult result) => new(Word(result.Outcome), result.Lines, result.AllLines, result.Characters, result.Holds, result.Heard, result.Seconds, result.Reason);
@@ -19,9 +19,9 @@ internal sealed record SendJson(string Outcome, int Lines, int OfLines, long Cha
 
 /// <summary>What <c>engraver receive --json</c> prints.</summary>
 /// <param name="Outcome">complete, stopped, silent or linkLost.</param>
-/// <param name="File">What was written; null where nothing was.</param>
-/// <param name="Damaged">Characters whose parity was wrong.</param>
-/// <param name="Findings">The parity, where it was wrong.</param>
+/// <param name="File">The written file; null if none.</param>
+/// <param name="Damaged">Characters with a parity error.</param>
+/// <param name="Findings">The parity errors.</param>
 internal sealed record ReceiveJson(string Outcome, string? File, int Lines, int Characters, int Damaged, IReadOnlyList<DiagnosticJson> Findings);
 
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", GenerationMode = JsonSourceGenerationMode.Metadata)]

@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Engraver.Cli.Verbs.Sending;
 
-/// <summary>The progress of a sending: a bar on a terminal, nothing where the output goes to a file or a program.</summary>
+/// <summary>The progress of a transmission: a bar on a terminal, nothing where the output goes to a file or a program.</summary>
 internal static class SendProgressBar
 {
     public static Task<T> ShowAsync<T>(bool silent, int lines, Func<IProgress<SendProgress>?, Task<T>> run)

@@ -8,7 +8,7 @@ using Engraver.Workbench.Sending;
 
 namespace Engraver.Cli.Verbs.Sending;
 
-/// <summary><c>engraver send</c>: a program file over a serial line to the control of a machine, as plain text.</summary>
+/// <summary><c>engraver send</c>: sends a program file as plain text over a serial line to a machine control.</summary>
 internal sealed class SendVerb
 {
     private readonly VerbHost _host;

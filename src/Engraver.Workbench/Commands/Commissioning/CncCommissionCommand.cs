@@ -2,15 +2,15 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>CNCCOMMISSION: Finds out step by step how a machine is wired and moves, by questions and small moves, and ends with a machine profile. Each
-/// step can be repeated or left out.</summary>
+/// <summary>CNCCOMMISSION: Determines the wiring and the motion of a machine step by step with questions and small moves, and creates a machine profile. Each
+/// step can be repeated or skipped.</summary>
 internal sealed class CncCommissionCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_ways = [.. Keyword.List("Go", "Skip"), new Keyword("Back") { Use = "Step" }, .. Keyword.List("End")];
 
     private static readonly IReadOnlyList<ICommissioningStep> s_steps = [new MotorStep(), new EncoderStep(), new SwitchStep(), new ErrorStep(), new DirectionStep(), new ScaleStep(), new LetterStep(), new OutputStep()];
 
-    /// <summary>What each step finds out, in their order.</summary>
+    /// <summary>The names of the steps in their order.</summary>
     public static IReadOnlyList<string> StepNames => [.. s_steps.Select(step => step.Name)];
 
     public CommandInfo Info { get; } = new("CNCCOMMISSION", CommandGroup.Machine) { StartsMotion = true };
@@ -62,15 +62,15 @@ internal sealed class CncCommissionCommand : ICommand
     }
 }
 
-/// <summary>One step of the commissioning. It may be done several times; what is answered with Enter stays as it is.</summary>
+/// <summary>One step of the commissioning. It can be repeated; Enter keeps the current value.</summary>
 internal interface ICommissioningStep
 {
-    /// <summary>For the question before it.</summary>
+    /// <summary>Name in the question before the step.</summary>
     string Name { get; }
 
-    /// <returns>False when it was left before its end: a move was not wanted, was stopped or was refused, or something has to be mended first. What was
-    /// accepted until then stays.</returns>
-    /// <exception cref="CommandException">The link or the controller does not allow to go on.</exception>
-    /// <exception cref="OperationCanceledException">Esc, or the operator's stop: nothing that was not accepted stays.</exception>
+    /// <returns>False if the step was abandoned: a move was declined, stopped or refused, or something has to be repaired first. Accepted values
+    /// remain.</returns>
+    /// <exception cref="CommandException">The link or the controller failed.</exception>
+    /// <exception cref="OperationCanceledException">Esc, or the operator's stop: values that were not accepted are reverted.</exception>
     Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation);
 }

@@ -6,20 +6,20 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>The moves: each slow, with the tool off, and after a question that says what moves where and how far.</summary>
+/// <summary>Test moves: slow, with the tool off, each after a question that states axis, direction and distance.</summary>
 internal sealed partial class CommissionedMachine
 {
-    /// <summary>Counts/s that no test move exceeds.</summary>
+    /// <summary>Maximum speed of a test move, counts/s.</summary>
     private const double FastestTest = 20_000.0;
 
-    /// <summary>Longest time from the speed of a test move to rest, seconds.</summary>
+    /// <summary>Maximum deceleration time of a test move, seconds.</summary>
     private const double BrakingSeconds = 0.125;
 
     /// <summary>Speed of the test moves, counts/s, even.</summary>
     public int Speed { get; private set; } = 500;
 
-    /// <summary>The machine in counts: a millimetre of it is one count, because how many there are is only being found out. A travel that the profile tells
-    /// is kept to.</summary>
+    /// <summary>The machine in counts: one millimetre equals one count, because the scale is not known yet. Travel limits of the profile are
+    /// respected.</summary>
     public MachineProfile Test
     {
         get
@@ -28,7 +28,7 @@ internal sealed partial class CommissionedMachine
             return Start with
             {
                 Axes = new MachineAxes(InCounts(Start.Axes.X), InCounts(Start.Axes.Y), Start.Axes.Z is { } z ? InCounts(z) : null),
-                Height = null, // its heights are in millimetres, which are not known yet: nothing is lifted or plunged by them
+                Height = null, // Its heights are in millimetres, which are unknown yet: no lift or plunge.
                 Spindle = null,
                 FeedMmPerMinute = 60.0 * Speed,
                 RapidMmPerMinute = 60.0 * Speed,
@@ -38,7 +38,7 @@ internal sealed partial class CommissionedMachine
         }
     }
 
-    /// <summary>The same without an axis for the tool's height: in what is drawn or switched by it nothing moves up or down.</summary>
+    /// <summary>The same without a Z axis, so that drawing and switching cause no vertical motion.</summary>
     public MachineProfile TestPlane
     {
         get
@@ -58,7 +58,7 @@ internal sealed partial class CommissionedMachine
     /// <summary>Moves one axis, after a question.</summary>
     /// <param name="letter">The axis.</param>
     /// <param name="counts">Signed.</param>
-    /// <returns>False when it did not go there; why was said.</returns>
+    /// <returns>False if it did not arrive; the reason was reported.</returns>
     public async Task<bool> MoveAsync(char letter, int counts, CancellationToken cancellation)
     {
         if (!await SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return false;
@@ -72,22 +72,22 @@ internal sealed partial class CommissionedMachine
             return false;
         }
 
-        var to = CountsPoint.From([.. place.Select((other, i) => i == axis ? goal : (double)other.Position)]); // the others stay where they are
+        var to = CountsPoint.From([.. place.Select((other, i) => i == axis ? goal : (double)other.Position)]); // The other axes do not move.
         return await HasArrivedAsync(await Session.TestMoveAsync(to, Test, Context.NewRunJournal("commission"), cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Draws a path from where the machine stands, after a question that the caller has asked.</summary>
+    /// <summary>Draws a path from the current position. The caller has asked for confirmation.</summary>
     public async Task<bool> DrawAsync(MotionProgram path, CancellationToken cancellation) =>
         await HasArrivedAsync(await Session.TestPathAsync(path, Context.NewRunJournal("commission"), cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
 
-    /// <summary>Switches an output on for half a second, after a question that the caller has asked.</summary>
+    /// <summary>Switches an output on for half a second. The caller has asked for confirmation.</summary>
     public async Task<bool> PulseAsync(int output, CancellationToken cancellation)
     {
         var test = TestPlane with { ToolOutput = output, ToolSettleSeconds = 0.5 };
         return await HasArrivedAsync(await Session.TestOutputAsync(test, Context.NewRunJournal("commission"), cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>The motors go off at once: an axis went where nobody sent it.</summary>
+    /// <summary>Switches the motors off at once after uncommanded motion of an axis.</summary>
     /// <exception cref="CommandException">The link was lost.</exception>
     public async Task RanAwayAsync()
     {
@@ -107,10 +107,10 @@ internal sealed partial class CommissionedMachine
     {
         CountsPerMillimetre = 1.0,
         Travel = TravelLimits.Of(axis) is { } limit ? new AxisTravel(limit.Least, limit.Most) : null,
-        Homing = null, // by which it was homed is told by its own profile
+        Homing = null, // The machine was homed by its own profile.
     };
 
-    /// <returns>True for a motion that went to its end; otherwise why was said, and after a following error the motors are off.</returns>
+    /// <returns>True if the motion finished; otherwise the reason was reported, and after a following error the motors are off.</returns>
     /// <exception cref="CommandException">The link was lost.</exception>
     /// <exception cref="OperationCanceledException">Esc during the motion.</exception>
     private async Task<bool> HasArrivedAsync(JobResult result, CancellationToken cancellation)

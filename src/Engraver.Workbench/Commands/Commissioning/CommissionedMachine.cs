@@ -5,7 +5,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>The machine that is being commissioned: how it was found, what was accepted since, and the profile that the answers describe so far.</summary>
+/// <summary>The machine being commissioned: its initial settings, the accepted changes, and the profile that results from the answers.</summary>
 internal sealed partial class CommissionedMachine
 {
     private readonly SetupFacts _found;
@@ -21,10 +21,10 @@ internal sealed partial class CommissionedMachine
 
     public CommandContext Context { get; }
 
-    /// <summary>The profile by which the controller is watched and moved; it does not change before the end.</summary>
+    /// <summary>The profile used to poll and move the controller; it does not change before the end.</summary>
     public MachineProfile Start { get; }
 
-    /// <summary>The profile that the answers describe.</summary>
+    /// <summary>The profile that results from the answers.</summary>
     public MachineProfile Profile { get; set; }
 
     /// <summary>Whether a setting of the controller was changed.</summary>
@@ -43,12 +43,12 @@ internal sealed partial class CommissionedMachine
         return new CommissionedMachine(context, await context.Machine.SetUpAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>What the controller knows now.</summary>
+    /// <summary>The current settings of the controller.</summary>
     public Task<SetupFacts> ReadAsync(CancellationToken cancellation) => SetUpAsync(setup => setup.ReadAsync(Letters, cancellation).AsTask(), cancellation);
 
-    /// <summary>Sets a value, which the operator has accepted by asking for it.</summary>
-    /// <param name="said">The setting in words, for the end.</param>
-    /// <returns>False when the controller does not have it; the sentence was said, and what was found is set.</returns>
+    /// <summary>Sets a value that the operator has requested.</summary>
+    /// <param name="said">Description of the setting for the final summary.</param>
+    /// <returns>False if the controller does not support it; the reason was reported and the initial value is kept.</returns>
     public async Task<bool> AcceptAsync(SetupValue value, string said, CancellationToken cancellation)
     {
         if (!await TryAsync(value, cancellation).ConfigureAwait(false)) return false;
@@ -56,7 +56,7 @@ internal sealed partial class CommissionedMachine
         return true;
     }
 
-    /// <summary>Sets a value that the operator has yet to accept.</summary>
+    /// <summary>Sets a value that the operator has not accepted yet.</summary>
     public async Task<bool> TryAsync(SetupValue value, CancellationToken cancellation)
     {
         if (await SetUpAsync(setup => setup.SetAsync(value, cancellation), CancellationToken.None).ConfigureAwait(false) is not { } why) return true;
@@ -71,14 +71,14 @@ internal sealed partial class CommissionedMachine
         Context.Say(said, MessageKind.Result);
     }
 
-    /// <summary>Switches a motor off, because only so can it be told what it is.</summary>
-    /// <returns>False when the operator does not want it, or the controller refuses it.</returns>
+    /// <summary>Switches a motor off, because its type can be set only then.</summary>
+    /// <returns>False if the operator declines or the controller refuses.</returns>
     public async Task<bool> SwitchOffAsync(char axis, CancellationToken cancellation) =>
         (await ReadAsync(cancellation).ConfigureAwait(false))[axis].IsMotorOff
         || (await Context.ConfirmAsync(Wording.Get("Commission.ConfirmMotorOff", axis)).ConfigureAwait(false) && await SwitchAsync(axis, on: false).ConfigureAwait(false));
 
-    /// <summary>Switches the motors on that are off, each after a question.</summary>
-    /// <returns>False when one of them stays off: nothing can be moved.</returns>
+    /// <summary>Switches on the motors that are off, each after a question.</summary>
+    /// <returns>False if one stays off: no move is possible.</returns>
     public async Task<bool> SwitchAllOnAsync(CancellationToken cancellation)
     {
         var facts = await ReadAsync(cancellation).ConfigureAwait(false);
@@ -96,9 +96,9 @@ internal sealed partial class CommissionedMachine
         return true;
     }
 
-    /// <summary>Switches motors off that were found off, and those on that were found on. One whose type or encoder was changed, and one that ran away, is
-    /// not switched on by this program: it stays off, which is said.</summary>
-    /// <remarks>Once: a second call does nothing.</remarks>
+    /// <summary>Restores the initial on or off state of the motors. A motor whose type or encoder was changed, or that ran away, stays off; this is
+    /// reported.</summary>
+    /// <remarks>A second call does nothing.</remarks>
     public async Task LeaveMotorsAsFoundAsync()
     {
         if (_isLeft) return;
@@ -118,8 +118,8 @@ internal sealed partial class CommissionedMachine
         }
     }
 
-    /// <summary>Says which settings stay in the controller.</summary>
-    /// <param name="isDone">The operator was asked whether they are burned.</param>
+    /// <summary>Reports which changed settings remain in the controller.</summary>
+    /// <param name="isDone">The operator was already asked whether to burn them.</param>
     public void SayWhatStays(bool isDone)
     {
         if (isDone || !HasAccepted) return;
@@ -127,7 +127,7 @@ internal sealed partial class CommissionedMachine
         foreach (var said in _accepted) Context.Say(said, MessageKind.Warning);
     }
 
-    /// <exception cref="CommandException">Nobody is connected any more, because the link was lost in a move.</exception>
+    /// <exception cref="CommandException">The controller is no longer connected: the link was lost during a move.</exception>
     private Task<T> SetUpAsync<T>(Func<IMachineSetup, Task<T>> act, CancellationToken cancellation) =>
         Session.CanBeSetUp ? Session.SetUpAsync(act, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
 

@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>Whether each axis moves, and which way growing counts are: the sign of its counts per millimetre.</summary>
+/// <summary>Tests whether each axis moves and in which direction counts increase: the sign of its counts per millimetre.</summary>
 internal sealed class DirectionStep : ICommissioningStep
 {
     /// <summary>For X, Y and Z.</summary>
@@ -31,7 +31,7 @@ internal sealed class DirectionStep : ICommissioningStep
         return true;
     }
 
-    /// <returns>False when something has to be mended first.</returns>
+    /// <returns>False if something has to be repaired first.</returns>
     private static async Task<bool> AxisAsync(CommissionedMachine machine, char letter, IReadOnlyList<Keyword> ways, int counts, CancellationToken cancellation)
     {
         if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
@@ -48,7 +48,7 @@ internal sealed class DirectionStep : ICommissioningStep
             default: break;
         }
 
-        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false); // it may stay there: which way it goes is known
+        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false); // It may stay there: its direction is known.
         return true;
     }
 
@@ -63,7 +63,7 @@ internal sealed class DirectionStep : ICommissioningStep
 /// <summary>Counts per millimetre of each axis, from a measured move.</summary>
 internal sealed class ScaleStep : ICommissioningStep
 {
-    /// <summary>Offered for an axis of the plane, and for the height, which may be near the table; mm.</summary>
+    /// <summary>Default test distance of X and Y, and of Z, which may be near the table; mm.</summary>
     private const double UsualWay = 10.0;
     private const double UsualHeight = 1.0;
 
@@ -77,7 +77,7 @@ internal sealed class ScaleStep : ICommissioningStep
         return isMeasured;
     }
 
-    /// <returns>False when it did not move.</returns>
+    /// <returns>False if it did not move.</returns>
     private static async Task<bool> AxisAsync(CommissionedMachine machine, char letter, CancellationToken cancellation)
     {
         var axis = ProfileAxis.Of(machine.Profile, letter);
@@ -105,10 +105,10 @@ internal sealed class ScaleStep : ICommissioningStep
     }
 }
 
-/// <summary>Mirrored and swapped axes, by the look of a letter F.</summary>
+/// <summary>Detects mirrored and swapped axes from a drawn letter F.</summary>
 internal sealed class LetterStep : ICommissioningStep
 {
-    /// <summary>Counts per millimetre beyond which 10 mm are too few counts for a letter, or too many for a path.</summary>
+    /// <summary>Limits of counts per millimetre: at 10 mm the letter would have too few counts, or too many for a path.</summary>
     private const double Coarsest = 1.0;
     private const double Finest = 100_000.0;
 
@@ -147,12 +147,12 @@ internal sealed class LetterStep : ICommissioningStep
         return true;
     }
 
-    /// <returns>Null: it stays as it is.</returns>
+    /// <returns>Null: unchanged.</returns>
     private static async Task<TableDirection?> AskAsync(CommissionedMachine machine, string question) =>
         await machine.Context.ChoiceAsync(Wording.Get(question), s_ways, "Keep").ConfigureAwait(false) is var answer && answer != "Keep" ? Enum.Parse<TableDirection>(answer) : null;
 }
 
-/// <summary>Which output switches the tool.</summary>
+/// <summary>Finds the output that switches the tool.</summary>
 internal sealed class OutputStep : ICommissioningStep
 {
     public string Name => Wording.Get("Commission.OutputStep");
@@ -182,7 +182,7 @@ internal sealed class OutputStep : ICommissioningStep
     }
 }
 
-/// <summary>An axis of a profile by its letter, wherever the profile has it.</summary>
+/// <summary>An axis of a profile by its letter, whether X, Y or Z.</summary>
 internal static class ProfileAxis
 {
     public static MachineAxis Of(MachineProfile profile, char letter) => profile.Axes.All.First(axis => axis.Letter == letter);

@@ -6,8 +6,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>The end of a commissioning: the profile is written and used if the operator wants it, the settings of the controller are burned if the operator
-/// says so.</summary>
+/// <summary>The end of a commissioning: writes and uses the profile and burns the controller's settings, each if the operator agrees.</summary>
 internal static class ProfileEnd
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List("Yes", "No");
@@ -40,7 +39,7 @@ internal static class ProfileEnd
         }
     }
 
-    /// <returns>False when the place cannot be written, which was said: the answers are not lost with it.</returns>
+    /// <returns>False if the path cannot be written, which was reported; the answers are kept.</returns>
     private static bool TryWrite(CommandContext context, string path, string name, MachineProfile profile)
     {
         try

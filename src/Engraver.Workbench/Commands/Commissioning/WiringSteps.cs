@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>What is sent to the drive of each axis, and its sense.</summary>
+/// <summary>Sets the motor type of each axis and its sense.</summary>
 internal sealed class MotorStep : ICommissioningStep
 {
     private static readonly IReadOnlyList<Keyword> s_signals = Keyword.List("Servo", "Low", "High");
@@ -41,7 +41,7 @@ internal sealed class MotorStep : ICommissioningStep
     });
 }
 
-/// <summary>How the encoder of each axis is read.</summary>
+/// <summary>Sets the encoder type of each axis and its sense.</summary>
 internal sealed class EncoderStep : ICommissioningStep
 {
     private static readonly IReadOnlyList<Keyword> s_signals = Keyword.List("Quadrature", "Pulse");
@@ -81,7 +81,7 @@ internal static class Senses
         await context.ChoiceAsync(instruction, s_senses, isReversed ? "Reversed" : "Normal").ConfigureAwait(false) == "Reversed";
 }
 
-/// <summary>At which level limit and home switches are active, found by looking at what the controller reads of them.</summary>
+/// <summary>Sets the active level of limit and home switches, tested by reading their inputs.</summary>
 internal sealed class SwitchStep : ICommissioningStep
 {
     private static readonly IReadOnlyList<Keyword> s_levels = Keyword.List("Low", "High", "reAd");
@@ -126,7 +126,7 @@ internal sealed class SwitchStep : ICommissioningStep
     private static string State(bool? hit) => hit is { } known ? Wording.Get(known ? "Commission.SwitchActive" : "Commission.SwitchInactive") : "?";
 }
 
-/// <summary>Beyond which following error something is wrong, and whether the controller then switches the motor off by itself.</summary>
+/// <summary>Sets the maximum following error, and whether the controller switches the motor off beyond it.</summary>
 internal sealed class ErrorStep : ICommissioningStep
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List("Yes", "No");

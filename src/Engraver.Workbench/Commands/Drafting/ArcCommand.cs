@@ -5,7 +5,7 @@ using Engraver.Workbench.Commands.Files;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>ARC: Draws an arc through three points, about a centre, or between two ends; Enter at the first prompt goes on smoothly from the last line or
+/// <summary>ARC: Draws an arc through three points, about a centre, or between two ends; Enter at the first prompt continues tangentially from the last line or
 /// arc.</summary>
 internal sealed class ArcCommand : ICommand
 {
@@ -49,7 +49,7 @@ internal sealed class ArcCommand : ICommand
         return arc[0];
     }
 
-    /// <summary>A place other than the one before.</summary>
+    /// <summary>A point different from the previous one.</summary>
     private static async Task<Point2D> OtherAsync(CommandContext context, string text, Point2D from)
     {
         var (line, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place(text, from), place => place == from ? null : [Segment.FromLine(from, place)]).ConfigureAwait(false);

@@ -4,17 +4,17 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>The ways of giving an arc that ARC and PLINE share. Each answers with an arc that begins at its start point.</summary>
+/// <summary>The prompts for arcs that ARC and PLINE share. Each returns an arc that starts at its start point.</summary>
 internal static class ArcQuestions
 {
-    /// <summary>Over a second point to the end.</summary>
+    /// <summary>Start, second point, end.</summary>
     public static async Task<Segment> ThroughAsync(CommandContext context, Point2D start, Point2D second)
     {
         var (arc, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Arc.SpecifyEnd", second), place => Between(ArcConstruction.ThroughPoints(start, second, place), start, place)).ConfigureAwait(false);
         return arc[0];
     }
 
-    /// <summary>About a centre: to an end point, over an angle, or as far as a chord goes. Counter-clockwise, unless the angle is negative.</summary>
+    /// <summary>Start and centre: with end point, included angle or chord length. Counter-clockwise unless the angle is negative.</summary>
     public static async Task<Segment> AboutAsync(CommandContext context, Point2D start, Point2D centre)
     {
         var prompt = ShapePrompts.Place("Arc.SpecifyEnd", centre, "Angle", "Length");
@@ -24,7 +24,7 @@ internal static class ArcQuestions
         return arc[0];
     }
 
-    /// <summary>Between two ends: counter-clockwise about a centre, over an angle, in a direction, or of a radius.</summary>
+    /// <summary>Start and end: with centre (counter-clockwise), included angle, direction or radius.</summary>
     public static async Task<Segment> BetweenAsync(CommandContext context, Point2D start, Point2D end)
     {
         var prompt = ShapePrompts.Place("Arc.SpecifyCentre", null, "Angle", "Direction", "Radius");
@@ -38,13 +38,13 @@ internal static class ArcQuestions
         };
     }
 
-    /// <summary>The arc as a shape; null for none.</summary>
+    /// <summary>The arc as a shape; null if there is none.</summary>
     public static IReadOnlyList<Segment>? Of(ArcSegment? arc) => arc is { } one ? [Segment.FromArc(one)] : null;
 
-    /// <summary>The arc as a shape with the ends exactly as they were given; null for none.</summary>
+    /// <summary>The arc as a shape with exactly the given ends; null if there is none.</summary>
     public static IReadOnlyList<Segment>? Between(ArcSegment? arc, Point2D start, Point2D end) => arc is { } one ? [Segment.FromArc(one, start, end)] : null;
 
-    /// <summary>A length that may be negative: then the longer arc is meant.</summary>
+    /// <summary>A length; a negative one selects the longer arc.</summary>
     public static AmountPrompt Signed(CommandContext context, string text, Point2D from) => ShapePrompts.Length(context, text, from) with { Least = -ShapePrompts.Most };
 
     private static async Task<Segment> OverAngleAsync(CommandContext context, Point2D start, Point2D end)

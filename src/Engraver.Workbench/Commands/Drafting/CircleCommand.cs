@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Commands.Drafting;
 /// <summary>CIRCLE: Draws a circle: centre and radius or diameter, three points, two points, or touching two objects.</summary>
 internal sealed class CircleCommand : ICommand
 {
-    /// <summary>Where the last radius is kept; AutoCAD's name for it.</summary>
+    /// <summary>Name of the last radius, as in AutoCAD.</summary>
     private const string Radius = "CIRCLERAD";
 
     public CommandInfo Info { get; } = new("CIRCLE", CommandGroup.Drawing);
@@ -61,7 +61,7 @@ internal sealed class CircleCommand : ICommand
         return circle;
     }
 
-    /// <summary>The line, arc or circle at a place; asked for until there is one.</summary>
+    /// <summary>The line, arc or circle at a point; repeats the prompt until one is found.</summary>
     private static async Task<(Segment Of, Point2D At)> TangentAsync(CommandContext context, string text)
     {
         while (true)

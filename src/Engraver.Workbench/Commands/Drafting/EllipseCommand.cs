@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Commands.Drafting;
 /// <summary>ELLIPSE: Draws an ellipse, or with Arc a part of one, by its axes or as a turned circle.</summary>
 internal sealed class EllipseCommand : ICommand
 {
-    /// <summary>Degrees by which a circle can be turned and still be an ellipse, as in AutoCAD.</summary>
+    /// <summary>Maximum rotation of a circle about the first axis, degrees, as in AutoCAD.</summary>
     private const double MostRotation = 89.4;
 
     public CommandInfo Info { get; } = new("ELLIPSE", CommandGroup.Drawing);
@@ -57,19 +57,19 @@ internal sealed class EllipseCommand : ICommand
     }
 }
 
-/// <summary>Centre, half the first axis, and the length of half the other.</summary>
+/// <summary>Centre, first semi-axis, and length of the second semi-axis.</summary>
 internal sealed record EllipseAxes(Point2D Centre, Vector2D First, double Second)
 {
-    /// <summary>The ellipse or a part of it as the drawing holds it: one with equal axes is a circle or an arc. Null where there is none.</summary>
+    /// <summary>The ellipse or a part of it as drawn: with equal axes a circle or an arc. Null if there is none.</summary>
     public IReadOnlyList<Segment>? Part(Angle start, Angle sweep) => EllipseConstruction.FromAxes(Centre, First, Second, start, sweep) is { } ellipse
         ? [ellipse.IsCircular ? Segment.FromArc(ellipse.ToArc()) : Segment.FromCurve(ellipse.ToCurve())]
         : null;
 
-    /// <summary>The parameter of the point that is seen at an angle to the first axis.</summary>
+    /// <summary>The parameter of the point at this angle to the first axis.</summary>
     public Angle ParameterAt(double degrees) => EllipseConstruction.ParameterAt(Angle.FromDegrees(degrees), First.Length, Second);
 }
 
-/// <summary>Where the part of an ellipse begins and ends: by angles to the first axis, or by parameters, which a radius that turns evenly has.</summary>
+/// <summary>Start and end of an elliptical arc: angles to the first axis, or parameters.</summary>
 internal static class EllipsePart
 {
     public static async Task<Segment> AskAsync(CommandContext context, EllipseAxes axes)
@@ -102,17 +102,17 @@ internal static class EllipsePart
         }
     }
 
-    /// <summary>Counter-clockwise from one parameter to another; to itself it is the whole ellipse.</summary>
+    /// <summary>Counter-clockwise from one parameter to another; equal parameters give the whole ellipse.</summary>
     private static IReadOnlyList<Segment>? Part(EllipseAxes axes, Angle start, Angle end)
     {
         var sweep = (end - start).Positive();
         return axes.Part(start, sweep.Degrees == 0.0 ? Angle.FullTurn : sweep);
     }
 
-    /// <summary>The angle at which the point of a parameter is seen, degrees.</summary>
+    /// <summary>The angle of the point of a parameter to the first axis, degrees.</summary>
     private static double Seen(EllipseAxes axes, Angle parameter) => Angle.Direction(axes.First.Length * parameter.Cos(), axes.Second * parameter.Sin()).Degrees;
 
-    /// <summary>An angle to the first axis, typed or shown by a point.</summary>
+    /// <summary>An angle to the first axis, typed or given by a point.</summary>
     private static AmountPrompt Angles(EllipseAxes axes, string text, ReadOnlySpan<string> options) =>
         ShapePrompts.Degrees(text, axes.Centre, null, options) with { Measure = way => axes.First.TurnTo(way).Positive().Degrees };
 }

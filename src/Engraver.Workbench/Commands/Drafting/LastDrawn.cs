@@ -3,11 +3,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>The last line or arc of the drawing, from which LINE, PLINE and ARC go on when Enter alone is given.</summary>
+/// <summary>The last line or arc of the drawing, which LINE, PLINE and ARC continue on Enter alone.</summary>
 internal static class LastDrawn
 {
-    /// <summary>The last line, arc or part of an open polyline that can be seen, in the direction in which it was drawn; null when there is none.</summary>
-    /// <remarks>The drawing keeps arcs counter-clockwise. One that was drawn clockwise ends at its start: the end at the last point is taken.</remarks>
+    /// <summary>The last visible line, arc or part of an open polyline, in its drawing direction; null when there is none.</summary>
+    /// <remarks>Arcs are stored counter-clockwise; the end of an arc drawn clockwise is its start. The end at the last point is used.</remarks>
     public static Segment? In(CommandContext context)
     {
         var drawing = context.Drawing;

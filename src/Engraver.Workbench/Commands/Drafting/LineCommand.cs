@@ -4,7 +4,8 @@ using Engraver.Workbench.Commands.Files;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>LINE: Draws straight lines from point to point. Enter at the first prompt goes on from the last line, or straight on from the last arc.</summary>
+/// <summary>LINE: Draws straight lines from point to point. Enter at the first prompt continues from the last line, or tangentially from the last
+/// arc.</summary>
 internal sealed class LineCommand : ICommand
 {
     public CommandInfo Info { get; } = new("LINE", CommandGroup.Drawing);
@@ -22,7 +23,7 @@ internal sealed class LineCommand : ICommand
         }
     }
 
-    /// <returns>The first point; with it the second when a line goes on from an arc; null when there is nothing to go on from.</returns>
+    /// <returns>The first point; with the second if the line continues an arc; null if there is nothing to continue.</returns>
     private static async Task<List<Point2D>?> FirstAsync(CommandContext context)
     {
         if (await context.AskAsync(new PointPrompt(Wording.Get("Line.SpecifyFirst")) { EnterEnds = true }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var first }) return [first];

@@ -4,10 +4,10 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>A curve that a command draws, at height 0, drawing units.</summary>
+/// <summary>A new curve at height 0, drawing units.</summary>
 internal sealed record NewCurve(CurveType Type, bool Closed, IReadOnlyList<Segment> Segments)
 {
-    /// <summary>A segment alone. An arc is kept counter-clockwise, as DXF has arcs.</summary>
+    /// <summary>A single segment. Arcs are counter-clockwise, as in DXF.</summary>
     public static NewCurve From(Segment segment) => segment.Kind switch
     {
         SegmentKind.Line => new(CurveType.Line, false, [segment]),
@@ -16,18 +16,18 @@ internal sealed record NewCurve(CurveType Type, bool Closed, IReadOnlyList<Segme
         _ => new(segment.Kind == SegmentKind.Ellipse ? CurveType.Ellipse : CurveType.Spline, segment.IsClosed, [segment]),
     };
 
-    /// <summary>Lines and arcs, each beginning where the one before ends.</summary>
+    /// <summary>Connected lines and arcs.</summary>
     public static NewCurve Polyline(IReadOnlyList<Segment> segments, bool closed) => new(CurveType.LwPolyline, closed, segments);
 }
 
-/// <summary>Puts new curves behind all that a drawing has: on the current layer (CLAYER), in its colour, with handles of their own.</summary>
+/// <summary>Appends new curves to a drawing: on the current layer (CLAYER), in its colour, with new handles.</summary>
 internal static class DrawingAddition
 {
-    /// <summary>One document step with what a command has drawn.</summary>
+    /// <summary>Commits the new curves as one undo step.</summary>
     /// <exception cref="CommandException">A coordinate is out of the range of a drawing.</exception>
     public static void Take(CommandContext context, params IReadOnlyList<NewCurve> curves) => context.Take(Add(context.Document.Current, curves));
 
-    /// <summary>A state with more curves; nothing is selected in it.</summary>
+    /// <summary>The state with the new curves and an empty selection.</summary>
     /// <param name="state">Its drawing must be open.</param>
     /// <exception cref="CommandException">A coordinate is out of the range of a drawing.</exception>
     public static DocumentState Add(DocumentState state, IReadOnlyList<NewCurve> curves)

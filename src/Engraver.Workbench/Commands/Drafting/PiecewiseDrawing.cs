@@ -2,8 +2,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>What a command draws piece by piece. Each piece is in the drawing at once, so that it is seen and can be snapped to; all of them are one
-/// step of undo, and Esc keeps what is drawn, as in AutoCAD.</summary>
+/// <summary>Curves that a command draws piece by piece. Each piece is added at once, so that it is visible and can be snapped to. All pieces are one undo step,
+/// and Esc keeps them, as in AutoCAD.</summary>
 internal sealed class PiecewiseDrawing
 {
     private readonly CommandContext _context;
@@ -12,7 +12,7 @@ internal sealed class PiecewiseDrawing
 
     public PiecewiseDrawing(CommandContext context) => (_context, _before) = (context, context.Document.Current);
 
-    /// <summary>Shows these curves instead of those shown before; none takes the step back.</summary>
+    /// <summary>Replaces the curves drawn so far; an empty list reverts the step.</summary>
     /// <exception cref="CommandException">A coordinate is out of the range of a drawing.</exception>
     public void Show(IReadOnlyList<NewCurve> curves)
     {

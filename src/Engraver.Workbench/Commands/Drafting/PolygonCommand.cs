@@ -30,13 +30,13 @@ internal sealed class PolygonCommand : ICommand
         var fit = await context.ChoiceAsync(Wording.Get("Common.EnterOption"), Keyword.List("Inscribed", "Circumscribed"), context.Remembered(Fit, "Inscribed")).ConfigureAwait(false);
         context.Remember(Fit, fit);
         var isInscribed = fit == "Inscribed";
-        var level = Angle.FromDegrees(isInscribed ? (180.0 / sides) - 90.0 : -90.0); // the side at the bottom lies level when the radius is typed
+        var level = Angle.FromDegrees(isInscribed ? (180.0 / sides) - 90.0 : -90.0); // The bottom side is horizontal if the radius is typed.
         while (true)
         {
             switch (await context.AskAsync(new ReachPrompt(Wording.Get("Circle.SpecifyRadius"), centre) { Ghost = place => Outline(place) ?? [] }).ConfigureAwait(false))
             {
                 case Answer<Amount>.Value { Of: Amount.Number { Of: var radius } } when Outline(centre + Vector2D.FromPolar(radius, level)) is { } outline: return outline;
-                case Answer<Amount>.Value { Of: Amount.Number }: context.Say(Wording.Get("Drafting.Impossible"), MessageKind.Warning); break; // beyond the digits of such coordinates
+                case Answer<Amount>.Value { Of: Amount.Number }: context.Say(Wording.Get("Drafting.Impossible"), MessageKind.Warning); break; // Beyond the precision of such coordinates.
                 case Answer<Amount>.Value { Of: Amount.Beginning { At: var place } } when Outline(place) is { } outline: return outline;
             }
         }
@@ -52,16 +52,16 @@ internal sealed class PolygonCommand : ICommand
     }
 }
 
-/// <summary>Asks for a place as it is seen from another one, or for its distance as a number.</summary>
+/// <summary>Asks for a point relative to another one, or for its distance as a number.</summary>
 /// <param name="From">Drawing units.</param>
 internal sealed record ReachPrompt(string Instruction, Point2D From) : ValuePrompt<Amount>(Instruction)
 {
-    /// <summary>What a place would give (<see cref="PointAim.Ghost"/>).</summary>
+    /// <summary>Preview for a cursor position (<see cref="PointAim.Ghost"/>).</summary>
     public GhostOf? Ghost { get; init; }
 
     public override PointAim Aim => new(PointUse.Place, From) { Ghost = Ghost };
 
-    /// <returns>The distance as a number, a place as a beginning.</returns>
+    /// <returns>The distance as a number, a point as first point.</returns>
     public override Reading<Amount> Read(string typed, Point2D lastPoint) =>
         new AmountPrompt(Instruction, way => way.Length) { Least = ShapePrompts.Least, Most = ShapePrompts.Most }.Read(typed, lastPoint);
 }

@@ -4,13 +4,13 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>The arcs of PLINE: by itself each goes on smoothly from the segment before.</summary>
+/// <summary>The arcs of PLINE: by default each is tangent to the previous segment.</summary>
 internal static class PolylineArcs
 {
     private static readonly string[] s_options = ["Angle", "CEnter", "Direction", "Line", "Radius", "Second", "Undo"];
     private static readonly string[] s_withClose = ["Angle", "CEnter", "CLose", "Direction", "Line", "Radius", "Second", "Undo"];
 
-    /// <returns>False when a line comes next.</returns>
+    /// <returns>False if the next segment is a line.</returns>
     public static async Task<bool> NextAsync(CommandContext context, PolylineRun run)
     {
         var prompt = ShapePrompts.Place("Pline.SpecifyArcEnd", run.End, run.Segments.Count > 0 ? s_withClose : s_options) with { EnterEnds = true };
@@ -75,7 +75,7 @@ internal static class PolylineArcs
         return arc[0];
     }
 
-    /// <summary>Of the two arcs of a radius, the one that goes on more smoothly.</summary>
+    /// <summary>The arc of the two with this radius that continues more smoothly.</summary>
     private static async Task<Segment> OfRadiusAsync(CommandContext context, Point2D start, Vector2D direction)
     {
         var (radius, _) = await ShapePrompts.NumberAsync(context, ShapePrompts.Length(context, "Arc.SpecifyRadius", start)).ConfigureAwait(false);
@@ -97,7 +97,7 @@ internal static class PolylineArcs
         return await ArcQuestions.ThroughAsync(context, start, line[0].End).ConfigureAwait(false);
     }
 
-    /// <summary>An included angle that makes an arc: neither zero nor a whole turn.</summary>
+    /// <summary>An included angle of an arc: neither zero nor a full turn.</summary>
     private static async Task<double> AngleAsync(CommandContext context, Point2D start)
     {
         var (arc, _) = await ShapePrompts.AmountAsync(context, ShapePrompts.Degrees("Arc.SpecifyAngle", start), degrees => ArcQuestions.Of(ArcConstruction.FromCentreSweep(start, start + new Vector2D(1.0, 0.0), Angle.FromDegrees(degrees)))).ConfigureAwait(false);

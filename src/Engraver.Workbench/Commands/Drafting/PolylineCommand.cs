@@ -24,7 +24,7 @@ internal sealed class PolylineCommand : ICommand
         }
     }
 
-    /// <returns>True when an arc comes next.</returns>
+    /// <returns>True if the next segment is an arc.</returns>
     private static async Task<bool> LineAsync(CommandContext context, PolylineRun run)
     {
         var prompt = ShapePrompts.Place("Drafting.SpecifyNext", run.End, run.Segments.Count > 1 ? ["Arc", "Close", "Length", "Undo"] : ["Arc", "Length", "Undo"]) with { EnterEnds = true };
@@ -55,9 +55,9 @@ internal sealed class PolylineCommand : ICommand
     }
 }
 
-/// <summary>The polyline while it is drawn.</summary>
+/// <summary>The polyline being drawn.</summary>
 /// <param name="start">Its first point.</param>
-/// <param name="direction">In which an arc or a line of a length begins as long as there is no segment; length 1.</param>
+/// <param name="direction">Initial direction before the first segment; length 1.</param>
 internal sealed class PolylineRun(Point2D start, Vector2D direction)
 {
     private readonly List<Segment> _segments = [];
@@ -68,20 +68,20 @@ internal sealed class PolylineRun(Point2D start, Vector2D direction)
 
     public Point2D End => _segments.Count == 0 ? start : _segments[^1].End;
 
-    /// <summary>Of travel at the end, length 1.</summary>
+    /// <summary>Direction at the end; length 1.</summary>
     public Vector2D Direction => _segments.Count == 0 ? direction : _segments[^1].EndTangent;
 
     public bool IsClosed { get; private set; }
 
-    /// <summary>Nothing more is drawn.</summary>
+    /// <summary>The polyline is finished.</summary>
     public bool IsOver { get; private set; }
 
-    /// <summary>A line from the end; null to the end itself.</summary>
+    /// <summary>A line from the end point; null if it has no length.</summary>
     public IReadOnlyList<Segment>? LineTo(Point2D place) => place == End ? null : [Segment.FromLine(End, place)];
 
     public void Add(Segment segment) => _segments.Add(segment);
 
-    /// <param name="last">From the end to the start; null when the one is the other already.</param>
+    /// <param name="last">Segment from the end to the start; null if they coincide.</param>
     public void Close(IReadOnlyList<Segment>? last)
     {
         if (last is not null) _segments.Add(last[0]);

@@ -41,7 +41,7 @@ internal sealed class RectangleCommand : ICommand
         var turn = TurnOf(context);
         while (true)
         {
-            var prompt = ShapePrompts.Place("Rectang.SpecifyOther", null, "Area", "Dimensions", "Rotation"); // no line to the cursor and no ORTHO: the rectangle itself is seen
+            var prompt = ShapePrompts.Place("Rectang.SpecifyOther", null, "Area", "Dimensions", "Rotation"); // No rubber band and no ORTHO: the rectangle itself is shown.
             var (outline, option) = await ShapePrompts.PlaceAsync(context, prompt, place => Outline(corner, PolygonConstruction.SidesOf(corner, place, turn), turn, cut)).ConfigureAwait(false);
             if (option is null) return outline;
             if (option == "Rotation") turn = await TurnAsync(context, corner).ConfigureAwait(false);
@@ -49,7 +49,7 @@ internal sealed class RectangleCommand : ICommand
         }
     }
 
-    /// <summary>The rectangle of two sides in the quadrant that is pointed at.</summary>
+    /// <summary>The rectangle with two given sides in the picked quadrant.</summary>
     private static async Task<IReadOnlyList<Segment>> TowardAsync(CommandContext context, Point2D corner, Vector2D sides, Angle turn, CornerCut cut)
     {
         var (outline, _) = await ShapePrompts.PlaceAsync(context, ShapePrompts.Place("Rectang.SpecifyQuadrant"), Quadrant).ConfigureAwait(false);
@@ -104,7 +104,7 @@ internal sealed class RectangleCommand : ICommand
         Math.Abs(sides.X) >= ShapePrompts.Least && Math.Abs(sides.Y) >= ShapePrompts.Least ? cut.Apply(PolygonConstruction.Rectangle(corner, sides, turn)) : null;
 }
 
-/// <summary>What RECTANG does with the corners; kept for the next rectangle, as in AutoCAD.</summary>
+/// <summary>Corner treatment of RECTANG; kept for the next rectangle, as in AutoCAD.</summary>
 internal static class RectangleCorners
 {
     private const string First = "RECTANG.Chamfer1";
@@ -114,7 +114,7 @@ internal static class RectangleCorners
     public static CornerCut Remembered(CommandContext context) =>
         Value(context, Radius) is > 0.0 and var radius ? CornerCut.FromRadius(radius) : CornerCut.Chamfer(Value(context, First), Value(context, Second));
 
-    /// <param name="option">Chamfer or Fillet; the one takes the place of the other.</param>
+    /// <param name="option">Chamfer or Fillet; each replaces the other.</param>
     public static async Task<CornerCut> AskAsync(CommandContext context, string option)
     {
         var (first, second, radius) = (0.0, 0.0, 0.0);

@@ -4,21 +4,21 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Drafting;
 
-/// <summary>Questions whose answer completes a shape: the shape is seen at the cursor beforehand, and a place or an amount of which none can be made is
-/// asked for again.</summary>
+/// <summary>Prompts whose answer completes a shape: the shape is previewed at the cursor, and the prompt is repeated for a point or amount that gives no
+/// shape.</summary>
 internal static class ShapePrompts
 {
-    /// <summary>Shortest length that is drawn, drawing units.</summary>
+    /// <summary>Minimum length, drawing units.</summary>
     public const double Least = 1e-9;
 
-    /// <summary>Longest length that is drawn, drawing units.</summary>
+    /// <summary>Maximum length, drawing units.</summary>
     public const double Most = 1e9;
 
-    /// <summary>Stands for Enter alone where that is an answer.</summary>
+    /// <summary>Represents Enter alone as an answer.</summary>
     public const string Enter = "";
 
-    /// <param name="make">The shape of a place, drawing units; null where there is none. It must not change anything.</param>
-    /// <returns>The shape; or nothing and the option that was chosen.</returns>
+    /// <param name="make">Returns the shape for a point, drawing units; null if there is none. Must not change state.</param>
+    /// <returns>The shape, or the chosen option.</returns>
     public static async Task<(IReadOnlyList<Segment> Shape, string? Option)> PlaceAsync(CommandContext context, PointPrompt prompt, Func<Point2D, IReadOnlyList<Segment>?> make)
     {
         var asked = prompt with { Ghost = place => make(place) ?? [] };
@@ -38,9 +38,9 @@ internal static class ShapePrompts
         }
     }
 
-    /// <param name="make">The shape of an amount; null where there is none. It must not change anything.</param>
-    /// <param name="memory">Under which the amount is kept for the next default; null for not.</param>
-    /// <returns>The shape; or nothing and the option that was chosen.</returns>
+    /// <param name="make">Returns the shape for an amount; null if there is none. Must not change state.</param>
+    /// <param name="memory">Name under which the amount is remembered as next default; null for none.</param>
+    /// <returns>The shape, or the chosen option.</returns>
     public static async Task<(IReadOnlyList<Segment> Shape, string? Option)> AmountAsync(CommandContext context, AmountPrompt prompt, Func<double, IReadOnlyList<Segment>?> make, string? memory = null)
     {
         var (value, option) = await FittingAsync(context, prompt, make).ConfigureAwait(false);
@@ -49,8 +49,8 @@ internal static class ShapePrompts
         return (make(value)!, null);
     }
 
-    /// <summary>An amount of which there is a shape; asked for until there is one.</summary>
-    /// <returns>The amount, or the option that was chosen.</returns>
+    /// <summary>An amount that gives a shape; repeats the prompt until it does.</summary>
+    /// <returns>The amount, or the chosen option.</returns>
     public static async Task<(double Value, string? Option)> FittingAsync(CommandContext context, AmountPrompt prompt, Func<double, IReadOnlyList<Segment>?> make)
     {
         while (true)
@@ -61,9 +61,9 @@ internal static class ShapePrompts
         }
     }
 
-    /// <summary>An amount; of a vector whose first point was given, the second point is asked for.</summary>
-    /// <param name="make">What would be drawn, for the ghost; null for nothing.</param>
-    /// <returns>The amount, or the option that was chosen.</returns>
+    /// <summary>An amount; after the first point of a vector asks for the second one.</summary>
+    /// <param name="make">Returns the preview; null for none.</param>
+    /// <returns>The amount, or the chosen option.</returns>
     public static async Task<(double Value, string? Option)> NumberAsync(CommandContext context, AmountPrompt prompt, Func<double, IReadOnlyList<Segment>?>? make = null)
     {
         while (true)
@@ -84,18 +84,18 @@ internal static class ShapePrompts
     }
 
     /// <summary>A length above 0.</summary>
-    /// <param name="from">Where a second point is measured from; null when two are asked for.</param>
-    /// <param name="memory">Of the default; null for none.</param>
+    /// <param name="from">First point; null to ask for two points.</param>
+    /// <param name="memory">Name of the remembered default; null for none.</param>
     public static AmountPrompt Length(CommandContext context, string text, Point2D? from, string? memory = null, string? first = null, params ReadOnlySpan<string> options) =>
         new(Wording.Get(text), way => way.Length) { Least = Least, Most = Most, From = from, Default = memory is null ? first : context.Remembered(memory) ?? first, Options = Keyword.List(options) };
 
-    /// <summary>An angle in degrees, counter-clockwise positive; shown by a point, that of the line to it.</summary>
+    /// <summary>An angle in degrees, counter-clockwise positive; given by a point, the angle of the line to it.</summary>
     public static AmountPrompt Degrees(string text, Point2D? from, string? standard = null, params ReadOnlySpan<string> options) =>
         new(Wording.Get(text), way => way.Direction.Positive().Degrees) { Least = -360.0, Most = 360.0, From = from, Default = standard, Options = Keyword.List(options) };
 
     public static PointPrompt Place(string text, Point2D? from = null, params ReadOnlySpan<string> options) => new(Wording.Get(text)) { From = from, Options = Keyword.List(options) };
 
-    /// <summary>A place that stands alone.</summary>
+    /// <summary>A point without a base point.</summary>
     public static Task<Point2D> PointAsync(CommandContext context, string text, Point2D? from = null) => context.ValueAsync(Place(text, from));
 
     private static void SayImpossible(CommandContext context) => context.Say(Wording.Get("Drafting.Impossible"), MessageKind.Warning);

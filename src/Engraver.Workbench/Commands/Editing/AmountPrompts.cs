@@ -3,11 +3,11 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>The questions that ROTATE and SCALE have in common: an amount, or <c>[Copy/Reference]</c> as in AutoCAD.</summary>
+/// <summary>The prompts that ROTATE and SCALE share: an amount, or <c>[Copy/Reference]</c> as in AutoCAD.</summary>
 internal static class AmountPrompts
 {
-    /// <returns>The amount; with a reference, the new value and the value it replaces. Copy is true when the source stays.</returns>
-    /// <param name="ghost">The objects under an amount and a reference (null for none), for where the cursor is.</param>
+    /// <returns>The amount; with a reference, the new value and the value it replaces. Copy is true if the source is kept.</returns>
+    /// <param name="ghost">Returns the transformed objects for an amount and a reference (null for none), for the preview.</param>
     public static async Task<(double Value, double? Reference, bool Copy)> AskAsync(CommandContext context, AmountPrompt amount, AmountPrompt reference, AmountPrompt changed, Func<double, double?, IReadOnlyList<Segment>> ghost)
     {
         var asked = amount with { Options = Keyword.List("Copy", "Reference"), Ghost = GhostOf(amount, value => ghost(value, null)) };
@@ -28,11 +28,11 @@ internal static class AmountPrompts
         }
     }
 
-    /// <summary>What the amount from the prompt's first point to the cursor would give; nothing where it is not allowed.</summary>
+    /// <summary>Preview of the amount from the prompt's first point to the cursor; empty if out of range.</summary>
     private static GhostOf? GhostOf(AmountPrompt prompt, Func<double, IReadOnlyList<Segment>>? ghost) =>
         ghost is null || prompt.From is not { } from ? null : place => prompt.Measure(place - from) is var value && value >= prompt.Least && value <= prompt.Most ? ghost(value) : [];
 
-    /// <summary>The amount as a number; of a vector whose first point was given, the second point is asked for.</summary>
+    /// <summary>The amount as a number; after the first point of a vector asks for the second one.</summary>
     private static async Task<double> NumberAsync(CommandContext context, AmountPrompt prompt, Func<double, IReadOnlyList<Segment>>? ghost)
     {
         while (true)

@@ -51,7 +51,7 @@ internal sealed class ArrayCommand : ICommand
             [.. from row in Enumerable.Range(0, rows) from column in Enumerable.Range(0, columns) where row + column > 0 select Transform2D.Move(new Vector2D(column * step.X, row * step.Y))];
     }
 
-    /// <summary>A distance that is typed, or a unit cell that is shown by two corners; the ghost stands where the cursor would put the copies.</summary>
+    /// <summary>A typed distance, or a unit cell given by two corners; the preview shows the copies for the cursor position.</summary>
     /// <returns>The typed number as Y, or both sides of the cell.</returns>
     private static async Task<(double? X, double Y)> DistanceAsync(CommandContext context, SelectionGhost ghost, string instruction, Func<Vector2D, double> measure, Func<Vector2D, IReadOnlyList<Transform2D>> maps)
     {
@@ -70,14 +70,14 @@ internal sealed class ArrayCommand : ICommand
         return Around(centre, items, fill);
     }
 
-    /// <param name="fill">Degrees that all items together fill; a whole turn leaves no gap and no double.</param>
+    /// <param name="fill">Angle that all items fill, degrees; a full turn has neither gap nor duplicate.</param>
     private static IReadOnlyList<Transform2D> Around(Point2D centre, int items, double fill)
     {
         var step = Math.Abs(fill) == FullTurn ? fill / items : fill / Math.Max(1, items - 1);
         return [.. Enumerable.Range(1, items - 1).Select(item => Transform2D.Rotate(centre, Angle.FromDegrees(step * item)))];
     }
 
-    /// <param name="preview">What the default would give; null for nothing.</param>
+    /// <param name="preview">Preview of the default; null for none.</param>
     private static async Task<int> CountAsync(CommandContext context, string instruction, int first, GhostOf? preview) =>
         (int)await context.ValueAsync(new NumberPrompt(instruction) { Default = NumberPrompt.Show(first), Least = 1, Most = Most, Whole = true, Preview = preview }).ConfigureAwait(false);
 }

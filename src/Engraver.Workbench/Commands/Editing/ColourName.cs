@@ -3,18 +3,18 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>How colours are typed and shown: the names that AutoCAD has for the first seven, numbers for the rest, red,green,blue for true colours.</summary>
+/// <summary>Text form of colours: AutoCAD's names for the first seven, numbers for the rest, red,green,blue for true colours.</summary>
 public static class ColourName
 {
     private const int StandardColours = 7;
 
-    /// <summary>In English they are understood in every language.</summary>
+    /// <summary>English names are accepted in every language.</summary>
     private static readonly string[] s_names = ["red", "yellow", "green", "cyan", "blue", "magenta", "white"];
 
-    /// <summary>Names of the colours 1 to 7, in the language of the operator.</summary>
+    /// <summary>Names of the colours 1 to 7, in the current language.</summary>
     public static IReadOnlyList<string> Known => Wording.Get("ColourName.All").Split(',', StringSplitOptions.TrimEntries) is { Length: StandardColours } names ? names : s_names;
 
-    /// <summary>Null when the text is no colour that a layer may have.</summary>
+    /// <summary>Null if the text is not a valid layer colour.</summary>
     public static DrawingColour? Parse(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -38,10 +38,10 @@ public static class ColourName
     /// <summary>Keyboards without ß write ss.</summary>
     private static string WithoutSharpS(string word) => word.Replace("ß", "ss", StringComparison.Ordinal);
 
-    /// <summary>The colour as it can be typed, in the language of the operator.</summary>
+    /// <summary>The colour in typed form, in the current language.</summary>
     public static string Format(DrawingColour colour) => Format(colour, Known);
 
-    /// <summary>The colour as it can be typed in every language.</summary>
+    /// <summary>The colour in the typed form that is valid in every language.</summary>
     public static string FormatInEnglish(DrawingColour colour) => Format(colour, s_names);
 
     private static string Format(DrawingColour colour, IReadOnlyList<string> names)
@@ -51,14 +51,14 @@ public static class ColourName
         return index <= StandardColours ? names[index - 1] : index.ToString(CultureInfo.InvariantCulture);
     }
 
-    /// <summary>As <see cref="Parse"/>, and "bylayer" and "byblock", which only objects may have.</summary>
+    /// <summary>Like <see cref="Parse"/>, but also accepts "bylayer" and "byblock", which only objects may have.</summary>
     public static DrawingColour? ParseOfObject(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
         return typed.Trim().ToUpperInvariant() switch { "BYLAYER" => DrawingColour.ByLayer, "BYBLOCK" => DrawingColour.ByBlock, _ => Parse(typed) };
     }
 
-    /// <summary>The colour of an object as it can be typed.</summary>
+    /// <summary>The colour of an object in typed form.</summary>
     public static string OfObject(DrawingColour colour) => colour.IsByLayer ? "ByLayer" : colour.IsByBlock ? "ByBlock" : Format(colour);
 
     private static byte? Channel(string text) => byte.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : null;

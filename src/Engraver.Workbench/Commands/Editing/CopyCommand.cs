@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>COPY: Copies objects to one place after the other, until Enter. All of it is one step of undo.</summary>
+/// <summary>COPY: Copies objects to several points until Enter. All copies are one undo step.</summary>
 internal sealed class CopyCommand : ICommand
 {
     private const int MostItems = 1000;
@@ -42,14 +42,14 @@ internal sealed class CopyCommand : ICommand
         }
     }
 
-    /// <summary>At first Enter takes the base point as the displacement; once a copy stands it ends the command.</summary>
+    /// <summary>Before the first copy Enter uses the base point as displacement; afterwards it ends the command.</summary>
     private static PointPrompt NextPrompt(SelectionGhost ghost, Point2D from, int made)
     {
         var prompt = new PointPrompt(Wording.Get(made == 0 ? "Common.SpecifySecondPointOrDisplacement" : "Copy.SpecifySecondPoint")) { From = from, Ghost = Displacement.GhostFrom(ghost, from) };
         return made == 0 ? prompt with { Options = Keyword.List("Array"), EnterEnds = true } : prompt with { Options = Keyword.List("Array", "Exit", "Undo"), Default = "Exit" };
     }
 
-    /// <summary>So many copies in a row, each as far from the one before as the second point is from the base point.</summary>
+    /// <summary>A row of copies, spaced by the vector from the base point to the second point.</summary>
     private static async Task<IReadOnlyList<Vector2D>> ArrayAsync(CommandContext context, SelectionGhost ghost, Point2D from)
     {
         var items = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Copy.EnterItems")) { Least = 2, Most = MostItems, Whole = true }).ConfigureAwait(false);
@@ -59,7 +59,7 @@ internal sealed class CopyCommand : ICommand
         IEnumerable<Vector2D> Ways(Vector2D way) => Enumerable.Range(1, items - 1).Select(item => way * item);
     }
 
-    /// <summary>The copies so far.</summary>
+    /// <summary>The copies made so far.</summary>
     private sealed class Copies(CommandContext context, IReadOnlyList<int> selected)
     {
         private readonly JoinedSteps _steps = new(context);

@@ -3,13 +3,13 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>The vector that MOVE and COPY ask for: from a base point to a second one, or typed as a displacement. Drawing units.</summary>
+/// <summary>Prompts for the vector of MOVE and COPY: from a base point to a second one, or typed as a displacement. Drawing units.</summary>
 internal static class Displacement
 {
     public static async Task<Vector2D> AskAsync(CommandContext context, SelectionGhost ghost) =>
         await BaseAsync(context).ConfigureAwait(false) is { } basePoint ? await WayFromAsync(context, ghost, basePoint).ConfigureAwait(false) : await TypedAsync(context, ghost).ConfigureAwait(false);
 
-    /// <summary>The base point; null when a displacement is wanted instead.</summary>
+    /// <summary>The base point; null if a displacement is entered instead.</summary>
     public static async Task<Point2D?> BaseAsync(CommandContext context)
     {
         var first = await context.AskAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint")) { Options = Keyword.List("Displacement"), Default = "Displacement" }).ConfigureAwait(false);
@@ -19,7 +19,7 @@ internal static class Displacement
     public static async Task<Vector2D> TypedAsync(CommandContext context, SelectionGhost ghost) =>
         await context.ValueAsync(new PointPrompt(Wording.Get("Displacement.SpecifyDisplacement")) { Ghost = GhostFrom(ghost, Point2D.Origin), From = Point2D.Origin }).ConfigureAwait(false) - Point2D.Origin;
 
-    /// <summary>The objects moved by the way from a base point to the cursor.</summary>
+    /// <summary>Preview of the objects moved from the base point to the cursor.</summary>
     public static GhostOf GhostFrom(SelectionGhost ghost, Point2D basePoint) => place => ghost.Mapped(Transform2D.Move(place - basePoint));
 
     private static async Task<Vector2D> WayFromAsync(CommandContext context, SelectionGhost ghost, Point2D basePoint)

@@ -6,13 +6,13 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>The last act of every command that edits: one document step, nothing selected afterwards.</summary>
+/// <summary>Commits the result of an editing command: one undo step with an empty selection.</summary>
 internal static class DrawingChange
 {
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy) => Take(context, copy ? Copied(context, selected, [map]) : Mapped(context, selected, map), selected);
 
-    /// <summary>Moves the whole drawing, with what lies on locked layers: nothing of it changes its place in the drawing.</summary>
+    /// <summary>Transforms the whole drawing including locked layers, because relative positions do not change.</summary>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static void TransformWhole(CommandContext context, Transform2D map)
     {
@@ -20,9 +20,9 @@ internal static class DrawingChange
         Take(context, Mapped(context, all, map, takesLocked: true), all);
     }
 
-    /// <summary>The drawing with some objects under a map, and the texts that go along.</summary>
+    /// <summary>The drawing with some objects transformed, and the texts that move with them.</summary>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
-    /// <param name="takesLocked">Texts and points of locked layers go along.</param>
+    /// <param name="takesLocked">Texts and points on locked layers move too.</param>
     public static Drawing Mapped(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool takesLocked = false)
     {
         var drawing = context.Drawing;
@@ -30,8 +30,8 @@ internal static class DrawingChange
         return Along(context, selected, takesLocked: takesLocked).Moved(edited, map);
     }
 
-    /// <summary>The drawing with a copy of some objects under each map, and of the texts and points that go along.</summary>
-    /// <param name="tells">False when the operator was told before of what does not go along.</param>
+    /// <summary>The drawing with a transformed copy of some objects for each map, and of the texts and points that move with them.</summary>
+    /// <param name="tells">False if the operator was already informed about texts and points that do not move.</param>
     /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
     public static Drawing Copied(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Transform2D> maps, bool tells = true)
     {
@@ -44,8 +44,8 @@ internal static class DrawingChange
         return Along(context, selected, tells, takesLocked: true).Copied(edited, maps);
     }
 
-    /// <summary>Erases objects. Hidden objects stay hidden, though their indices change.</summary>
-    /// <param name="asDoubles">True when other objects lie on the erased ones: when the entering entity is erased, one of the others becomes it.</param>
+    /// <summary>Erases objects. Hidden objects stay hidden.</summary>
+    /// <param name="asDoubles">True if the erased objects are duplicates: an erased entry entity is replaced by its duplicate.</param>
     public static void Erase(CommandContext context, IReadOnlyList<int> erased, bool asDoubles = false)
     {
         var gone = erased.Distinct().Order().ToList();
@@ -55,17 +55,17 @@ internal static class DrawingChange
         Take(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
     }
 
-    /// <param name="previous">What the command worked on, by its index in the rebuilt drawing.</param>
+    /// <param name="previous">The edited objects, indices in the rebuilt drawing.</param>
     /// <param name="change">Settings that change in the same step; null for none.</param>
     public static void Take(CommandContext context, DrawingRebuild rebuilt, IReadOnlyList<int> previous, Func<DrawingSettings, DrawingSettings>? change = null) =>
         Take(context, rebuilt.Finish(), previous, rebuilt.Places(context.Document.Current.HiddenObjects), previous, change);
 
-    /// <summary>For an edit that leaves every object in its place.</summary>
-    /// <param name="previous">What the command worked on, by its index in the edited drawing.</param>
+    /// <summary>For an edit that keeps the indices of all objects.</summary>
+    /// <param name="previous">The edited objects, indices in the edited drawing.</param>
     public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
 
-    /// <summary>The texts and points that move with these curves; tells the operator how many do not.</summary>
-    /// <param name="tells">False when it was told before.</param>
+    /// <summary>The texts and points that move with these curves; reports how many do not.</summary>
+    /// <param name="tells">False if this was already reported.</param>
     /// <param name="takesLocked">Also those on locked layers.</param>
     public static EditedAnnotations Along(CommandContext context, IReadOnlyList<int> selected, bool tells = true, bool takesLocked = false)
     {
@@ -80,7 +80,7 @@ internal static class DrawingChange
 
     private static int BelowIn(List<int> sorted, int index) => ~sorted.BinarySearch(index) is >= 0 and var below ? below : throw new ArgumentOutOfRangeException(nameof(index));
 
-    /// <param name="substitutes">Indices of objects that may have taken the place of those that are gone.</param>
+    /// <param name="substitutes">Indices of objects that may replace the removed ones.</param>
     private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> substitutes, Func<DrawingSettings, DrawingSettings>? change = null)
     {
         var state = context.Document.Current;
@@ -89,7 +89,7 @@ internal static class DrawingChange
         context.Take(state with { Drawing = edited, Settings = settings, Selection = [], Previous = previous, HiddenObjects = hidden });
     }
 
-    /// <summary>Where cutting begins after an edit: at the object that took the place of the entering entity, of which the operator is told.</summary>
+    /// <summary>The start of cutting after an edit: the object that replaced the entry entity; this is reported.</summary>
     private static EnteringPlace? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> substitutes)
     {
         var place = context.Document.Current.Settings.Enter;

@@ -3,7 +3,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>EXPLODE: Takes polylines apart into lines and arcs.</summary>
+/// <summary>EXPLODE: Splits polylines into lines and arcs.</summary>
 internal sealed class ExplodeCommand : ICommand
 {
     public CommandInfo Info { get; } = new("EXPLODE", CommandGroup.Drawing);

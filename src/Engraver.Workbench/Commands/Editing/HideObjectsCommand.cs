@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>HIDEOBJECTS: Hides objects; what is hidden is not cut either. UNISOLATEOBJECTS shows them again.</summary>
+/// <summary>HIDEOBJECTS: Hides objects; hidden objects are not cut. UNISOLATEOBJECTS shows them again.</summary>
 internal sealed class HideObjectsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("HIDEOBJECTS", CommandGroup.Drawing);
@@ -14,7 +14,7 @@ internal sealed class HideObjectsCommand : ICommand
     }
 }
 
-/// <summary>UNISOLATEOBJECTS: Shows what HIDEOBJECTS has hidden; it is cut again.</summary>
+/// <summary>UNISOLATEOBJECTS: Shows the objects hidden by HIDEOBJECTS; they are cut again.</summary>
 internal sealed class UnisolateObjectsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("UNISOLATEOBJECTS", CommandGroup.Drawing);

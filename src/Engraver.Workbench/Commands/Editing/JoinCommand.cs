@@ -3,7 +3,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>JOIN: Puts lines, arcs and open polylines whose ends meet (within CNCJOINTOL) together into polylines.</summary>
+/// <summary>JOIN: Joins lines, arcs and open polylines whose ends meet (within CNCJOINTOL) to polylines.</summary>
 internal sealed class JoinCommand : ICommand
 {
     public CommandInfo Info { get; } = new("JOIN", CommandGroup.Drawing);

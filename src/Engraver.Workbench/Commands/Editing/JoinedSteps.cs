@@ -2,12 +2,12 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>What a command does bit by bit and shows at once, as one step of undo. Inside the command it is taken back bit by bit.</summary>
+/// <summary>Partial edits of a command that are shown at once and form one undo step. Within the command they are undone one by one.</summary>
 internal sealed class JoinedSteps(CommandContext context)
 {
     private readonly Stack<DocumentState> _before = new();
 
-    /// <summary>How many bits there are now.</summary>
+    /// <summary>Number of partial edits.</summary>
     public int Count => _before.Count;
 
     public void Take(DocumentState next)
@@ -18,7 +18,7 @@ internal sealed class JoinedSteps(CommandContext context)
         _before.Push(before);
     }
 
-    /// <returns>False when there is nothing to take back.</returns>
+    /// <returns>False if there is nothing to undo.</returns>
     public bool Undo()
     {
         if (!_before.TryPop(out var before)) return false;

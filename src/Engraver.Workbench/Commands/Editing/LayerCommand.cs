@@ -3,11 +3,11 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>LAYER: Makes and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible,
+/// <summary>LAYER: Creates and renames layers, sets the current one, switches them on, off, frozen, thawed, locked or plotted and colours them; only visible,
 /// thawed, plottable layers are cut.</summary>
 internal sealed class LayerCommand : ICommand
 {
-    /// <summary>Stands for all layers.</summary>
+    /// <summary>Wildcard for all layers.</summary>
     private const string Every = "*";
 
     public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask);
@@ -60,7 +60,7 @@ internal sealed class LayerCommand : ICommand
         edit.Change(layer => names.Any(name => name == Every || LayerEdit.Is(layer, name)), layer => colour is { } chosen ? layer with { Colour = chosen } : Switched(layer, option));
     }
 
-    /// <summary>The names between the commas; of a layer that has a comma in its own name, as a foreign program may give it, the whole.</summary>
+    /// <summary>Splits the names at commas, unless the whole text is the name of an existing layer (other programs allow commas).</summary>
     private static string[] NamesIn(LayerEdit edit, string typed) => edit.Layers.Any(layer => LayerEdit.Is(layer, typed)) ? [typed] : typed.Split(',', StringSplitOptions.TrimEntries);
 
     private static async Task<DrawingColour> ColourAsync(CommandContext context)

@@ -3,12 +3,12 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>The layers while LAYER asks for more: nothing of the document changes before its end.</summary>
+/// <summary>The edited layers while LAYER runs: the document changes only at its end.</summary>
 internal sealed class LayerEdit
 {
     private const int LongestName = 255;
 
-    /// <summary>Letters that no layer of a DXF has in its name.</summary>
+    /// <summary>Characters that a layer name in DXF must not contain.</summary>
     private const string Forbidden = "<>/\\\":;?*|,=`";
 
     private readonly List<Layer> _layers;
@@ -21,39 +21,39 @@ internal sealed class LayerEdit
     /// <summary>Name of the current layer.</summary>
     public string Current { get; private set; }
 
-    /// <summary>Whether a layer has this name; capitals and small letters are the same.</summary>
+    /// <summary>Whether a layer has this name, case-insensitive.</summary>
     public static bool Is(Layer layer, string name) => layer.Name.Equals(name, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Says that there are no such layers; null where there are.</summary>
+    /// <summary>Error message if a layer does not exist; otherwise null.</summary>
     public string? WhyUnknown(IEnumerable<string> names)
     {
         var unknown = names.Where(name => Find(name) is null).ToList();
         return unknown.Count == 0 ? null : Wording.Get("Layer.NotFound", string.Join(", ", unknown.Select(name => $"'{name}'")));
     }
 
-    /// <summary>Says why no layer of this name can be made and set: the name is not allowed, or there is one that is frozen; null where it can.</summary>
+    /// <summary>Why no layer of this name can be created and set: the name is invalid, or the layer is frozen; null if it can.</summary>
     public string? WhyNotMade(string name) => Find(name) is null ? WhyNoName(name) : WhyNotSet(name);
 
-    /// <summary>Says why this layer cannot be the current one: there is none, or it is frozen; null where it can.</summary>
+    /// <summary>Why this layer cannot be current: it does not exist or is frozen; null if it can.</summary>
     public string? WhyNotSet(string name) => WhyUnknown([name]) ?? (Named(name) is { Frozen: true } frozen ? Wording.Get("Layer.FrozenNotCurrent", frozen.Name) : null);
 
-    /// <summary>Says why this layer keeps its name: there is none, or it is layer 0; null where it can have another.</summary>
+    /// <summary>Why this layer cannot be renamed: it does not exist or is layer 0; null if it can.</summary>
     public string? WhyNotRenamed(string name) => WhyUnknown([name]) ?? (Named(name).Name == CurrentLayer.First ? Wording.Get("Layer.NotRenamed", CurrentLayer.First) : null);
 
-    /// <summary>Says why this layer cannot have that name: it is not allowed, or another has it; null where it can.</summary>
+    /// <summary>Why this layer cannot get that name: it is invalid or already used; null if it can.</summary>
     public string? WhyNotNamed(string name, string to) => WhyNoName(to) ?? (Find(to) is { } other && other != Find(name) ? Wording.Get("Layer.NameTaken", _layers[other].Name) : null);
 
-    /// <summary>Makes a layer, where there is none of this name, and sets it. Nothing speaks against it (<see cref="WhyNotMade"/>).</summary>
+    /// <summary>Creates a layer unless it exists and makes it current. Precondition: <see cref="WhyNotMade"/> is null.</summary>
     public void Make(string name)
     {
         if (Find(name) is null) _layers.Add(new Layer(name, On: true, Frozen: false, Plot: true));
         Set(name);
     }
 
-    /// <summary>Sets the current layer. Nothing speaks against it (<see cref="WhyNotSet"/>).</summary>
+    /// <summary>Sets the current layer. Precondition: <see cref="WhyNotSet"/> is null.</summary>
     public void Set(string name) => Current = Named(name).Name;
 
-    /// <summary>Gives a layer another name. Nothing speaks against it (<see cref="WhyNotRenamed"/>, <see cref="WhyNotNamed"/>).</summary>
+    /// <summary>Renames a layer. Precondition: <see cref="WhyNotRenamed"/> and <see cref="WhyNotNamed"/> are null.</summary>
     public void Rename(string name, string to)
     {
         var from = Named(name).Name;
@@ -62,7 +62,7 @@ internal sealed class LayerEdit
         _renamed.Add((from, to));
     }
 
-    /// <summary>Changes the layers that are meant.</summary>
+    /// <summary>Changes the matching layers.</summary>
     public void Change(Predicate<Layer> isMeant, Func<Layer, Layer> change)
     {
         for (var index = 0; index < _layers.Count; index++)
@@ -71,7 +71,7 @@ internal sealed class LayerEdit
         }
     }
 
-    /// <summary>One document step, where something has changed. Settings that name a renamed layer name it anew.</summary>
+    /// <summary>Commits one undo step if something has changed. Settings that refer to a renamed layer are updated.</summary>
     public void Take(CommandContext context)
     {
         var state = context.Document.Current;

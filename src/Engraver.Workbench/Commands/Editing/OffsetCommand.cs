@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>OFFSET: Draws objects again at a distance or through a point, as lines and arcs.</summary>
+/// <summary>OFFSET: Draws offset copies of objects at a distance or through a point, as lines and arcs.</summary>
 internal sealed class OffsetCommand : ICommand
 {
     private const string Last = "OFFSETDIST";
@@ -29,8 +29,8 @@ internal sealed class OffsetCommand : ICommand
         }
     }
 
-    /// <summary>One object to one side; with Multiple again and again, each time what was made last, until Enter.</summary>
-    /// <returns>False when the operator is done with the command.</returns>
+    /// <summary>Offsets one object to one side; with Multiple repeatedly the last result, until Enter.</summary>
+    /// <returns>False if the operator ends the command.</returns>
     private static async Task<bool> OffsetAsync(CommandContext context, OffsetChoice choice, int entity, int[] made)
     {
         var (sources, isMultiple) = (new Stack<int>([entity]), false);
@@ -54,7 +54,7 @@ internal sealed class OffsetCommand : ICommand
                     break;
                 case Answer<Point2D>.Chosen { Option: "Undo" }:
                     if (!Undo(context, made)) break;
-                    if (sources.Count == 1) return true; // the object may stand elsewhere now
+                    if (sources.Count == 1) return true; // The object may have another index now.
                     sources.Pop();
                     break;
                 case Answer<Point2D>.Ended:
@@ -65,7 +65,7 @@ internal sealed class OffsetCommand : ICommand
         }
     }
 
-    /// <summary>The distance, and what becomes of the source.</summary>
+    /// <summary>The distance and the treatment of the source.</summary>
     private static async Task<OffsetChoice> ChoiceAsync(CommandContext context)
     {
         var (erases, layer) = (false, default(int?));
@@ -117,7 +117,7 @@ internal sealed class OffsetCommand : ICommand
         };
     }
 
-    /// <summary>A place; null when the operator is done. Undo takes back what this command made, one by one.</summary>
+    /// <summary>A point; null if the operator ends the command. Undo reverts the results of this command one by one.</summary>
     private static async Task<Point2D?> AnswerAsync(CommandContext context, PointPrompt prompt, int[] made)
     {
         while (true)
@@ -135,7 +135,7 @@ internal sealed class OffsetCommand : ICommand
         }
     }
 
-    /// <returns>False when this command has made nothing that is still there.</returns>
+    /// <returns>False if there is nothing left to undo.</returns>
     private static bool Undo(CommandContext context, int[] made)
     {
         if (made[0] == 0)
@@ -149,7 +149,7 @@ internal sealed class OffsetCommand : ICommand
         return true;
     }
 
-    /// <returns>Index of what was made, of several loops the one nearest to the place; null when nothing is left.</returns>
+    /// <returns>Index of the result, of several loops the one nearest to the point; null if the result is empty.</returns>
     private static int? Take(CommandContext context, OffsetChoice choice, int entity, Point2D side)
     {
         var drawing = context.Drawing;
@@ -173,7 +173,7 @@ internal sealed class OffsetCommand : ICommand
     }
 
     /// <param name="Distance">Drawing units; null: through a point.</param>
-    /// <param name="ErasesSource">The source goes.</param>
-    /// <param name="Layer">Index of the layer of what is made; null for that of the source.</param>
+    /// <param name="ErasesSource">The source is erased.</param>
+    /// <param name="Layer">Index of the layer of the result; null for that of the source.</param>
     private sealed record OffsetChoice(double? Distance, bool ErasesSource, int? Layer);
 }

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>ORIGIN: Moves the whole drawing so that a place of it becomes 0,0.</summary>
+/// <summary>ORIGIN: Moves the whole drawing so that a point of it becomes 0,0.</summary>
 internal sealed class OriginCommand : ICommand
 {
     public CommandInfo Info { get; } = new("ORIGIN", CommandGroup.Drawing);

@@ -3,7 +3,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>OVERKILL: Erases objects that lie on others, drawn in either direction.</summary>
+/// <summary>OVERKILL: Erases objects that coincide with others, drawn in either direction.</summary>
 internal sealed class OverkillCommand : ICommand
 {
     public CommandInfo Info { get; } = new("OVERKILL", CommandGroup.Drawing);

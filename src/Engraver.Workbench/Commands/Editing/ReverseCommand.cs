@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>REVERSE: Turns the direction of objects round.</summary>
+/// <summary>REVERSE: Reverses the direction of objects.</summary>
 internal sealed class ReverseCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REVERSE", CommandGroup.Drawing);

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>ROTATE: Turns objects about a point, counter-clockwise.</summary>
+/// <summary>ROTATE: Rotates objects about a point, counter-clockwise.</summary>
 internal sealed class RotateCommand : ICommand
 {
     private const double Largest = 1e6;

@@ -3,11 +3,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>The selected objects as a ghost that follows the cursor, drawing units. A large selection is its box and a sample of its segments, so that
-/// every movement of the mouse stays cheap.</summary>
+/// <summary>Preview of the selected objects at the cursor, drawing units. A large selection is shown as its bounding box and a sample of its segments to limit
+/// the cost of each mouse move.</summary>
 internal sealed class SelectionGhost
 {
-    /// <summary>Segments of a ghost at most, over all its copies.</summary>
+    /// <summary>Maximum number of segments of a preview, over all copies.</summary>
     public const int Most = 1000;
 
     private readonly Lazy<Segment[]> _shown;
@@ -19,10 +19,10 @@ internal sealed class SelectionGhost
         _shown = new Lazy<Segment[]>(() => Sample(drawing, selected));
     }
 
-    /// <summary>The objects under a map.</summary>
+    /// <summary>The transformed objects.</summary>
     public IReadOnlyList<Segment> Mapped(Transform2D map) => Mapped([map]);
 
-    /// <summary>The objects under each of several maps; where that is too much, the boxes of the first of them.</summary>
+    /// <summary>The objects transformed by several maps; if there are too many, the bounding boxes of the first ones.</summary>
     public IReadOnlyList<Segment> Mapped(IReadOnlyList<Transform2D> maps)
     {
         var shown = _shown.Value.Length * maps.Count <= Most + _box.Value.Length ? _shown.Value : _box.Value;

@@ -8,7 +8,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>AGIEPOST: Writes the sequenced drawing as programs for the AGIECUT DEM15 (paper 000), and says what the machine will make of it.</summary>
+/// <summary>AGIEPOST: Writes the sequenced drawing as programs for the AGIECUT DEM15 (paper 000), and reports the forecast of the machine's
+/// positions.</summary>
 internal sealed class AgiePostCommand : ICommand
 {
     private const string Name = "AGIEPOST";

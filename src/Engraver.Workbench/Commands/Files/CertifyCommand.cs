@@ -7,7 +7,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>CERTIFY: Reads the program of the drawing back, compares it both ways, and writes beside the drawing what was found; no machine moves.</summary>
+/// <summary>CERTIFY: Reads the program of the drawing back, compares both, and writes the certificate beside the drawing; no machine moves.</summary>
 internal sealed class CertifyCommand : ICommand
 {
     private const string Name = "CERTIFY";
@@ -17,7 +17,7 @@ internal sealed class CertifyCommand : ICommand
 
     public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
 
-    /// <exception cref="CommandException">The drawing has edits that no file holds, there is no program, or the program is not what is drawn.</exception>
+    /// <exception cref="CommandException">The drawing has unsaved edits, there is no program, or the program differs from the drawing.</exception>
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var file = context.Drawing.FileName;
@@ -35,7 +35,7 @@ internal sealed class CertifyCommand : ICommand
         await LookAsync(context, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>The drawing is read anew: what is certified is the file.</summary>
+    /// <summary>The drawing is read again, because the file is certified.</summary>
     private static CertificationRequest Request(CommandContext context, string file, PostChoice target, CancellationToken cancellation)
     {
         var (settings, hash) = (context.Document.Current.Settings, ContentHash.OfFile(file));
@@ -43,7 +43,7 @@ internal sealed class CertifyCommand : ICommand
         return new CertificationRequest(drawing, hash, settings, target.Entry, context.Time.GetUtcNow()) { Dialect = target.Dialect, Address = context.Machine.Line, Mode = context.Derivation.Mode };
     }
 
-    /// <summary>The list before a start shows it at once.</summary>
+    /// <summary>Updates the start checks.</summary>
     private static async Task LookAsync(CommandContext context, CancellationToken cancellation)
     {
         if (context.Derivation.Current is { Job: { Motion.Program: { } program } job } derived) await context.Certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false);

@@ -6,13 +6,13 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>Opens a file for OPEN and RECENT: takes one document step, restores the view that the file was left with (else shows all), and adds the file to
-/// the recent ones.</summary>
+/// <summary>Opens a file for OPEN and RECENT: commits one undo step, restores the last view of the file (otherwise shows all), and adds the file to the recent
+/// ones.</summary>
 internal static class DrawingOpening
 {
-    /// <param name="name">As the operator wrote it.</param>
-    /// <param name="wanted">Settings of an earlier job to take with it; null for those of now without what they say of another drawing.</param>
-    /// <exception cref="CommandException">Nothing could be read.</exception>
+    /// <param name="name">As typed.</param>
+    /// <param name="wanted">Settings of an earlier job; null for the current ones without those specific to another drawing.</param>
+    /// <exception cref="CommandException">The file could not be read.</exception>
     public static void Open(CommandContext context, string name, string path, CancellationToken cancellation, DrawingSettings? wanted = null)
     {
         var settings = wanted ?? context.Document.Current.Settings with { Enter = null, Layers = null, SkippedLayers = [] };
@@ -30,7 +30,7 @@ internal static class DrawingOpening
         if (sidecar.Trajectories.All.Count is > 0 and var count) context.Say(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
     }
 
-    /// <summary>Keeps the view of the drawing that is closed, and tells the operator when its edits are in no file.</summary>
+    /// <summary>Saves the view of the drawing being closed, and warns about unsaved edits.</summary>
     public static void Leave(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;

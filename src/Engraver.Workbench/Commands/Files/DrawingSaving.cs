@@ -10,10 +10,10 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>Writes a drawing and the file beside it for SAVEAS and QSAVE, and reads that file for OPEN.</summary>
+/// <summary>Writes a drawing and its sidecar for SAVEAS and QSAVE, and reads the sidecar for OPEN.</summary>
 internal static class DrawingSaving
 {
-    /// <summary>Tells what the drawing's file held that a new one would not.</summary>
+    /// <summary>Warns about content of the drawing's file that the new file will not contain.</summary>
     public static void SayRest(CommandContext context)
     {
         var drawing = context.Drawing;
@@ -22,7 +22,7 @@ internal static class DrawingSaving
         FindingMessages.Say(context, drawing.FileName, [DocumentRules.NotSaved.At(default, rest.Sum(part => part.Count).ToString(CultureInfo.InvariantCulture), types)], Severity.Warning);
     }
 
-    /// <param name="name">As the operator knows it.</param>
+    /// <param name="name">As typed.</param>
     public static void WriteDrawing(CommandContext context, string name, string path)
     {
         var drawing = context.Drawing;
@@ -32,10 +32,9 @@ internal static class DrawingSaving
         context.Say(Wording.Get("SaveAs.Written", name, CountText.Format(sheet.Entities.Count, "Curve"), sheet.Points.Count > 0 ? $"{CountText.Format(sheet.Texts.Count, "Text")}, {CountText.Format(sheet.Points.Count, "PointObject")}" : CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 
-    /// <summary>Writes what belongs to the drawing beside a file of it. A file there that this session neither read nor wrote is kept under another
-    /// name.</summary>
+    /// <summary>Writes the sidecar of a drawing file. An existing sidecar that this session neither read nor wrote is renamed.</summary>
     /// <param name="drawing">Path of the drawing's file.</param>
-    /// <returns>False when there was nothing to write.</returns>
+    /// <returns>False if there was nothing to write.</returns>
     public static bool WriteSidecar(CommandContext context, string drawing)
     {
         var (sidecar, path) = (context.Document.Current.Sidecar, SidecarFile.PathOf(drawing));
@@ -49,7 +48,7 @@ internal static class DrawingSaving
         return true;
     }
 
-    /// <summary>A written drawing gives its entities handles of its own, by which the trajectories find them again.</summary>
+    /// <summary>Entities get new handles in a written drawing; the trajectories refer to these.</summary>
     private static Sidecar WithHandlesOf(Sidecar sidecar, IReadOnlyDictionary<string, IReadOnlyList<string>> written)
     {
         if (written.Count == 0) return sidecar;
@@ -57,7 +56,7 @@ internal static class DrawingSaving
         return sidecar with { Trajectories = list with { All = [.. list.All.Select(one => one with { Handles = [.. one.Handles.SelectMany(handle => written.GetValueOrDefault(handle, [])).Distinct()] })] } };
     }
 
-    /// <summary>What stands beside the file of a drawing; where nothing does, trajectories are made as for the drawing before.</summary>
+    /// <summary>The sidecar of a drawing; without one, trajectory settings of the previous drawing are kept.</summary>
     public static Sidecar LoadSidecar(CommandContext context, Drawing drawing)
     {
         var read = SidecarFile.Read(drawing);
@@ -66,6 +65,6 @@ internal static class DrawingSaving
         return read.Sidecar ?? WithSettingsOf(context.Document.Current.Sidecar);
     }
 
-    /// <summary>Nothing but the settings.</summary>
+    /// <summary>Only the settings.</summary>
     public static Sidecar WithSettingsOf(Sidecar sidecar) => new() { Trajectories = new TrajectoryList { Settings = sidecar.Trajectories.Settings } };
 }

@@ -11,7 +11,7 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>EXPORT: Writes the kind of file that the ending names: .svg picture of the path, .csv or .json entity table, .dmc program, .dxf CL data.</summary>
+/// <summary>EXPORT: Writes the file format given by the extension: .svg picture of the path, .csv or .json entity table, .dmc program, .dxf CL data.</summary>
 internal sealed class ExportCommand : ICommand
 {
     private static readonly IReadOnlyList<string> s_endings = [".svg", ".csv", ".json", .. PostTable.All.Select(entry => entry.Post.Ending).Distinct()];
@@ -46,7 +46,7 @@ internal sealed class ExportCommand : ICommand
         }
     }
 
-    /// <summary>The post that writes files of an ending; null for what is no program.</summary>
+    /// <summary>The post for a file extension; null if it is not a program.</summary>
     private static IPost? Program(string ending) => ending is ".svg" or ".csv" or ".json" ? null : PostTable.ForEnding(ending)?.Post;
 
     private static (Action<TextWriter> Write, PostForecast? Forecast) Program(CommandContext context, IPost post)

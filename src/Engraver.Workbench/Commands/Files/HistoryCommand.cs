@@ -7,11 +7,10 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>HISTORY: Lists the jobs that were run and the programs that were written; opens the drawing of one, with the settings of that time where it is
-/// to be run again.</summary>
+/// <summary>HISTORY: Lists runs and posted programs; opens the drawing of one, with its settings if it is to be run again.</summary>
 internal sealed class HistoryCommand : ICommand
 {
-    /// <summary>Entries that are listed where none is searched for.</summary>
+    /// <summary>Number of listed entries without a search.</summary>
     private const int Listed = 20;
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("List", "Search", "Open", "Rerun", "rePort");
@@ -55,7 +54,7 @@ internal sealed class HistoryCommand : ICommand
         if (entry.RanTrajectories) context.Say(Wording.Get("History.RanTrajectories"), MessageKind.Warning);
     }
 
-    /// <exception cref="CommandException">It was written in a format, or with an option, that this program does not have.</exception>
+    /// <exception cref="CommandException">It was written in an unknown format or with an unknown option.</exception>
     private static PostEntry PostOf(HistoryEntry entry)
     {
         var post = PostTable.All.FirstOrDefault(one => one.Post.Name == entry.Target);

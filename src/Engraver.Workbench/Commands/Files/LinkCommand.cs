@@ -8,7 +8,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>LINK: Makes one program of the AGIE programs of several contours, with positioning blocks between them (paper 000).</summary>
+/// <summary>LINK: Combines the AGIE programs of several contours to one program, with positioning blocks between them (paper 000).</summary>
 internal sealed class LinkCommand : ICommand
 {
     private const string Name = "LINK";

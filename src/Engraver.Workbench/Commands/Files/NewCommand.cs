@@ -5,8 +5,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>NEW: Begins an empty drawing, in millimetres unless another unit is set. It gets a file when it is saved. A person is asked whether edits of
-/// the open one are saved first; for a script UNDO brings them back.</summary>
+/// <summary>NEW: Creates an empty drawing, in millimetres unless another unit is set. It gets a file when it is saved. The operator is asked first whether
+/// edits of the open drawing are saved; in a script UNDO restores them.</summary>
 internal sealed class NewCommand : ICommand
 {
     public CommandInfo Info { get; } = new("NEW", CommandGroup.File) { BringsDrawing = true };
@@ -23,23 +23,23 @@ internal sealed class NewCommand : ICommand
     }
 }
 
-/// <summary>Begins empty drawings: for NEW, and for a command that draws while none is open.</summary>
+/// <summary>Creates empty drawings for NEW and for drawing commands without an open drawing.</summary>
 internal static class DrawingBeginning
 {
-    /// <summary>What is seen of an empty drawing: a sheet of A3, level, which AutoCAD's metric drawings begin with.</summary>
+    /// <summary>Initial view of an empty drawing: A3 landscape, as in AutoCAD's metric template.</summary>
     private const double SheetWidth = 420.0;
 
     private const double SheetHeight = 297.0;
 
     private const int Millimetres = 4;
 
-    /// <summary>Begins a drawing when none is open, so that whoever draws can draw.</summary>
+    /// <summary>Creates a drawing if none is open.</summary>
     public static void Ensure(CommandContext context)
     {
         if (context.Document.Current.Drawing is null) Begin(context);
     }
 
-    /// <summary>One document step; a drawing that is open is left as OPEN leaves it.</summary>
+    /// <summary>One undo step; an open drawing is closed as by OPEN.</summary>
     public static void Begin(CommandContext context)
     {
         DrawingOpening.Leave(context);

@@ -15,7 +15,7 @@ internal sealed class OpenCommand : ICommand
     }
 }
 
-/// <summary>CLOSE: Closes the drawing; UNDO opens it again as it was.</summary>
+/// <summary>CLOSE: Closes the drawing; UNDO opens it again unchanged.</summary>
 internal sealed class CloseCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CLOSE", CommandGroup.File) { BringsDrawing = true };

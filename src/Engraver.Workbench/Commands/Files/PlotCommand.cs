@@ -5,7 +5,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>PLOT: Draws the drawing, or the path over it, as SVG.</summary>
+/// <summary>PLOT: Plots the drawing, optionally with the path, as SVG.</summary>
 internal sealed class PlotCommand : ICommand
 {
     public CommandInfo Info { get; } = new("PLOT", CommandGroup.Output);

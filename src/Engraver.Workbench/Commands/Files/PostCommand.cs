@@ -23,9 +23,9 @@ internal sealed class PostCommand : ICommand
         await WriteAsync(context, choice.Entry, choice.Options).ConfigureAwait(false);
     }
 
-    /// <summary>Writes the job of the open drawing, and remembers it in the history.</summary>
-    /// <param name="options">Of the post, each one that it takes.</param>
-    /// <exception cref="CommandException">There is nothing that the machine can cut.</exception>
+    /// <summary>Writes the job of the open drawing and adds it to the history.</summary>
+    /// <param name="options">All options of the post.</param>
+    /// <exception cref="CommandException">The machine can cut no part of the drawing.</exception>
     public static async Task WriteAsync(CommandContext context, PostEntry entry, IReadOnlyDictionary<string, string> options)
     {
         var (drawing, settings, post) = (context.Drawing, context.Document.Current.Settings, entry.Post);

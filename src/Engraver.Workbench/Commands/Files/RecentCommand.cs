@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>RECENT: Lists the drawings that were opened last, and opens one of them.</summary>
+/// <summary>RECENT: Lists the recently opened drawings, and opens one of them.</summary>
 internal sealed class RecentCommand : ICommand
 {
     public CommandInfo Info { get; } = new("RECENT", CommandGroup.File) { BringsDrawing = true };

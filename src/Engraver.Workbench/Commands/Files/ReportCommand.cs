@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>REPORT: Writes the job of the drawing, with its last run, as a page for the browser and for paper.</summary>
+/// <summary>REPORT: Writes the job of the drawing, with its last run, as a page for the browser and for printing.</summary>
 internal sealed class ReportCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REPORT", CommandGroup.Output);
@@ -25,7 +25,7 @@ internal sealed class ReportCommand : ICommand
     }
 }
 
-/// <summary>Writes the page of a job, for REPORT and HISTORY.</summary>
+/// <summary>Writes the report page of a job, for REPORT and HISTORY.</summary>
 internal static class JobPageFile
 {
     public static async Task WriteAsync(CommandContext context, JobReportRequest request, string path, CancellationToken cancellation)
@@ -36,8 +36,8 @@ internal static class JobPageFile
         context.Say(Wording.Get("Report.Written", path), MessageKind.Result);
     }
 
-    /// <summary>The page of a job in the history: its drawing as it is now, with the settings of then.</summary>
-    /// <exception cref="CommandException">The drawing cannot be read any more.</exception>
+    /// <summary>The report page of a history entry: its current drawing with the settings of that time.</summary>
+    /// <exception cref="CommandException">The drawing can no longer be read.</exception>
     public static Task WriteAsync(CommandContext context, HistoryEntry entry, DrawingSettings settings, CancellationToken cancellation)
     {
         var drawing = DrawingFile.Open(entry.Drawing, settings, cancellation);

@@ -6,11 +6,11 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>Writes a result to a file, or to the command window when Enter alone is typed.</summary>
 internal static class ResultFile
 {
-    /// <remarks>A script writes its results anew each time it is run, and is not asked.</remarks>
-    /// <param name="kind">What is written, by a word of the program.</param>
-    /// <param name="ending">Of such files, with its dot.</param>
-    /// <returns>The file's name as it was typed; null for the command window.</returns>
-    /// <exception cref="CommandException">A file that is there is not to be replaced.</exception>
+    /// <remarks>A script overwrites its results without a question.</remarks>
+    /// <param name="kind">Kind of file, an internal key.</param>
+    /// <param name="ending">File extension with its dot.</param>
+    /// <returns>The file name as typed; null for the command window.</returns>
+    /// <exception cref="CommandException">The operator declined to replace an existing file.</exception>
     public static async Task<string?> WriteAsync(CommandContext context, string kind, string ending, Action<TextWriter> write)
     {
         var wanted = new FileWanted(kind, true, ending) { Suggested = context.BesideDrawing(ending), MayShow = true };
@@ -31,8 +31,8 @@ internal static class ResultFile
 /// <summary>Asks for a file to write, and again before an existing file is replaced.</summary>
 internal static class ReplacePrompt
 {
-    /// <param name="adds">The usual ending is added to a name without one.</param>
-    /// <exception cref="CommandException">The operator does not want it replaced.</exception>
+    /// <param name="adds">The default extension is added to a name without one.</param>
+    /// <exception cref="CommandException">The operator declined.</exception>
     public static async Task<string> AskAsync(CommandContext context, string instruction, FileWanted wanted, bool adds = false)
     {
         var typed = await context.ValueAsync(new FilePrompt(instruction, wanted)).ConfigureAwait(false);
@@ -41,8 +41,8 @@ internal static class ReplacePrompt
         return name;
     }
 
-    /// <summary>Asks before an existing file is replaced; a device or a pipe is written and stays what it is.</summary>
-    /// <exception cref="CommandException">The operator does not want it replaced.</exception>
+    /// <summary>Asks before an existing file is replaced; devices and pipes are written without a question.</summary>
+    /// <exception cref="CommandException">The operator declined.</exception>
     public static async Task ConfirmAsync(CommandContext context, string path, string name)
     {
         if (File.Exists(path) && !FileKind.IsStream(path)) await context.ConfirmReplaceAsync(name, Wording.Get("ResultFile.ReplaceExisting", name)).ConfigureAwait(false);

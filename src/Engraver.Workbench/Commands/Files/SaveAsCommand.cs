@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>SAVEAS: Writes the drawing as edited, as DXF: every curve as what it is, with its height, layer and colour, and the texts.</summary>
+/// <summary>SAVEAS: Writes the edited drawing as DXF: every curve with its type, height, layer and colour, and the texts.</summary>
 internal sealed class SaveAsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SAVEAS", CommandGroup.File);
@@ -22,16 +22,15 @@ internal sealed class SaveAsCommand : ICommand
     }
 }
 
-/// <summary>QSAVE: Saves the drawing in its own file (that which SAVEAS wrote last, else the one that was opened), when it was edited, and what belongs to
-/// it beside it.</summary>
+/// <summary>QSAVE: Saves an edited drawing in its file (the last one of SAVEAS, otherwise the opened one), and its sidecar.</summary>
 internal sealed class QSaveCommand : ICommand
 {
     public CommandInfo Info { get; } = new("QSAVE", CommandGroup.File);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation) => SaveAsync(context, mayReplace: false);
 
-    /// <summary>Saves the drawing in its own file; a new one, which has none, as SAVEAS does.</summary>
-    /// <param name="mayReplace">The operator has said so already.</param>
+    /// <summary>Saves the drawing in its own file; a new drawing as SAVEAS does.</summary>
+    /// <param name="mayReplace">The operator has already agreed.</param>
     public static async Task SaveAsync(CommandContext context, bool mayReplace)
     {
         _ = context.Drawing;

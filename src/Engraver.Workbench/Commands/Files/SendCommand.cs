@@ -8,7 +8,7 @@ using Engraver.Workbench.Sending;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>SEND: Sends a program file over a serial line to the control of a machine, as plain text. Esc stops it and says how many lines are out.</summary>
+/// <summary>SEND: Sends a program file over a serial line to a machine control, as plain text. Esc stops it and reports the number of sent lines.</summary>
 internal sealed class SendCommand : ICommand
 {
     private const string LineName = "SEND.Line";

@@ -9,7 +9,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>VERIFY: Reads a posted program back, runs it in a simulated controller of its own, and compares what it cuts with the open drawing; no machine
+/// <summary>VERIFY: Reads a posted program back, runs it in a separate simulated controller, and compares its cut with the open drawing; no machine
 /// moves.</summary>
 internal sealed class VerifyCommand : ICommand
 {
@@ -25,7 +25,7 @@ internal sealed class VerifyCommand : ICommand
 
     public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
 
-    /// <exception cref="CommandException">The program does not cut the drawing, all of it and nothing else.</exception>
+    /// <exception cref="CommandException">The program does not cut exactly the drawing.</exception>
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
@@ -45,7 +45,7 @@ internal sealed class VerifyCommand : ICommand
         if (!report.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Verify.DoesNotMatch", name));
     }
 
-    /// <summary>The program, and before its name what it was posted with beside the settings of the drawing.</summary>
+    /// <summary>Asks for the program, and before its name for the post parameters other than the drawing's settings.</summary>
     private static async Task<(string Name, PostChoice? Target, PostedWith Posted)> AskAsync(CommandContext context)
     {
         var (posted, target) = (PostedWith.Defaults, (PostChoice?)null);
@@ -71,7 +71,7 @@ internal sealed class VerifyCommand : ICommand
     }
 }
 
-/// <summary>Reads a program back on another thread, with the command's progress shown.</summary>
+/// <summary>Reads a program back on another thread, and shows the command's progress.</summary>
 internal static class ReadBackProgress
 {
     public static async Task<T> ShowAsync<T>(CommandProgress shown, Func<IProgress<ReplayProgress>, Task<T>> read, CancellationToken cancellation)

@@ -6,8 +6,7 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Grips;
 
-/// <summary>Objects that are dragged by a grip: what an edit would give, and the edits that were taken, all as one step of undo. What is selected stays
-/// selected.</summary>
+/// <summary>Objects dragged by a grip: the preview of an edit, and the committed edits as one undo step. The selection is kept.</summary>
 internal sealed class GripDrag
 {
     private readonly CommandContext _context;
@@ -17,25 +16,25 @@ internal sealed class GripDrag
     private readonly JoinedSteps _steps;
     private readonly Drawing _drawing;
 
-    /// <param name="context">Of the command.</param>
-    /// <param name="selected">What was selected.</param>
-    /// <param name="hot">The grips that are held, in one place.</param>
+    /// <param name="context">Context of the command.</param>
+    /// <param name="selected">The selected objects.</param>
+    /// <param name="hot">The dragged grips, all at one point.</param>
     public GripDrag(CommandContext context, IReadOnlyList<int> selected, IReadOnlyList<Grip> hot)
     {
         (_context, _selected, _hot, _drawing) = (context, selected, hot, context.Drawing);
         (_ghost, _steps, Base) = (new SelectionGhost(_drawing, selected), new JoinedSteps(context), hot[0].Place);
     }
 
-    /// <summary>Where the way of the drag begins, drawing units: the grip, unless the operator named another place.</summary>
+    /// <summary>Base point of the drag, drawing units: the grip, unless the operator chose another point.</summary>
     public Point2D Base { get; set; }
 
-    /// <summary>The objects stay, and copies of them are edited.</summary>
+    /// <summary>True to edit copies and keep the objects.</summary>
     public bool IsCopying { get; set; }
 
-    /// <summary>How many edits were taken.</summary>
+    /// <summary>Number of committed edits.</summary>
     public int Count => _steps.Count;
 
-    /// <summary>The edit that a place would give in a mode.</summary>
+    /// <summary>The edit for a point in a mode.</summary>
     public Edit Editing(string mode, Point2D place)
     {
         var way = place - Base;
@@ -49,7 +48,7 @@ internal sealed class GripDrag
         };
     }
 
-    /// <summary>The edit of a typed angle (degrees) or factor.</summary>
+    /// <summary>The edit for a typed angle (degrees) or factor.</summary>
     public Edit Editing(string mode, double amount) =>
         new(mode == "Rotate" ? Transform2D.Rotate(Base, Angle.FromDegrees(amount)) : amount > 0.0 ? Transform2D.ScaleFrom(Base, amount) : null, null);
 
@@ -59,7 +58,7 @@ internal sealed class GripDrag
         return edit.To is { } to ? [.. (GripStretch.Changes(_drawing, _hot, to) ?? []).Take(SelectionGhost.Most).Select(change => change.Segment)] : [];
     }
 
-    /// <returns>False when it cannot be; the operator was told why, and nothing is changed.</returns>
+    /// <returns>False if it is not possible; the reason was reported and nothing is changed.</returns>
     public bool TryTake(Edit edit)
     {
         var drawing = _context.Drawing;
@@ -75,7 +74,7 @@ internal sealed class GripDrag
         if (!_steps.Undo()) _context.Say(Wording.Get("Copy.NothingToUndo"));
     }
 
-    /// <summary>The drawing with copies of the objects that are held, and the grips of these.</summary>
+    /// <summary>The drawing with copies of the dragged objects, and the grips of the copies.</summary>
     private (Drawing Drawing, IReadOnlyList<Grip> Hot) Copied(Drawing drawing)
     {
         int[] held = [.. _hot.Select(grip => grip.Entity).Distinct()];
@@ -95,6 +94,6 @@ internal sealed class GripDrag
         return true;
     }
 
-    /// <summary>Either a map of everything that is selected, or where the grip goes; neither: nothing.</summary>
+    /// <summary>Either a transformation of the selection or a new grip position; neither: no change.</summary>
     internal readonly record struct Edit(Transform2D? Map, Point2D? To);
 }

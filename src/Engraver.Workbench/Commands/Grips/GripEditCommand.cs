@@ -27,7 +27,7 @@ internal sealed class GripEditCommand : ICommand
         await DragAsync(context, new GripDrag(context, selected, hot)).ConfigureAwait(false);
     }
 
-    /// <summary>One edit; with Copy one after the other. Enter goes from mode to mode, and ends it once there are copies.</summary>
+    /// <summary>One edit; with Copy several. Enter switches the mode, or ends the command after copies were made.</summary>
     private static async Task DragAsync(CommandContext context, GripDrag drag)
     {
         for (var mode = 0; ;)
@@ -56,7 +56,7 @@ internal sealed class GripEditCommand : ICommand
         }
     }
 
-    /// <returns>The edit; or the option that was chosen, "" for Enter.</returns>
+    /// <returns>The edit, or the chosen option, "" for Enter.</returns>
     private static async Task<(GripDrag.Edit? Edit, string? Option)> AskAsync(CommandContext context, GripDrag drag, string mode)
     {
         var (instruction, options) = (Wording.Get("GripEdit." + mode), Keyword.List("Base", "Copy", "Undo", "eXit"));

@@ -2,13 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Commands.Inquiry;
 
-/// <summary>The area inside segments that follow each other; an open run is closed by a straight line, as AutoCAD does it.</summary>
+/// <summary>The area enclosed by connected segments; an open run is closed by a straight line, as in AutoCAD.</summary>
 internal static class ClosedArea
 {
-    /// <summary>Number of chords by which an ellipse or a spline is measured.</summary>
+    /// <summary>Number of chords that approximate an ellipse or a spline.</summary>
     private const int StepsOfCurve = 4096;
 
-    /// <returns>Never negative; where the outline crosses itself, each part counts as often as it is wound around.</returns>
+    /// <returns>Never negative; a self-intersecting outline counts each part by its winding number.</returns>
     public static double Measure(IReadOnlyList<Segment> segments)
     {
         if (segments.Count == 0) return 0.0;

@@ -18,7 +18,7 @@ internal sealed class DistCommand : ICommand
     }
 }
 
-/// <summary>ID: Says the coordinates of a point and makes it the last point (@).</summary>
+/// <summary>ID: Shows the coordinates of a point and makes it the last point (@).</summary>
 internal sealed class IdCommand : ICommand
 {
     public CommandInfo Info { get; } = new("ID", CommandGroup.Ask) { Transparent = true };

@@ -3,7 +3,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Inquiry;
 
-/// <summary>PROPERTIES: Says what the selected objects have in common; with nothing selected, what is in the drawing.</summary>
+/// <summary>PROPERTIES: Shows the common properties of the selected objects; without a selection a summary of the drawing.</summary>
 internal sealed class PropertiesCommand : ICommand
 {
     public CommandInfo Info { get; } = new("PROPERTIES", CommandGroup.Ask) { HeardDuringJob = true };
@@ -21,7 +21,7 @@ internal sealed class PropertiesCommand : ICommand
     }
 }
 
-/// <summary>LIST: Says what the selected objects are, with handle, layer, coordinates and length.</summary>
+/// <summary>LIST: Lists the selected objects with handle, layer, coordinates and length.</summary>
 internal sealed class ListCommand : ICommand
 {
     public CommandInfo Info { get; } = new("LIST", CommandGroup.Ask) { HeardDuringJob = true };

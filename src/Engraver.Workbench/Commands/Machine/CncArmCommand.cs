@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCARM: Checks everything that must be so before a start, and lets START work for 60 s or until anything changes.</summary>
+/// <summary>CNCARM: Runs the start checks, and enables START for 60 s or until anything changes.</summary>
 internal sealed class CncArmCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List([.. Enum.GetNames<JobMode>(), "Dryrun", "Trajectories", "oFf"]);
@@ -37,7 +37,7 @@ internal sealed class CncArmCommand : ICommand
         context.Say(Wording.Get(mode.DryRun ? "CncArm.ArmedToolOff" : "CncArm.Armed", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Mode));
     }
 
-    /// <summary>How the job stands to its certificate now; where it is the job of the document, the list that is always shown hears of it too.</summary>
+    /// <summary>The certificate status of the job; for the document's job the displayed status is updated too.</summary>
     private static Task<CertificateStanding> StandingAsync(CommandContext context, PreparedJob job, MotionProgram program, CancellationToken cancellation) =>
         ReferenceEquals(job, context.Derivation.Current.Job) ? context.Certificates.LookAsync(job, program, cancellation) : Task.Run(() => CertificateStanding.OfRun(job, program), cancellation);
 
@@ -60,7 +60,7 @@ internal sealed class CncArmCommand : ICommand
         }
     }
 
-    /// <summary>The job that was derived already when it is of the same mode; otherwise one that is prepared on another thread.</summary>
+    /// <summary>The derived job if it has the same mode; otherwise a job prepared on another thread.</summary>
     private static async Task<PreparedJob> JobAsync(CommandContext context, JobMode mode, CancellationToken cancellation)
     {
         if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Mode == mode && ReferenceEquals(derived.Drawing, context.Drawing)) return derived;
@@ -69,7 +69,7 @@ internal sealed class CncArmCommand : ICommand
     }
 }
 
-/// <summary>The list before a start, line by line.</summary>
+/// <summary>Writes the start checks line by line.</summary>
 internal static class CheckText
 {
     public static void Say(CommandContext context, ArmingCheck check) =>

@@ -3,8 +3,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCFINISH: Chooses where the machine goes behind the last stroke, tool off: to the drawing's start point, nowhere, or to the park position of
-/// the machine profile.</summary>
+/// <summary>CNCFINISH: Selects the target of the machine after the last stroke, tool off: the drawing's start point, none, or the park position of the machine
+/// profile.</summary>
 internal sealed class CncFinishCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCFINISH", CommandGroup.Machine);

@@ -5,7 +5,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCFRAME: Goes once round the job with the tool off, at the active work origin: the smallest rectangle or the convex hull of what is cut.</summary>
+/// <summary>CNCFRAME: Moves once around the job with the tool off, at the active work origin: along the bounding rectangle or the convex hull of the
+/// cut.</summary>
 internal sealed class CncFrameCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_shapes = Keyword.List([.. Enum.GetNames<FrameShape>()]);

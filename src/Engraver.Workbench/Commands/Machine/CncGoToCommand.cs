@@ -6,8 +6,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCGOTO: Moves the machine at rapid speed with the tool off: to a machine position, a place of the drawing, the drawing's start point or the
-/// park position. A tool that an axis holds is raised to its clearance height over the work first; Clearance does that alone.</summary>
+/// <summary>CNCGOTO: Moves the machine at rapid speed with the tool off: to a machine position, a point of the drawing, the drawing's start point or the park
+/// position. A tool axis is raised to its clearance height above the work first; the option Clearance does only that.</summary>
 internal sealed class CncGoToCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Work", "Start", "Park", "Clearance");
@@ -35,8 +35,8 @@ internal sealed class CncGoToCommand : ICommand
         await HandMotion.GoAsync(context, goal, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Brings a tool that an axis holds to its clearance height over the work; the machine stays where it is in plan.</summary>
-    /// <exception cref="CommandException">No axis holds the tool, or nobody knows where the work is.</exception>
+    /// <summary>Raises the tool axis to the clearance height above the work; X and Y do not move.</summary>
+    /// <exception cref="CommandException">The machine has no tool axis, or the work origin is unknown.</exception>
     private static async Task ClearAsync(CommandContext context, CancellationToken cancellation)
     {
         if (context.Machine.Profile.Height is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoClearance"));
@@ -44,13 +44,13 @@ internal sealed class CncGoToCommand : ICommand
         await HandMotion.ToClearanceAsync(context, zero, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>A place of the drawing through the active work origin; null where the controller cannot count it.</summary>
-    /// <exception cref="CommandException">Nobody knows where the work is.</exception>
+    /// <summary>A point of the drawing in machine counts by the active work origin; null outside the counter range.</summary>
+    /// <exception cref="CommandException">The work origin is unknown.</exception>
     private static async Task<CountsPoint?> OfDrawingAsync(CommandContext context, Point2D drawing, CancellationToken cancellation) =>
         HandPlace.OfDrawing(drawing, await ZeroAsync(context, cancellation).ConfigureAwait(false), context.Machine.Profile.Scale);
 
-    /// <summary>The drawing's zero by the active work origin, counts; the controller is asked whether it still counts from where the origin was set.</summary>
-    /// <exception cref="CommandException">The origin is not set, or its zero is lost.</exception>
+    /// <summary>The drawing's zero by the active work origin, counts; queries the controller whether its zero is unchanged since the origin was set.</summary>
+    /// <exception cref="CommandException">The origin is not set, or the controller's zero is lost.</exception>
     private static async Task<CountsPoint> ZeroAsync(CommandContext context, CancellationToken cancellation)
     {
         var memory = context.Machine.Hold!.Memory;

@@ -7,7 +7,8 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCHOLD: Holds the job: it brakes on its path, then the tool goes off or up. CNCJOG may move the machine meanwhile. Never asks.</summary>
+/// <summary>CNCHOLD: Feed hold of the job: it decelerates on its path, then the tool is switched off or raised. CNCJOG may move the machine meanwhile. Never
+/// asks.</summary>
 internal sealed class CncHoldCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCHOLD", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
@@ -20,11 +21,11 @@ internal sealed class CncHoldCommand : ICommand
     }
 }
 
-/// <summary>CNCRESUME: Lets a held job go on. With none held it chooses what START cuts: what an interrupted job has left, by its journal; the contours
-/// from one on; or the whole drawing again.</summary>
+/// <summary>CNCRESUME: Resumes a held job. Without one it selects what START cuts: the rest of an interrupted job by its journal, the contours from one on, or
+/// the whole drawing again.</summary>
 internal sealed class CncResumeCommand : ICommand
 {
-    /// <summary>The length that is cut again, as it was given last.</summary>
+    /// <summary>Name of the last lead-in length.</summary>
     private const string LeadIn = "CNCRESUME";
 
     private static readonly IReadOnlyList<Keyword> s_ways = Keyword.List("Contour", "Whole", "Leadin", "Origin");
@@ -67,7 +68,7 @@ internal sealed class CncResumeCommand : ICommand
     private static Task<Answer<string>> AskAsync(CommandContext context) =>
         context.AskAsync(new TextPrompt(Wording.Get("CncResume.EnterJournal", LeadInOf(context))) { Options = s_ways, Default = context.Machine.LastRun?.Journal });
 
-    /// <summary>Length of the path already cut that is cut again before the place, mm.</summary>
+    /// <summary>Length of the path before the resume position that is cut again, mm.</summary>
     private static double LeadInOf(CommandContext context) => context.Remembered(LeadIn) is { } kept ? double.Parse(kept, CultureInfo.InvariantCulture) : ResumeRequest.UsualLeadInMm;
 
     private static async Task FromContourAsync(CommandContext context)
@@ -102,7 +103,7 @@ internal sealed class CncResumeCommand : ICommand
     }
 }
 
-/// <summary>CNCOVERRIDE: Changes feed or rapid speed of the job under way and of those that follow, in percent of the plan.</summary>
+/// <summary>CNCOVERRIDE: Changes feed or rapid speed of the running job and of the following ones, in percent of the plan.</summary>
 internal sealed class CncOverrideCommand : ICommand
 {
     private const double Percent = 100.0;
@@ -121,7 +122,7 @@ internal sealed class CncOverrideCommand : ICommand
         context.Say(Wording.Get("CncOverride.Set", set.Feed * Percent, set.Rapid * Percent), MessageKind.Result);
     }
 
-    /// <returns>The factor; null when the keyword was given.</returns>
+    /// <returns>The factor; null if the keyword was chosen.</returns>
     private static async Task<double?> AskAsync(CommandContext context, string instruction, double now, SpeedRange range, IReadOnlyList<Keyword> options)
     {
         var prompt = new NumberPrompt(instruction)

@@ -4,7 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCHOME: Homes the machine as its profile says; the controller counts from the profile's zero then.</summary>
+/// <summary>CNCHOME: Homes the machine as configured in its profile; afterwards the controller counts from the profile's zero.</summary>
 internal sealed class CncHomeCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCHOME", CommandGroup.Machine) { StartsMotion = true };
@@ -26,7 +26,7 @@ internal sealed class CncHomeCommand : ICommand
     }
 }
 
-/// <summary>The homing of an axis in words.</summary>
+/// <summary>Description of the homing of an axis.</summary>
 internal static class HomingText
 {
     public static string Sentence(MachineAxis axis)

@@ -5,8 +5,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCJOG: Moves the machine with the tool off by a step, or in a direction until Enter; also while a job stands held, which goes back to its
-/// place before it goes on.</summary>
+/// <summary>CNCJOG: Moves the machine with the tool off by a step, or in a direction until Enter; also during a feed hold; the job returns to its position
+/// before it continues.</summary>
 internal sealed class CncJogCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_distances = Keyword.List("Continuous");
@@ -37,7 +37,7 @@ internal sealed class CncJogCommand : ICommand
         await HandMotion.StepAsync(context, way, height, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Moves until the operator presses Enter or Esc, and at the latest at the end of the travel.</summary>
+    /// <summary>Moves until the operator presses Enter or Esc, at most to the end of the travel.</summary>
     private static async Task HoldAsync(CommandContext context, JogVelocity way, CancellationToken cancellation)
     {
         if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.ScriptNeedsDistance"));

@@ -3,7 +3,7 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCOUTPUT: Switches an output by hand, by its name in the profile or its number; what begins to work by it is asked about first.</summary>
+/// <summary>CNCOUTPUT: Switches an output manually, by its name in the profile or its number; asks first if this activates something.</summary>
 internal sealed class CncOutputCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_states = Keyword.List("ON", "OFF");

@@ -4,7 +4,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCPROFILE: Takes the machine profile of a file.</summary>
+/// <summary>CNCPROFILE: Loads a machine profile from a file.</summary>
 internal sealed class CncProfileCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCPROFILE", CommandGroup.Machine);

@@ -52,7 +52,7 @@ internal sealed class CncRunCommand : ICommand
     }
 }
 
-/// <summary>CNCSIM: Runs the drawing on a simulated controller and says how well it was cut; no machine moves.</summary>
+/// <summary>CNCSIM: Runs the drawing on a simulated controller and reports how well it was cut; no machine moves.</summary>
 internal sealed class CncSimCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCSIM", CommandGroup.Machine);

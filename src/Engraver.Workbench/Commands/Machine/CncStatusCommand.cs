@@ -6,7 +6,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCSTATUS: Says what is connected and what the machine is doing, and goes through the list before a start; the controller is asked now.</summary>
+/// <summary>CNCSTATUS: Shows the connection, the machine's state and the start checks; the controller is polled first.</summary>
 internal sealed class CncStatusCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCSTATUS", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCSTOP: Stops the job: the machine brakes, the tool goes off. Never asks.</summary>
+/// <summary>CNCSTOP: Stops the job: the machine decelerates and the tool is switched off. Never asks.</summary>
 internal sealed class CncStopCommand : ICommand
 {
     internal const string Name = "CNCSTOP";
@@ -15,7 +15,7 @@ internal sealed class CncStopCommand : ICommand
     }
 }
 
-/// <summary>CNCABORT: Halts every motion at once without braking, then switches the motors off. Never asks. It is no emergency stop.</summary>
+/// <summary>CNCABORT: Halts every motion without deceleration, then switches the motors off. Never asks. Not an emergency stop.</summary>
 internal sealed class CncAbortCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCABORT", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCTERMINAL: Sends one line to the connected controller and shows the answer; dangerous ones need the word confirm before them.</summary>
+/// <summary>CNCTERMINAL: Sends one line to the connected controller and shows the answer; dangerous commands require the prefix "confirm".</summary>
 internal sealed class CncTerminalCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCTERMINAL", CommandGroup.Machine) { StartsMotion = true };

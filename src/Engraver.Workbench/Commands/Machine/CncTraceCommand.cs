@@ -9,7 +9,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCTRACE: Shows where the machine was in a run that was kept beside its journal, over the drawing, and chooses what its colour tells.</summary>
+/// <summary>CNCTRACE: Shows the recorded trace of a run over the drawing, and selects the quantity that colours it.</summary>
 internal sealed class CncTraceCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCTRACE", CommandGroup.Machine);
@@ -39,7 +39,7 @@ internal sealed class CncTraceCommand : ICommand
 
     private static CommandException NoRun(CommandContext context) => new(CommandFailure.Usage, Wording.Get("CncTrace.NoRun", Path.GetFileName(context.Drawing.FileName)));
 
-    /// <exception cref="CommandException">A job runs, whose own trace is shown.</exception>
+    /// <exception cref="CommandException">A job is running and its own trace is shown.</exception>
     private static void CheckFree(CommandContext context)
     {
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncTrace.JobRuns"));
@@ -68,7 +68,7 @@ internal sealed class CncTraceCommand : ICommand
         context.Say(Wording.Get("CncTrace.Shown", file, RunPlot.Caption(trace, measure)), MessageKind.Result);
     }
 
-    /// <exception cref="CommandException">It cannot be read, or holds something else.</exception>
+    /// <exception cref="CommandException">It cannot be read or is not a trace.</exception>
     private static RunTrace Read(string file)
     {
         try

@@ -7,8 +7,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCZERO: The place where the machine stands becomes a place of the drawing, in the active work origin: its zero, or what is typed; with Height
-/// the tool stands at a typed height of the drawing, as over a feeler gauge.</summary>
+/// <summary>CNCZERO: Sets the active work origin so that the current machine position is the drawing's zero or a typed point; with Height the tool is at a
+/// typed height of the drawing, such as the thickness of a feeler gauge.</summary>
 internal sealed class CncZeroCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y", "Z", "Point", "Height", "Edges", "Centre");
@@ -37,13 +37,12 @@ internal sealed class CncZeroCommand : ICommand
         OriginText.TellPart(context, part);
     }
 
-    /// <summary>True for an origin that an operator set on one of these axes: the command asks before it is overwritten.</summary>
+    /// <summary>True if the operator has set the origin of one of these axes: the command asks before it is overwritten.</summary>
     private static bool IsSet(MachineMemory memory, string axes) => memory.ActiveOrigin is { IsAssumed: false } origin &&
         ((axes is not ("Y" or "Z" or "Height") && origin.X is not null) || (axes is not ("X" or "Z" or "Height") && origin.Y is not null) || (axes is "Z" or "Height" or "All" && origin.Z is not null));
 }
 
-/// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, puts the active one at a typed place of the machine, and lists where they
-/// lie.</summary>
+/// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, sets the active one to a typed machine position, and lists all.</summary>
 internal sealed class CncOriginCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_names = Keyword.List([.. WorkOriginNames.All, "Typed", "List"]);
@@ -64,7 +63,7 @@ internal sealed class CncOriginCommand : ICommand
         }
     }
 
-    /// <exception cref="CommandException">A job runs, the place cannot be counted, or nobody knows from where the controller counts.</exception>
+    /// <exception cref="CommandException">A job is running, the position exceeds the counter range, or the controller's zero is unknown.</exception>
     private static async Task TypeAsync(CommandContext context, MachineMemory before, CancellationToken cancellation)
     {
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
@@ -87,10 +86,10 @@ internal sealed class CncOriginCommand : ICommand
     }
 }
 
-/// <summary>Work origins as sentences for the operator.</summary>
+/// <summary>Text of work origins for display.</summary>
 internal static class OriginText
 {
-    /// <param name="origin">Null for one that was never set.</param>
+    /// <param name="origin">Null if it was never set.</param>
     public static string Sentence(string name, WorkOrigin? origin, MachineProfile profile)
     {
         if (origin is null) return Wording.Get("Origins.NotSet", name);
@@ -99,8 +98,8 @@ internal static class OriginText
         return Wording.Get(origin.IsAssumed ? "Origins.Assumed" : "Origins.IsSet", name, place);
     }
 
-    /// <summary>Sets the active origin by where the machine stands, and says where it lies.</summary>
-    /// <exception cref="CommandException">The machine stands at no certain place.</exception>
+    /// <summary>Sets the active origin at the current machine position and reports it.</summary>
+    /// <exception cref="CommandException">The machine position is uncertain.</exception>
     public static async Task SetAsync(CommandContext context, ZeroTouch touch, CancellationToken cancellation)
     {
         var machine = context.Machine;
@@ -109,8 +108,8 @@ internal static class OriginText
         context.Say(Sentence(memory.Active, memory.ActiveOrigin, machine.Profile), MessageKind.Result);
     }
 
-    /// <summary>Says that START cuts the whole drawing again, where it was to cut a part before the origin changed.</summary>
-    /// <param name="before">The part that was chosen before.</param>
+    /// <summary>Warns that START now cuts the whole drawing, because the change of the origin discarded the selected part.</summary>
+    /// <param name="before">The part that was selected before.</param>
     public static void TellPart(CommandContext context, JobPart? before)
     {
         if (before is not null && context.Machine.Part is null) context.Say(Wording.Get("Origins.ResumeDropped"), MessageKind.Warning);

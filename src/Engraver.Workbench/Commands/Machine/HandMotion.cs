@@ -6,33 +6,33 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>What commands that move the machine by hand have in common: who may, where to, and how it ended.</summary>
+/// <summary>Shared by commands that move the machine manually: preconditions, target and result.</summary>
 internal static class HandMotion
 {
-    /// <param name="whileHeld">Also while a job stands held.</param>
+    /// <param name="whileHeld">Also during a feed hold.</param>
     /// <exception cref="CommandException">No controller is connected, or a script may not move this machine.</exception>
     public static void Check(CommandContext context, bool whileHeld = false)
     {
         if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
-        if (whileHeld && context.Machine.IsHeld) return; // whoever held the job stands at the machine
+        if (whileHeld && context.Machine.IsHeld) return; // The operator who held the job is at the machine.
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("HandMotion.InMotion"));
         if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
         if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptNeedsArming", machine));
     }
 
-    /// <exception cref="CommandException">A motor is off; a move by hand switches nothing on.</exception>
+    /// <exception cref="CommandException">A motor is off; a manual move does not switch motors on.</exception>
     public static void CheckMotors(CommandContext context)
     {
         if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOff"));
     }
 
-    /// <summary>Says that nothing stops a move at the end of the travel, where that is so.</summary>
+    /// <summary>Warns if no limit stops a move at the end of the travel.</summary>
     public static void TellUnhomed(CommandContext context)
     {
         if (context.Machine.UnhomedNotice is { } notice) context.Say(notice, MessageKind.Warning);
     }
 
-    /// <summary>Goes to a place (<see cref="HandPlace"/>) and says where the machine stands.</summary>
+    /// <summary>Moves to a position (<see cref="HandPlace"/>) and reports the final position.</summary>
     public static async Task GoAsync(CommandContext context, CountsPoint? goal, CancellationToken cancellation)
     {
         var counts = Counted(goal);
@@ -40,8 +40,8 @@ internal static class HandMotion
         Conclude(context, await context.Machine.GoToAsync(counts, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>Brings the tool to the clearance height over the work, and stays where it is in plan.</summary>
-    /// <param name="zero">Where the drawing's zero lies, counts of the controller.</param>
+    /// <summary>Raises the tool to the clearance height above the work; X and Y do not move.</summary>
+    /// <param name="zero">Position of the drawing's zero, counts of the controller.</param>
     public static async Task ToClearanceAsync(CommandContext context, CountsPoint zero, CancellationToken cancellation)
     {
         var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PositionUnknown"));
@@ -50,8 +50,8 @@ internal static class HandMotion
         Conclude(context, await context.Machine.StepAsync(goal, withHeight: true, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>The same by a step in mm from where the machine stands.</summary>
-    /// <param name="height">Up or down, mm.</param>
+    /// <summary>Moves by a step in mm from the current position.</summary>
+    /// <param name="height">Step of Z, mm.</param>
     public static async Task StepAsync(CommandContext context, Vector2D step, double height, CancellationToken cancellation)
     {
         var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PositionUnknown"));
@@ -61,8 +61,8 @@ internal static class HandMotion
         Conclude(context, await context.Machine.StepAsync(counts, height != 0.0, context.NewRunJournal("jog"), feed: null, cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>Says where the machine stands.</summary>
-    /// <exception cref="CommandException">The move did not go to its end.</exception>
+    /// <summary>Reports the final position.</summary>
+    /// <exception cref="CommandException">The move did not finish.</exception>
     public static void Conclude(CommandContext context, JobResult result)
     {
         foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);

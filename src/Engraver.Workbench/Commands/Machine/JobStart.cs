@@ -12,15 +12,15 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>What comes before and after a job, on a real machine or a simulated one.</summary>
+/// <summary>Preparation and completion of a job, on a real or a simulated machine.</summary>
 internal static class JobStart
 {
-    /// <summary>The job with a motion program; the operator must agree when the drawing has errors.</summary>
-    /// <exception cref="CommandException">There is nothing to cut, or the operator does not agree.</exception>
+    /// <summary>The job with a motion program; the operator must confirm if the drawing has errors.</summary>
+    /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
     public static Task<PreparedJob> PrepareAsync(CommandContext context, JobMode mode) => PrepareAsync(context, mode, runsTrajectories: false);
 
     /// <summary>The same, of the drawing or of the trajectories of the document.</summary>
-    /// <exception cref="CommandException">There is nothing to cut, or the operator does not agree.</exception>
+    /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
     public static async Task<PreparedJob> PrepareAsync(CommandContext context, JobMode mode, bool runsTrajectories)
     {
         var job = runsTrajectories ? Followed(context, mode) : JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, JobPlan.StyleOf(mode));
@@ -31,7 +31,7 @@ internal static class JobStart
         return job;
     }
 
-    /// <summary>The trajectories of the document as a job; says what it is.</summary>
+    /// <summary>The trajectories of the document as a job; reports their number and error bound.</summary>
     /// <exception cref="CommandException">There are none.</exception>
     public static PreparedJob Followed(CommandContext context, JobMode mode)
     {
@@ -50,11 +50,11 @@ internal static class JobStart
             Told = finding => FindingMessages.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
         };
 
-    /// <summary>Runs a job, writes it into the history, and tells the operator how it ended.</summary>
-    /// <param name="checks">The list that it was armed by; null where there was none.</param>
-    /// <param name="run">Runs it with the options that it hands on.</param>
+    /// <summary>Runs a job, adds it to the history and reports the result.</summary>
+    /// <param name="checks">The start checks with which it was armed; null if there were none.</param>
+    /// <param name="run">Runs the job with the given options.</param>
     /// <exception cref="CommandException">The job did not complete.</exception>
-    /// <exception cref="ControllerException">The link never came up.</exception>
+    /// <exception cref="ControllerException">The link could not be established.</exception>
     public static async Task RunAsync(CommandContext context, PreparedJob job, ArmingChecklist? checks, Func<Func<MachineRunOptions, MachineRunOptions>, Task<MachineRunReport>> run, bool simulated)
     {
         var (begun, taken, open) = (context.Time.GetUtcNow(), default(MachineRunOptions), default(OpenJob));
@@ -75,7 +75,7 @@ internal static class JobStart
         }
         catch (OperationCanceledException)
         {
-            context.Say(Wording.Get("JobStart.StoppedBeforeMotion"), MessageKind.Warning); // what has moved ends with a report
+            context.Say(Wording.Get("JobStart.StoppedBeforeMotion"), MessageKind.Warning); // A job that has moved ends with a report.
             throw;
         }
         finally
@@ -84,7 +84,7 @@ internal static class JobStart
         }
     }
 
-    /// <summary>Tells the operator how the job ended.</summary>
+    /// <summary>Reports the result of the job.</summary>
     /// <exception cref="CommandException">The job did not complete.</exception>
     public static void Conclude(CommandContext context, PreparedJob job, MachineRunReport report)
     {
@@ -105,8 +105,8 @@ internal static class JobStart
         if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
 
-    /// <summary>Says what will be cut, where it is not the whole drawing.</summary>
-    /// <exception cref="CommandException">It was begun in another mode.</exception>
+    /// <summary>Reports which part will be cut if it is not the whole drawing.</summary>
+    /// <exception cref="CommandException">The job was started in another mode.</exception>
     public static void SayPart(CommandContext context, PreparedJob job, JobMode mode)
     {
         if (context.Machine.Part is not { } part || job.Followed is not null || job.Motion.Program is not { } program) return;

@@ -6,8 +6,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>SACESIMULATE: Runs the trajectories on a simulated controller as arcs and lines, and says how far it was from what they follow; no machine
-/// moves.</summary>
+/// <summary>SACESIMULATE: Runs the trajectories on a simulated controller as arcs and lines, and reports the deviation from the curves that they follow; no
+/// machine moves.</summary>
 internal sealed class SaceSimulateCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACESIMULATE", CommandGroup.Trajectory);

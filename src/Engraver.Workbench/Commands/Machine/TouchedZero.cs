@@ -6,8 +6,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>The zero by touching the work piece: on its edges, one after the other, or in the middle of two touches. Between two touches the machine is
-/// moved by other commands, so each touch is a command of its own.</summary>
+/// <summary>Sets the zero by touching the workpiece: at its edges, or at the centre of two touches. Other commands move the machine between two touches, so
+/// each touch is a separate command.</summary>
 internal static class TouchedZero
 {
     private const string Radius = "CNCZERO.Radius";
@@ -18,7 +18,7 @@ internal static class TouchedZero
     private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y");
     private static readonly IReadOnlyList<Keyword> s_touches = Keyword.List("Second", "First");
 
-    /// <summary>The tool touches an edge: the zero lies on it, one tool radius away.</summary>
+    /// <summary>The tool touches an edge: the zero is on the edge, one tool radius away.</summary>
     public static async Task ByEdgeAsync(CommandContext context, CancellationToken cancellation)
     {
         var edge = Enum.Parse<WorkEdge>(await context.ChoiceAsync(Wording.Get("CncZero.EnterEdge"), s_edges, context.Remembered(Edge, nameof(WorkEdge.Left))).ConfigureAwait(false));
@@ -31,7 +31,7 @@ internal static class TouchedZero
         context.Say(Wording.Get(isX ? "CncZero.TouchBottomNext" : "CncZero.TouchLeftOrRightNext"));
     }
 
-    /// <summary>The first touch is remembered; with the second the zero lies between them.</summary>
+    /// <summary>The first touch is remembered; the second sets the zero to the centre of both.</summary>
     public static async Task ByCentreAsync(CommandContext context, CancellationToken cancellation)
     {
         var isSecond = context.Machine.FirstTouch is { } before

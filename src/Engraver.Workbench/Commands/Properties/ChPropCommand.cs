@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Properties;
 
-/// <summary>CHPROP: Changes a property of objects: layer, colour, coordinates, radius, angles. What was selected before stays selected.</summary>
+/// <summary>CHPROP: Changes a property of objects: layer, colour, coordinates, radius, angles. The selection is kept.</summary>
 internal sealed class ChPropCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CHPROP", CommandGroup.Drawing);

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Commands.Properties;
 
-/// <summary>One object of a drawing, looked at once for all its properties. Drawing units, plan view.</summary>
+/// <summary>One object of a drawing, analysed once for all its properties. Drawing units, plan view.</summary>
 internal sealed class ObjectFacts(Drawing drawing, int index)
 {
     private Segment[]? _segments;
@@ -20,18 +20,18 @@ internal sealed class ObjectFacts(Drawing drawing, int index)
 
     public IReadOnlyList<Segment> Segments => _segments ??= [.. DrawingPick.Segments(drawing, index)];
 
-    /// <summary>The line that it is; null for anything else.</summary>
+    /// <summary>The line; null for other objects.</summary>
     public LineSegment? Line => Segments is [{ Kind: SegmentKind.Line } only] ? only.Line : null;
 
-    /// <summary>The arc that it is; null for anything else.</summary>
+    /// <summary>The arc; null for other objects.</summary>
     public ArcSegment? Arc => Segments is [{ Kind: SegmentKind.Arc } only] ? only.Arc : null;
 
-    /// <summary>The circle that it is; null for anything else.</summary>
+    /// <summary>The circle; null for other objects.</summary>
     public ArcSegment? Circle => Segments is [{ Kind: SegmentKind.Circle } only] ? only.Arc : null;
 
     public ArcSegment? Round => Arc ?? Circle;
 
-    /// <summary>It ends where it begins.</summary>
+    /// <summary>True if its end is its start.</summary>
     public bool IsClosed => Entity.Closed || (Segments.Count > 0 && (Segments[^1].IsClosed || Segments[0].Start == Segments[^1].End));
 
     /// <summary>First point of an open curve; null for a closed one.</summary>

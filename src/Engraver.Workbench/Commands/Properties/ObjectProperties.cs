@@ -8,13 +8,13 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Properties;
 
-/// <summary>Every property of objects, in the order in which they are listed, and what several objects have in common.</summary>
+/// <summary>All object properties in display order, and the common values of several objects.</summary>
 public static class ObjectProperties
 {
-    /// <summary>Of more objects than this only the general properties are compared.</summary>
+    /// <summary>Maximum number of objects of which all properties are compared; of more only the general ones.</summary>
     private const int MostMeasured = 5_000;
 
-    /// <summary>What AutoCAD shows for values that differ.</summary>
+    /// <summary>AutoCAD's text for differing values.</summary>
     public const string Varies = "*VARIES*";
 
     public static IReadOnlyList<ObjectProperty> All { get; } =
@@ -51,7 +51,7 @@ public static class ObjectProperties
         },
     ];
 
-    /// <summary>What some objects have, with the values that they have in common. A property that one of them has not is left out.</summary>
+    /// <summary>The common properties of some objects with their common values. A property that one object lacks is omitted.</summary>
     public static IReadOnlyList<PropertyValue> Of(Drawing drawing, IReadOnlyList<int> objects, Figures figures)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -71,7 +71,7 @@ public static class ObjectProperties
         return [.. measured.Select((property, i) => new PropertyValue(property, values[i] ?? "", editable[i], values[i] is not null)).Where(value => value.Exists)];
     }
 
-    /// <summary>Null as soon as one object has no such property.</summary>
+    /// <summary>Null if one object lacks the property.</summary>
     private static string? Together(string? before, ObjectProperty property, ObjectFacts facts, Figures figures, bool isFirst)
     {
         if (!isFirst && (before is null || (before == Varies && property.IsGeneral))) return before;
@@ -84,7 +84,7 @@ public static class ObjectProperties
     private static Point2D? Centre(ObjectFacts facts) => facts.Round?.Centre ?? (facts.Segments.Count == 1 ? ObjectGrips.CentreOf(facts.Segments[0]) : null);
 }
 
-/// <summary>A property and the value that the selected objects have, or <see cref="ObjectProperties.Varies"/>.</summary>
-/// <param name="IsEditable">It can be changed of each of them.</param>
+/// <summary>A property and the common value of the selected objects, or <see cref="ObjectProperties.Varies"/>.</summary>
+/// <param name="IsEditable">It can be changed for all of them.</param>
 /// <param name="Exists">All of them have it.</param>
 public sealed record PropertyValue(ObjectProperty Property, string Value, bool IsEditable, bool Exists = true);

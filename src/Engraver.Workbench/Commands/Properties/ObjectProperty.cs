@@ -5,37 +5,37 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Properties;
 
-/// <summary>What can be said of an object, and for some of it how it is changed.</summary>
-/// <param name="Name">As CHPROP takes it; its capital letters are the short form.</param>
-/// <param name="IsGeneral">Every object has it; otherwise it belongs to the geometry.</param>
+/// <summary>A property of objects: how it is read and, if editable, changed.</summary>
+/// <param name="Name">The name at CHPROP; its capital letters are the short form.</param>
+/// <param name="IsGeneral">True if every object has it; otherwise it depends on the geometry.</param>
 public sealed record ObjectProperty(string Name, bool IsGeneral)
 {
-    /// <summary>As people read it.</summary>
+    /// <summary>Displayed name.</summary>
     public string Title => Wording.Get("Property." + Name);
 
     public bool IsEditable => Change is not null || Entity is not null || Closed is not null;
 
-    /// <summary>The values that it can have in a drawing, where these are known; empty for any.</summary>
+    /// <summary>The possible values in a drawing; empty for any value.</summary>
     public Func<Drawing, IReadOnlyList<string>> Choices { get; init; } = _ => [];
 
-    /// <summary>The value as it is shown; null when the object has no such property.</summary>
+    /// <summary>The displayed value; null if the object lacks the property.</summary>
     internal Func<ObjectFacts, Figures, string?> Read { get; init; } = (_, _) => null;
 
-    /// <summary>The parts of an object with a new value; null when nothing would be left of it. Only for objects that have the property.</summary>
+    /// <summary>The parts of an object with a new value; null if the object would vanish. Only for objects that have the property.</summary>
     internal Func<ObjectFacts, double, IReadOnlyList<ChangedPart>?>? Change { get; init; }
 
-    /// <summary>The entity with a new value; throws what is wrong with the text.</summary>
+    /// <summary>The entity with a new value; throws if the text is invalid.</summary>
     internal Func<ObjectFacts, string, DrawingEntity>? Entity { get; init; }
 
-    /// <summary>Whether the object closes with a new value; throws what is wrong with the text.</summary>
+    /// <summary>Whether the new value closes the object; throws if the text is invalid.</summary>
     internal Func<string, bool>? Closed { get; init; }
 
-    /// <summary>False for an object that shows it but cannot be changed.</summary>
+    /// <summary>False for an object whose value is read-only.</summary>
     internal Func<ObjectFacts, bool> Allows { get; init; } = _ => true;
 
-    /// <summary>A length that is shown and not changed.</summary>
+    /// <summary>A read-only length.</summary>
     internal static ObjectProperty Length(string name, Func<ObjectFacts, double?> read) => new(name, false) { Read = (facts, figures) => read(facts) is { } value ? figures.Length(value) : null };
 
-    /// <summary>An angle, degrees from 0 up to 360.</summary>
+    /// <summary>A read-only angle, degrees from 0 up to 360.</summary>
     internal static ObjectProperty Angle(string name, Func<ObjectFacts, Angle?> read) => new(name, false) { Read = (facts, figures) => read(facts) is { } value ? figures.Degrees(value) : null };
 }

@@ -5,20 +5,20 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Properties;
 
-/// <summary>Closes polylines by a line from their last vertex to the first, and opens them by taking the part between these away.</summary>
+/// <summary>Closes polylines by a line from their last vertex to the first, and opens them by removing the part between these.</summary>
 internal static class PolylineClosing
 {
     public static string Word(bool isClosed) => Wording.Get(isClosed ? "Property.Yes" : "Property.No");
 
-    /// <summary>Yes or no, in the language of the operator or in English; a beginning is enough.</summary>
-    /// <exception cref="CommandException">It is neither.</exception>
+    /// <summary>Parses yes or no in the current language or in English; a prefix is sufficient.</summary>
+    /// <exception cref="CommandException">The text is neither.</exception>
     public static bool IsWanted(string typed)
     {
         if (Begins(typed, Word(true), "Yes")) return true;
         return Begins(typed, Word(false), "No") ? false : throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotYesOrNo", typed.Trim(), Word(true), Word(false)));
     }
 
-    /// <exception cref="CommandException">One of them is a single line.</exception>
+    /// <exception cref="CommandException">A polyline is a single line.</exception>
     public static Drawing Apply(Drawing drawing, IReadOnlyList<ObjectFacts> polylines, bool closed)
     {
         var changing = polylines.Where(facts => facts.Entity.Closed != closed).ToDictionary(facts => facts.Index);

@@ -7,11 +7,11 @@ using Engraver.Workbench.Objects;
 
 namespace Engraver.Workbench.Commands.Properties;
 
-/// <summary>Changes a property of objects: what is typed is read, and either all of them change or none.</summary>
+/// <summary>Changes a property of objects to a typed value: all of them or none.</summary>
 internal static class PropertyEdit
 {
     /// <returns>The drawing with the new value.</returns>
-    /// <exception cref="CommandException">The value is not understood, or an object cannot have it; the sentence says which and why.</exception>
+    /// <exception cref="CommandException">The value is invalid, or an object cannot have it; the message states which and why.</exception>
     public static Drawing Apply(Drawing drawing, IReadOnlyList<int> objects, ObjectProperty property, string typed, Figures figures)
     {
         var having = objects.Select(index => new ObjectFacts(drawing, index)).Where(facts => property.Read(facts, figures) is not null && property.Allows(facts)).ToList();
@@ -35,7 +35,7 @@ internal static class PropertyEdit
     public static DrawingEntity InColour(ObjectFacts facts, string typed) =>
         facts.Entity with { Colour = ColourName.ParseOfObject(typed) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("ChProp.NotAColour", typed, string.Join(", ", ColourName.Known))) };
 
-    /// <summary>An open curve that begins or ends elsewhere; an arc keeps its included angle.</summary>
+    /// <summary>An open curve with another start or end; an arc keeps its included angle.</summary>
     public static IReadOnlyList<ChangedPart>? WithEnd(ObjectFacts facts, Point2D place, bool atStart)
     {
         var (part, before) = atStart ? (facts.FirstPart, facts.Start) : (facts.FirstPart + facts.Entity.PartCount - 1, facts.End);
@@ -44,10 +44,10 @@ internal static class PropertyEdit
 
     public static IReadOnlyList<ChangedPart> Moved(ObjectFacts facts, Vector2D way) => [ChangedPart.Moved(facts.Drawing, facts.FirstPart, way)];
 
-    /// <summary>Null for a radius that is not above 0.</summary>
+    /// <summary>Null if the radius is not positive.</summary>
     public static IReadOnlyList<ChangedPart>? WithRadius(ObjectFacts facts, double radius) => radius > 0.0 ? Round(facts, facts.Round!.Value with { Radius = radius }) : null;
 
-    /// <summary>An arc in the direction it has, from one angle to another, degrees; null when they are the same.</summary>
+    /// <summary>An arc in its direction from one angle to another, degrees; null if they are equal.</summary>
     public static IReadOnlyList<ChangedPart>? WithAngles(ObjectFacts facts, double start, double end)
     {
         var arc = facts.Arc!.Value;

@@ -5,7 +5,7 @@ using Engraver.Workbench.Commands.Editing;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>BREAK: Takes a piece out of an object between two places, or parts it at one.</summary>
+/// <summary>BREAK: Removes a piece of an object between two points, or splits it at one.</summary>
 internal sealed class BreakCommand : ICommand
 {
     public CommandInfo Info { get; } = new("BREAK", CommandGroup.Drawing);
@@ -26,7 +26,7 @@ internal sealed class BreakCommand : ICommand
         DrawingChange.Take(context, rebuilt, reshaped.Places(rebuilt, [entity]));
     }
 
-    /// <summary>The place where the object was picked is the first, unless another is asked for; <c>@</c> is the same place again.</summary>
+    /// <summary>The pick point is the first break point, unless another one is entered; <c>@</c> repeats it.</summary>
     private static async Task<(Point2D First, Point2D Second)> PlacesAsync(CommandContext context, EntityPath path, Point2D picked)
     {
         var second = await context.AskAsync(SecondPrompt(path, picked) with { Options = Keyword.List("First") }).ConfigureAwait(false);
@@ -40,7 +40,7 @@ internal sealed class BreakCommand : ICommand
         Ghost = place => [.. CutOf(path, first, place).Removed.Select(piece => piece.Of(path.Parts[piece.Part]))],
     };
 
-    /// <summary>A circle is broken counter-clockwise whatever its direction.</summary>
+    /// <summary>A circle is broken counter-clockwise regardless of its direction.</summary>
     private static PathCut CutOf(EntityPath path, Point2D first, Point2D second)
     {
         var (from, to) = (path.Nearest(first), first == second ? path.Nearest(first) : path.Nearest(second));

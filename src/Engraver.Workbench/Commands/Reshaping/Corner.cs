@@ -16,10 +16,10 @@ internal sealed class Corner
 
     private Corner(CornerSide first, CornerSide second, Fillet fillet, bool trims) => (_first, _second, _fillet, _trims) = (first, second, fillet, trims);
 
-    /// <summary>What comes between the two.</summary>
+    /// <summary>The segment between both.</summary>
     public IReadOnlyList<Segment> Shown => _fillet.Between is { } between ? [between] : [];
 
-    /// <returns>Null when they cannot be joined so.</returns>
+    /// <returns>Null if they cannot be joined.</returns>
     public static Corner? Between(Drawing drawing, CornerSide first, CornerSide second, CornerShape shape)
     {
         if (first == second || !AreJoinable(drawing, first, second)) return null;
@@ -28,14 +28,14 @@ internal sealed class Corner
         return new Corner(first, second, fillet, shape.Trims);
     }
 
-    /// <summary>Name of the sentence for two that cannot be joined.</summary>
+    /// <summary>Text key of the reason why two objects cannot be joined.</summary>
     public static string WhyNot(Drawing drawing, CornerSide first, CornerSide second)
     {
         if (first.Entity == second.Entity && first.Part == second.Part) return "Fillet.SamePart";
         return AreJoinable(drawing, first, second) ? "Fillet.DoesNotFit" : "Fillet.WrongKind";
     }
 
-    /// <summary>One document step.</summary>
+    /// <summary>Commits one undo step.</summary>
     public void Take(CommandContext context)
     {
         if (_trims && _first.Entity == _second.Entity) RoundedPolyline.With(context.Drawing, _first.Entity, PolylineCorner.From(context.Drawing, _first.Entity, _first.Part, _second.Part, _fillet)!.Value).Take(context);
@@ -43,7 +43,7 @@ internal sealed class Corner
         else TakeApart(context);
     }
 
-    /// <summary>Both stay objects of their own, and what comes between them is a third.</summary>
+    /// <summary>Both remain separate objects, and the segment between them is a third one.</summary>
     private void TakeApart(CommandContext context)
     {
         var (drawing, layer) = LayerOf(context);
@@ -55,7 +55,7 @@ internal sealed class Corner
         DrawingChange.Take(context, rebuilt, reshaped.Places(rebuilt, [_first.Entity, _second.Entity]));
     }
 
-    /// <summary>The layer of both, where they have the same; else the current one.</summary>
+    /// <summary>The common layer of both; otherwise the current layer.</summary>
     private (Drawing Drawing, int Layer) LayerOf(CommandContext context)
     {
         var entities = context.Drawing.Entities;
@@ -67,7 +67,8 @@ internal sealed class Corner
         if (side is { Kept: var kept } && !JoinedPolyline.StaysWhole(reshaped.Drawing, entity)) reshaped.Set(entity, [[kept]]);
     }
 
-    /// <summary>Lines, arcs and circles by themselves, and the lines and arcs of polylines; of one polyline those between which a corner can be.</summary>
+    /// <summary>True for separate lines, arcs and circles and for lines and arcs of polylines; within one polyline only if the parts can form a
+    /// corner.</summary>
     private static bool AreJoinable(Drawing drawing, CornerSide first, CornerSide second)
     {
         if (first.Entity == second.Entity) return PolylineCorner.AreJoinable(drawing, first.Entity, first.Part, second.Part);
@@ -78,12 +79,12 @@ internal sealed class Corner
         drawing.Entities[side.Entity].Type is CurveType.Line or CurveType.Arc or CurveType.Circle or CurveType.LwPolyline or CurveType.Polyline && !side.SegmentIn(drawing).IsFreeCurve;
 }
 
-/// <summary>A part of an object that was picked.</summary>
-/// <param name="Part">Which of its parts, from 0.</param>
-/// <param name="At">Where it was picked, drawing units.</param>
+/// <summary>A picked part of an object.</summary>
+/// <param name="Part">Index of the part, from 0.</param>
+/// <param name="At">Pick point, drawing units.</param>
 internal readonly record struct CornerSide(int Entity, int Part, Point2D At)
 {
-    /// <summary>The part under a place; null when there is nothing.</summary>
+    /// <summary>The part at a point; null if there is none.</summary>
     public static CornerSide? Under(CommandContext context, Point2D place)
     {
         if (ObjectSelection.At(context, place) is not { } entity || ReshapedDrawing.PathOf(context.Drawing, entity) is not { } path) return null;
@@ -93,12 +94,12 @@ internal readonly record struct CornerSide(int Entity, int Part, Point2D At)
     public Segment SegmentIn(Drawing drawing) => drawing.SegmentOf(drawing.Parts[drawing.Entities[Entity].FirstPart + Part]);
 }
 
-/// <summary>What FILLET or CHAMFER makes of a corner. Lengths in drawing units.</summary>
-/// <param name="Radius">Of the arc; 0: a corner.</param>
-/// <param name="First">What the chamfer cuts off the first line.</param>
-/// <param name="Second">And off the second.</param>
-/// <param name="Bevels">A chamfer, no arc.</param>
-/// <param name="Trims">Both objects are cut or lengthened to the joint; else they stay.</param>
+/// <summary>Settings of FILLET or CHAMFER. Lengths in drawing units.</summary>
+/// <param name="Radius">Radius of the arc; 0: a sharp corner.</param>
+/// <param name="First">Chamfer distance on the first line.</param>
+/// <param name="Second">Chamfer distance on the second line.</param>
+/// <param name="Bevels">A chamfer instead of an arc.</param>
+/// <param name="Trims">Both objects are trimmed or extended to the joint; otherwise they are unchanged.</param>
 internal sealed record CornerShape(double Radius, double First, double Second, bool Bevels, bool Trims)
 {
     public Fillet? Of(Segment first, Point2D pickedFirst, Segment second, Point2D pickedSecond) => Bevels

@@ -2,8 +2,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>The edits of a command that goes on: each is seen at once, all of them are one step of the document, and the command's own Undo takes them back
-/// one by one.</summary>
+/// <summary>The edits of a repeating command: each is visible at once, all together are one undo step, and the command's own Undo option reverts them one by
+/// one.</summary>
 internal sealed class EditSteps(CommandContext context)
 {
     private readonly Stack<(DocumentState State, int Depth)> _before = new();
@@ -12,7 +12,7 @@ internal sealed class EditSteps(CommandContext context)
     private int Depth => context.Document.UndoNames.Count();
 
     /// <summary>Makes an edit.</summary>
-    /// <param name="edit">Takes one document step.</param>
+    /// <param name="edit">Commits one document step.</param>
     public void Take(Action edit)
     {
         var (state, depth) = (context.Document.Current, Depth);
@@ -23,8 +23,8 @@ internal sealed class EditSteps(CommandContext context)
         else _depth = Depth;
     }
 
-    /// <summary>Takes the last edit back; says so when there is none.</summary>
-    /// <returns>False when there was none.</returns>
+    /// <summary>Reverts the last edit; reports if there is none.</summary>
+    /// <returns>False if there was none.</returns>
     public bool Undo()
     {
         if (!_before.TryPop(out var before))

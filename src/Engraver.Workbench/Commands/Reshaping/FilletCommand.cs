@@ -57,7 +57,7 @@ internal sealed class FilletCommand : ICommand
         Options = Keyword.List("Undo", "Polyline", _bevels ? "Distance" : "Radius", "Trim", "Multiple"),
     };
 
-    /// <returns>True when both objects were joined.</returns>
+    /// <returns>True if both objects were joined.</returns>
     private async Task<bool> JoinedAsync(CommandContext context, EditSteps steps, CornerSide first)
     {
         var shape = ShapeOf(context);
@@ -121,7 +121,7 @@ internal sealed class FilletCommand : ICommand
         }
     }
 
-    /// <summary>Asks for a length, typed or shown by two points, and remembers it.</summary>
+    /// <summary>Asks for a length, typed or given by two points, and remembers it.</summary>
     private static async Task<string> NumberAsync(CommandContext context, string name, string instruction, string standard)
     {
         var prompt = new AmountPrompt(Wording.Get(instruction), way => way.Length) { Least = 0.0, Most = Largest, Default = standard };

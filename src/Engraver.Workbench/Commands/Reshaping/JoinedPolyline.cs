@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>An open polyline and another object that a fillet has made one polyline, as in AutoCAD: what lay beyond the fillet goes.</summary>
+/// <summary>An open polyline joined with another object by a fillet, as in AutoCAD: the parts beyond the fillet are removed.</summary>
 internal sealed class JoinedPolyline
 {
     private readonly Drawing _drawing;
@@ -17,17 +17,17 @@ internal sealed class JoinedPolyline
     private JoinedPolyline(Drawing drawing, (CornerSide Side, FilletSide? Kept) keeper, (CornerSide Side, FilletSide? Kept) other, Segment? between) =>
         (_drawing, _keeper, _other, _between) = (drawing, keeper, other, between);
 
-    /// <summary>The first of the two that is an open polyline takes the other in; null when neither is one.</summary>
+    /// <summary>Joins to the first one that is an open polyline; null if neither is.</summary>
     public static JoinedPolyline? Of(Drawing drawing, CornerSide first, CornerSide second, Fillet fillet)
     {
         if (IsOpenPolyline(drawing, first.Entity)) return new JoinedPolyline(drawing, (first, fillet.First), (second, fillet.Second), fillet.Between);
         return IsOpenPolyline(drawing, second.Entity) ? new JoinedPolyline(drawing, (second, fillet.Second), (first, fillet.First), fillet.Between?.Reversed()) : null;
     }
 
-    /// <summary>A closed polyline stays whole, as a circle does.</summary>
+    /// <summary>A closed polyline is not trimmed, like a circle.</summary>
     public static bool StaysWhole(Drawing drawing, int entity) => drawing.Entities[entity] is { Type: CurveType.LwPolyline or CurveType.Polyline, Closed: true };
 
-    /// <summary>One document step. The polyline keeps its direction, handle and layer.</summary>
+    /// <summary>Commits one undo step. The polyline keeps its direction, handle and layer.</summary>
     public void Take(CommandContext context)
     {
         var rebuilt = new DrawingRebuild(_drawing);
@@ -52,7 +52,7 @@ internal sealed class JoinedPolyline
         return _keeper.Kept!.Value.EndsThere ? path : Turned(rebuilt, path);
     }
 
-    /// <summary>What stays of an object, turned so that it runs into the fillet.</summary>
+    /// <summary>The remaining part of an object, directed into the fillet.</summary>
     private List<DrawingPart> Into(DrawingRebuild rebuilt, (CornerSide Side, FilletSide? Kept) one)
     {
         var parts = DrawingRebuild.PartsOf(_drawing, one.Side.Entity);

@@ -3,14 +3,14 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>Asks for an object at a place, as a <see cref="PointPrompt"/> takes it; <c>shift:</c> before the coordinates stands for a click with Shift,
-/// which means the opposite (TRIM extends).</summary>
+/// <summary>Asks for an object at a point in the format of <see cref="PointPrompt"/>; the prefix <c>shift:</c> represents a click with Shift, which reverses
+/// the command (TRIM extends).</summary>
 internal sealed record PickPrompt(string Instruction) : ValuePrompt<ObjectPick>(Instruction)
 {
-    /// <summary>What is typed before the coordinates of a click with Shift.</summary>
+    /// <summary>Prefix of the coordinates of a click with Shift.</summary>
     public const string ShiftMark = "shift:";
 
-    /// <summary>What a click would take or give (<see cref="PointAim.Ghost"/>).</summary>
+    /// <summary>Preview of a click (<see cref="PointAim.Ghost"/>).</summary>
     public GhostOf? Ghost { get; init; }
 
     public override PointAim Aim => new(PointUse.Object, null) { Ghost = Ghost, ShiftMark = ShiftMark };
@@ -31,6 +31,6 @@ internal sealed record PickPrompt(string Instruction) : ValuePrompt<ObjectPick>(
     private static Reading<ObjectPick> Wrong(string typed) => new Reading<ObjectPick>.Wrong(Wording.Get("PointPrompt.InvalidPoint", typed));
 }
 
-/// <summary>A place at which an object was picked, drawing units.</summary>
-/// <param name="IsShifted">With Shift held.</param>
+/// <summary>A pick point, drawing units.</summary>
+/// <param name="IsShifted">True with Shift pressed.</param>
 internal readonly record struct ObjectPick(Point2D At, bool IsShifted);

@@ -4,9 +4,9 @@ using Engraver.Core.Reshaping;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>Two parts of one polyline joined by a fillet: the first runs into it, the second comes out of it; a part between them goes.</summary>
-/// <param name="Before">Which part runs into it, from 0.</param>
-/// <param name="After">Which part comes out of it; less than <paramref name="Before"/> at the seam.</param>
+/// <summary>Two parts of one polyline joined by a fillet: the first leads into it, the second continues from it; a part between them is removed.</summary>
+/// <param name="Before">Index of the part that leads into it, from 0.</param>
+/// <param name="After">Index of the part that continues from it; less than <paramref name="Before"/> at the seam.</param>
 internal readonly record struct PolylineCorner(int Before, int After, Fillet Fillet)
 {
     /// <summary>Neighbouring parts, two lines with one part between them, and the last and the first part of an open polyline can be joined, as in
@@ -17,8 +17,8 @@ internal readonly record struct PolylineCorner(int Before, int After, Fillet Fil
         return first != second && (Follows(drawing, row, first, second) || Follows(drawing, row, second, first));
     }
 
-    /// <summary>The corner that a fillet makes of two parts, in whichever order they were picked.</summary>
-    /// <returns>Null when the fillet lies at other ends of them.</returns>
+    /// <summary>The corner that a fillet makes of two parts, picked in any order.</summary>
+    /// <returns>Null if the fillet is at other ends of the parts.</returns>
     public static PolylineCorner? From(Drawing drawing, int entity, int first, int second, Fillet fillet)
     {
         var corner = fillet switch
@@ -30,7 +30,7 @@ internal readonly record struct PolylineCorner(int Before, int After, Fillet Fil
         return corner is { } known && Follows(drawing, drawing.Entities[entity], known.Before, known.After) ? known : null;
     }
 
-    /// <summary>The part that begins where another ends; null behind the last one of an open polyline.</summary>
+    /// <summary>The part after another one; null after the last one of an open polyline.</summary>
     public static int? Next(in DrawingEntity row, int part) => part + 1 < row.PartCount ? part + 1 : row.Closed && row.PartCount > 1 ? 0 : null;
 
     private static bool Follows(Drawing drawing, in DrawingEntity row, int before, int after)
@@ -42,7 +42,7 @@ internal readonly record struct PolylineCorner(int Before, int After, Fillet Fil
     private static bool IsLine(Drawing drawing, in DrawingEntity row, int part) => drawing.Parts[row.FirstPart + part].Kind == SegmentKind.Line;
 }
 
-/// <summary>The corners of one polyline that are joined.</summary>
+/// <summary>The filleted corners of one polyline.</summary>
 /// <param name="count">Number of its parts.</param>
 internal sealed class PolylineCorners(int count)
 {
@@ -58,7 +58,7 @@ internal sealed class PolylineCorners(int count)
         for (var part = (corner.Before + 1) % count; part != corner.After; part = (part + 1) % count) _gone.Add(part);
     }
 
-    /// <summary>Beside the corners that there are, something of both parts is left.</summary>
+    /// <summary>True if both parts are long enough for this corner in addition to the existing ones.</summary>
     public bool HasRoom(int before, int after, Fillet fillet)
     {
         var begin = _byAfter.TryGetValue(before, out var ahead) ? ahead.Fillet.Second!.Value.Kept.From : 0.0;
@@ -66,7 +66,7 @@ internal sealed class PolylineCorners(int count)
         return fillet.First!.Value.Kept.To > begin && fillet.Second!.Value.Kept.From < end;
     }
 
-    /// <summary>The parts of the polyline with these corners, at its heights.</summary>
+    /// <summary>The parts of the polyline with these corners, keeping its heights.</summary>
     public List<DrawingPart> Applied(Drawing drawing, in DrawingEntity row, List<Segment> segments)
     {
         var parts = new List<DrawingPart>();

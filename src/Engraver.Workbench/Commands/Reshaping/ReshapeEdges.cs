@@ -4,38 +4,38 @@ using Engraver.Core.Reshaping;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>The edges of TRIM and EXTEND. They stay the same objects while the drawing changes under them.</summary>
+/// <summary>The edges of TRIM and EXTEND. They remain the same objects while the drawing changes.</summary>
 /// <param name="selected">Indices; null: every visible object.</param>
 internal sealed class ReshapeEdges(IReadOnlyList<int>? selected)
 {
-    /// <summary>Whether edges cut beyond their ends is remembered under this name: Extend or No (AutoCAD's EDGEMODE).</summary>
+    /// <summary>Name of the remembered edge mode: Extend or No (AutoCAD's EDGEMODE).</summary>
     public const string Mode = "EDGEMODE";
 
     private readonly Stack<IReadOnlyList<int>?> _before = new();
     private IReadOnlyList<int>? _selected = selected;
 
-    /// <summary>Lines and arcs cut, and are reached, beyond their ends too.</summary>
+    /// <summary>True if lines and arcs act as edges beyond their ends too.</summary>
     public bool AreLengthened { get; set; }
 
-    /// <summary>After an edit: where the edges stand now.</summary>
+    /// <summary>Updates the indices of the edges after an edit.</summary>
     public void Follow(Func<IReadOnlyList<int>, IReadOnlyList<int>> places)
     {
         _before.Push(_selected);
         _selected = _selected is { } all ? places(all) : null;
     }
 
-    /// <summary>The edit was taken back.</summary>
+    /// <summary>Reverts the last update of the indices.</summary>
     public void Back() => _selected = _before.TryPop(out var before) ? before : _selected;
 
-    /// <summary>What becomes of an object that is picked at a place.</summary>
-    /// <returns>Null when nothing does.</returns>
+    /// <summary>The new shape of an object picked at a point.</summary>
+    /// <returns>Null if it does not change.</returns>
     public ReshapedPath? Reshape(Drawing drawing, int entity, Point2D at, bool extends)
     {
         if (ReshapedDrawing.PathOf(drawing, entity) is not { } path) return null;
         return extends ? Extended(drawing, entity, path, at) : Trimmed(drawing, entity, path, at);
     }
 
-    /// <summary>The sentence for an object of which nothing becomes anything.</summary>
+    /// <summary>Why an object cannot be trimmed or extended.</summary>
     public static string WhyNot(Drawing drawing, int entity, bool extends)
     {
         if (!extends) return Wording.Get("Trim.NoCrossing");
@@ -57,7 +57,7 @@ internal sealed class ReshapeEdges(IReadOnlyList<int>? selected)
         return new ReshapedPath([pieces], [found.Added.Of(path.Parts[found.Added.Part])]);
     }
 
-    /// <param name="reach">Only what comes near this box; null for all.</param>
+    /// <param name="reach">Only edges near this box; null for all.</param>
     private IEnumerable<Segment> Edges(Drawing drawing, int besides, Bounds2D? reach)
     {
         foreach (var entity in _selected ?? DrawingPick.Visible(drawing))
@@ -77,7 +77,7 @@ internal sealed class ReshapeEdges(IReadOnlyList<int>? selected)
     }
 }
 
-/// <summary>Another shape of an object.</summary>
+/// <summary>New shape of an object.</summary>
 /// <param name="Kept">Each becomes an object.</param>
-/// <param name="Shown">What goes, or what is added: the ghost.</param>
+/// <param name="Shown">The removed or added segments, for the preview.</param>
 internal sealed record ReshapedPath(IReadOnlyList<IReadOnlyList<PathPiece>> Kept, IReadOnlyList<Segment> Shown);

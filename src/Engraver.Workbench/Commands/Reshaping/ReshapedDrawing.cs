@@ -5,7 +5,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>Builds a drawing in which some objects have other shapes: pieces of themselves, in their place, the first piece with their handle.</summary>
+/// <summary>Builds a drawing in which some objects are replaced by pieces of themselves; the first piece keeps the handle.</summary>
 internal sealed class ReshapedDrawing
 {
     private readonly Drawing _drawing;
@@ -15,17 +15,17 @@ internal sealed class ReshapedDrawing
 
     public ReshapedDrawing(Drawing drawing) => _drawing = drawing;
 
-    /// <summary>The drawing as it is.</summary>
+    /// <summary>The unchanged drawing.</summary>
     public Drawing Drawing => _drawing;
 
-    /// <summary>Number of objects that get another shape.</summary>
+    /// <summary>Number of objects with a new shape.</summary>
     public int Count => _shapes.Count;
 
-    /// <summary>The object becomes these pieces; none: it is erased.</summary>
+    /// <summary>Replaces an object by these pieces; an empty list erases it.</summary>
     public void Set(int entity, IReadOnlyList<IReadOnlyList<PathPiece>> kept) => _shapes[entity] = kept;
 
-    /// <summary>Adds a line or an arc behind all that is there.</summary>
-    /// <param name="like">Object whose colour and height it gets.</param>
+    /// <summary>Appends a line or an arc.</summary>
+    /// <param name="like">Object with the colour and height to copy.</param>
     /// <param name="layer">Index of its layer.</param>
     public void Add(int like, int layer, Segment segment) => _added.Add((like, layer, segment));
 
@@ -48,10 +48,10 @@ internal sealed class ReshapedDrawing
         return rebuilt;
     }
 
-    /// <summary>Where objects stand now, and the pieces of those that were parted. After <see cref="Build"/>.</summary>
+    /// <summary>New indices of objects and of the pieces of divided ones. Call after <see cref="Build"/>.</summary>
     public IReadOnlyList<int> Places(DrawingRebuild rebuilt, IEnumerable<int> entities) => [.. entities.SelectMany(entity => _places.GetValueOrDefault(entity) ?? rebuilt.Places([entity]))];
 
-    /// <summary>The object as a path; null when it has nothing that can be cut (no part, or a part without length).</summary>
+    /// <summary>The object as a path; null if it cannot be cut (no parts, or a part without length).</summary>
     public static EntityPath? PathOf(Drawing drawing, int entity)
     {
         Segment[] parts = [.. DrawingPick.Segments(drawing, entity)];
@@ -63,7 +63,7 @@ internal sealed class ReshapedDrawing
         ? DrawingPart.Line(0, segment.Start.X, segment.Start.Y, height, segment.End.X, segment.End.Y, height)
         : DrawingPart.Arc(0, segment.Arc, height);
 
-    /// <summary>A piece of a line, arc or circle; a sloping line keeps its slope.</summary>
+    /// <summary>A piece of a line, arc or circle; an inclined line keeps its slope.</summary>
     /// <param name="whole">The whole part.</param>
     /// <param name="segment">The piece in plan.</param>
     public static DrawingPart PartOf(in DrawingPart whole, in PathPiece piece, in Segment segment)

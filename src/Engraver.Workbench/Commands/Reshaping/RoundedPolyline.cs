@@ -6,14 +6,14 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>A polyline with arcs or bevels at its corners.</summary>
-/// <param name="Closed">It ends where it begins; an open one whose last and first part were joined does so now.</param>
+/// <summary>A polyline with filleted or chamfered corners.</summary>
+/// <param name="Closed">It is closed; an open one becomes closed if its last and first part were joined.</param>
 /// <param name="Made">Number of corners that were joined.</param>
-/// <param name="Left">Number of corners between lines that stay, because a line is too short.</param>
+/// <param name="Left">Number of unchanged corners, because a line is too short.</param>
 internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Parts, bool Closed, int Made, int Left)
 {
-    /// <summary>Every corner between two lines; an arc between two lines that run towards each other gives way to the new one, as in AutoCAD. A line that
-    /// is rounded at both ends must be long enough for both.</summary>
+    /// <summary>Every corner between two lines; an arc between two converging lines is replaced by the new one, as in AutoCAD. A line that is rounded at both
+    /// ends must be long enough for both.</summary>
     public static RoundedPolyline Of(Drawing drawing, int entity, CornerShape shape)
     {
         var row = drawing.Entities[entity];
@@ -30,7 +30,7 @@ internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Pa
         return new RoundedPolyline(entity, corners.Applied(drawing, row, segments), row.Closed, corners.Count, left);
     }
 
-    /// <summary>With one corner.</summary>
+    /// <summary>Rounds one corner.</summary>
     public static RoundedPolyline With(Drawing drawing, int entity, PolylineCorner corner)
     {
         var row = drawing.Entities[entity];
@@ -40,7 +40,7 @@ internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Pa
         return new RoundedPolyline(entity, corners.Applied(drawing, row, segments), row.Closed || corner.After < corner.Before, 1, 0);
     }
 
-    /// <summary>One document step.</summary>
+    /// <summary>Commits one undo step.</summary>
     public void Take(CommandContext context)
     {
         var rebuilt = new DrawingRebuild(context.Drawing);
@@ -53,7 +53,7 @@ internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Pa
         DrawingChange.Take(context, rebuilt, [Entity]);
     }
 
-    /// <summary>The line behind the corner at the end of a line; null where there is no corner.</summary>
+    /// <summary>The line after the corner at the end of a line; null if there is no corner.</summary>
     private static int? After(in DrawingEntity row, List<Segment> segments, int before, bool overArcs)
     {
         if (segments[before].Kind != SegmentKind.Line || PolylineCorner.Next(row, before) is not { } next || next == before) return null;
@@ -64,7 +64,7 @@ internal sealed record RoundedPolyline(int Entity, IReadOnlyList<DrawingPart> Pa
 
     private static bool IsStraight(Segment before, Segment after) => Math.Abs(before.EndTangent.Cross(after.StartTangent)) < 1e-9;
 
-    /// <summary>Lengthened, both lines meet: the first ahead of its end, the second behind its start.</summary>
+    /// <summary>True if both lines, extended, intersect beyond the end of the first and before the start of the second.</summary>
     private static bool Converge(Segment before, Segment after)
     {
         var (way, ahead, beyond) = (after.Start - before.End, before.EndTangent, after.StartTangent);

@@ -4,8 +4,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>What STRETCH works on: objects, some by boxes in which their ends move, the others whole.</summary>
-/// <param name="before">Objects that were selected before the command; they move whole.</param>
+/// <summary>The selection of STRETCH: objects whose ends move if they are in a box, and objects that move completely.</summary>
+/// <param name="before">Objects selected before the command; they move completely.</param>
 internal sealed class Stretch(IReadOnlyList<int> before)
 {
     private readonly Stack<(IReadOnlyList<int> Entities, Bounds2D? Box)> _picked = new(before.Count > 0 ? [(before, null)] : []);
@@ -13,8 +13,8 @@ internal sealed class Stretch(IReadOnlyList<int> before)
     /// <summary>Every object, each once.</summary>
     public IReadOnlyList<int> Entities => [.. _picked.SelectMany(pick => pick.Entities).Distinct().Order()];
 
-    /// <param name="box">The box that crosses them; null: they move whole.</param>
-    /// <returns>How many were found, as a selection says it.</returns>
+    /// <param name="box">The crossing box; null: they move completely.</param>
+    /// <returns>The selection message with the number found.</returns>
     public string Add(IReadOnlyList<int> entities, Bounds2D? box)
     {
         var again = entities.Intersect(Entities).Count();
@@ -24,10 +24,10 @@ internal sealed class Stretch(IReadOnlyList<int> before)
 
     public void Back() => _picked.TryPop(out _);
 
-    /// <summary>Those that move whole.</summary>
+    /// <summary>The objects that move completely.</summary>
     public IReadOnlyList<int> Whole(Drawing drawing) => [.. Entities.Where(entity => IsWhole(drawing, entity))];
 
-    /// <summary>The drawing after everything was moved by a way.</summary>
+    /// <summary>The drawing after the displacement.</summary>
     public StretchedDrawing Of(Drawing drawing, Vector2D by)
     {
         var (whole, parts, unchanged) = (new List<int>(), new List<(int Index, DrawingPart Part)>(), 0);
@@ -51,7 +51,8 @@ internal sealed class Stretch(IReadOnlyList<int> before)
 
     private bool IsIn(int entity, Point2D place) => _picked.Any(pick => pick.Box is { } box && box.Contains(place) && pick.Entities.Contains(entity));
 
-    /// <summary>Picked singly or by a window, or with all that defines it in a box: the ends, a circle's or an ellipse's middle.</summary>
+    /// <summary>True if picked individually or by a window, or if all its defining points are in a box: the ends, or the centre of a circle or an
+    /// ellipse.</summary>
     private bool IsWhole(Drawing drawing, int entity)
     {
         if (_picked.Any(pick => pick.Box is null && pick.Entities.Contains(entity))) return true;
@@ -63,16 +64,16 @@ internal sealed class Stretch(IReadOnlyList<int> before)
 }
 
 /// <summary>A drawing after STRETCH.</summary>
-/// <param name="Edited">Null when an object would shrink to a point, or go out of the range of a drawing.</param>
-/// <param name="Unchanged">Objects of which nothing that can be moved lay in a box.</param>
-/// <param name="Shown">What has moved: the ghost.</param>
+/// <param name="Edited">Null if an object would shrink to a point or exceed the range of a drawing.</param>
+/// <param name="Unchanged">Number of objects without a movable point in a box.</param>
+/// <param name="Shown">The moved segments, for the preview.</param>
 internal sealed record StretchedDrawing(Drawing? Edited, int Unchanged, IReadOnlyList<Segment> Shown);
 
-/// <summary>An object of which some ends or vertices move.</summary>
+/// <summary>Objects of which only some ends or vertices move.</summary>
 internal static class StretchedParts
 {
-    /// <param name="moves">Whether an end at this place moves.</param>
-    /// <returns>The parts that change, by their index; none when no end moves; null when one would shrink to a point.</returns>
+    /// <param name="moves">Whether an end at this point moves.</param>
+    /// <returns>The parts that change, by their index; empty if no end moves; null if one would shrink to a point.</returns>
     public static IReadOnlyList<(int Index, DrawingPart Part)>? Of(Drawing drawing, int entity, Func<Point2D, bool> moves, Vector2D by)
     {
         var row = drawing.Entities[entity];
@@ -91,7 +92,7 @@ internal static class StretchedParts
         return changed;
     }
 
-    /// <summary>An arc by itself keeps its height over the chord, one of a polyline its bulge, as in AutoCAD.</summary>
+    /// <summary>A separate arc keeps its height above the chord, an arc of a polyline its bulge, as in AutoCAD.</summary>
     private static DrawingPart Moved(in DrawingPart part, in Segment segment, Point2D start, Point2D end, bool isSingle)
     {
         if (part.Kind == SegmentKind.Line) return DrawingPart.Line(part.Entity, start.X, start.Y, part.C, end.X, end.Y, part.F);

@@ -7,7 +7,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Reshaping;
 
-/// <summary>STRETCH: Moves the ends and vertices that lie in a crossing box; what lies in it wholly moves whole.</summary>
+/// <summary>STRETCH: Moves the ends and vertices in a crossing box; objects completely in it move completely.</summary>
 internal sealed class StretchCommand : ICommand
 {
     private const string Last = "STRETCH";
@@ -26,8 +26,8 @@ internal sealed class StretchCommand : ICommand
         DrawingChange.Take(context, DrawingChange.Along(context, stretch.Whole(drawing)).Moved(edited, Transform2D.Move(by)), [.. stretch.Entities]);
     }
 
-    /// <summary>Boxes and single objects until Enter. To the left a box crosses, to the right what lies in it moves whole, as does what is picked
-    /// singly.</summary>
+    /// <summary>Boxes and single objects until Enter. A box to the left is a crossing box; objects in a box to the right and individually picked objects move
+    /// completely.</summary>
     private static async Task<Stretch> SelectAsync(CommandContext context)
     {
         var stretch = new Stretch(ObjectSelection.WithoutLocked(context, context.Document.Current.Selection));
@@ -42,7 +42,7 @@ internal sealed class StretchCommand : ICommand
         return stretch.Entities.Count > 0 ? stretch : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
     }
 
-    /// <param name="corner">Null: asked for, and the box crosses in both directions.</param>
+    /// <param name="corner">Null: asked for, and the box is a crossing box in both directions.</param>
     private static async Task<string> BoxAsync(CommandContext context, Stretch stretch, Point2D? corner)
     {
         var first = corner ?? await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Use = PointUse.Corner }).ConfigureAwait(false);

@@ -42,7 +42,7 @@ internal sealed class TrimCommand : ICommand
         }
     }
 
-    /// <summary>The objects that cut or that are reached: those selected before, else those selected now; none means all.</summary>
+    /// <summary>The cutting or boundary edges: the previous selection, otherwise prompts for it; an empty selection means all.</summary>
     private async Task<ReshapeEdges> EdgesAsync(CommandContext context)
     {
         var before = context.Document.Current.Selection;
@@ -82,7 +82,7 @@ internal sealed class TrimCommand : ICommand
         }
     }
 
-    /// <summary>The object at a place, or on empty ground those that a box from there crosses.</summary>
+    /// <summary>The object at a point, or at an empty point the objects that a box from there crosses.</summary>
     private static async Task<IReadOnlyList<(int Entity, Point2D At)>> PickedAsync(CommandContext context, Point2D at) =>
         ObjectSelection.At(context, at) is { } entity ? [(entity, at)] : Crossed(context.Drawing, await BoxAsync(context, at).ConfigureAwait(false));
 
@@ -105,7 +105,7 @@ internal sealed class TrimCommand : ICommand
         return Met(drawing, [.. corners.Zip([.. corners.Skip(1), corners[0]]).Select(pair => Segment.FromLine(pair.First, pair.Second))]);
     }
 
-    /// <summary>Every visible object that these lines cross, and where first.</summary>
+    /// <summary>Every visible object that these lines cross, and its first intersection.</summary>
     private static IReadOnlyList<(int Entity, Point2D At)> Met(Drawing drawing, IReadOnlyList<Segment> fence) =>
         [.. from entity in DrawingPick.Visible(drawing)
             let at = fence.SelectMany(line => DrawingPick.Segments(drawing, entity).SelectMany(part => SegmentCrossings.Find(line, part))).Select(place => (Point2D?)place).FirstOrDefault()

@@ -6,7 +6,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
-/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, reports contours, order and travel, and walks along them.</summary>
+/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, reports contours, order and travel, and animates them.</summary>
 internal sealed class AutoSequenceCommand : ICommand
 {
     public CommandInfo Info { get; } = new("AUTOSEQUENCE", CommandGroup.Sequence);

@@ -5,7 +5,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
-/// <summary>CHECK: The drawing doctor: everything that is wrong or doubtful between the drawing and its motion; fails when something is an error.</summary>
+/// <summary>CHECK: Lists everything that is wrong or doubtful in the drawing and its motion; fails if there is an error.</summary>
 internal sealed class CheckCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CHECK", CommandGroup.Ask);

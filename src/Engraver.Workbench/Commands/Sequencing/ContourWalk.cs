@@ -4,8 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
-/// <summary>AUTOSEQUENCE walks along the contours in their order: each lights up when it has been walked, and where one ends at a discontinuity the
-/// operator says whether it goes on from there (paper 000).</summary>
+/// <summary>Animation of AUTOSEQUENCE: highlights the contours in their order, and asks at each discontinuity whether to continue (paper 000).</summary>
 internal static class ContourWalk
 {
     private static readonly TimeSpan s_step = TimeSpan.FromMilliseconds(100);

@@ -25,7 +25,7 @@ internal sealed class EnterCommand : ICommand
         context.Take(state with { Settings = state.Settings with { Enter = place } });
     }
 
-    /// <summary>The entity by its handle where that names one curve only, else by a point on it: copies of a block's curve share their handle.</summary>
+    /// <summary>Identifies the entity by its handle if it is unique, otherwise by a point on it: curves of a block's copies share their handle.</summary>
     private static EnteringPlace AtEntity(Drawing drawing, int entity) =>
         drawing.SourceOf(entity).Handle is { } handle && drawing.IndexOfHandle(handle) == entity
             ? new EnteringPlace.ByHandle(handle)

@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
-/// <summary>TOOLSTART: Names the drawing point where the tool stands when the job starts.</summary>
+/// <summary>TOOLSTART: Sets the tool position at the start of the job, a point of the drawing.</summary>
 internal sealed class ToolStartCommand : ICommand
 {
     public CommandInfo Info { get; } = new("TOOLSTART", CommandGroup.Sequence);

@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
 
-/// <summary>HELP: Lists the commands, or says what one does.</summary>
+/// <summary>HELP: Lists the commands, or describes one.</summary>
 internal sealed class HelpCommand : ICommand
 {
     public CommandInfo Info { get; } = new("HELP", CommandGroup.File) { Transparent = true };

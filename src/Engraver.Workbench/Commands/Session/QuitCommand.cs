@@ -2,8 +2,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
 
-/// <summary>QUIT: Closes the window, which warns first where a job runs and asks whether edits are saved. Enter alone is not the second QUIT that ends a
-/// job.</summary>
+/// <summary>QUIT: Closes the window after a warning if a job is running and a question about unsaved edits. A second QUIT ends a running job; Enter alone does
+/// not repeat it.</summary>
 internal sealed class QuitCommand : ICommand
 {
     public CommandInfo Info { get; } = new("QUIT", CommandGroup.File) { HeardDuringJob = true, IsRepeated = false };

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Commands.Session;
 
-/// <summary>REINIT: Reads the alias files anew.</summary>
+/// <summary>REINIT: Reloads the alias files.</summary>
 internal sealed class ReinitCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REINIT", CommandGroup.File);

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
 
-/// <summary>UNDO: Takes back a number of steps.</summary>
+/// <summary>UNDO: Undoes a number of steps.</summary>
 internal sealed class UndoCommand : ICommand
 {
     public CommandInfo Info { get; } = new("UNDO", CommandGroup.File);
@@ -24,7 +24,7 @@ internal sealed class UndoCommand : ICommand
     }
 }
 
-/// <summary>REDO: Takes the step again that was undone last.</summary>
+/// <summary>REDO: Repeats the step that was undone last.</summary>
 internal sealed class RedoCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REDO", CommandGroup.File);
@@ -36,7 +36,7 @@ internal sealed class RedoCommand : ICommand
     }
 }
 
-/// <summary>U: Takes back the last step.</summary>
+/// <summary>U: Undoes the last step.</summary>
 internal sealed class UCommand : ICommand
 {
     public CommandInfo Info { get; } = new("U", CommandGroup.File);

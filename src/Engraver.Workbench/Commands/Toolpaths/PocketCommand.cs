@@ -12,8 +12,8 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Toolpaths;
 
-/// <summary>POCKET: Clears what closed objects enclose; the strokes and the ways down to them become polylines on the layer POCKET, in the order of
-/// cutting, and may become the job.</summary>
+/// <summary>POCKET: Clears the inside of closed objects; the strokes and the entry moves become polylines on the layer POCKET, in the order of cutting, and may
+/// become the job.</summary>
 internal sealed class PocketCommand : ICommand
 {
     private const string Layer = "POCKET";

@@ -5,18 +5,18 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Toolpaths;
 
-/// <summary>Asks how a pocket is cut, and shows at every question the passes that Enter would give. Every answer is remembered.</summary>
-/// <param name="contours">Of what is selected, millimetres.</param>
+/// <summary>Prompts for the parameters of a pocket, with a preview of the passes for Enter. Every answer is remembered.</summary>
+/// <param name="contours">Contours of the selection, millimetres.</param>
 internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<OffsetContour> contours)
 {
     private const string Memory = "POCKET.";
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("From", "Allowance", "Entry", "Job");
 
-    /// <summary>The questions in their order; From, Allowance, Entry and Job are options of the last but one, the depth.</summary>
+    /// <summary>The prompts in their order; From, Allowance, Entry and Job are options of the last but one, the depth.</summary>
     public async Task<PocketRequest> AskAsync()
     {
-        context.Remember(Memory + "Job", "Pocket"); // with everything the outlines are cut into the wall: chosen each time, never taken over
+        context.Remember(Memory + "Job", "Pocket"); // With the option All the outlines are cut into the wall, so it is chosen each time and not remembered.
         var (from, entry, job) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)), context.Remembered(Memory + "Job", "Pocket"));
         context.Say(Wording.Get("Pocket.Settings", Shown(from), First("Allowance"), Shown(entry), Shown(job)));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
@@ -29,7 +29,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
 
     private static string Shown(string option) => Keyword.ShowDefault([new Keyword(option)], option);
 
-    /// <returns>The option that was chosen instead; null when the depth was given.</returns>
+    /// <returns>The chosen option; null if the depth was entered.</returns>
     private async Task<string?> DepthAsync()
     {
         var prompt = Prompt("Depth", 0, 1e3, First("Depth")) with { Options = s_options };
@@ -86,7 +86,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
 
     private double Number(string name) => NumberPrompt.TryNumber(First(name), out var value) ? value : 0.0;
 
-    /// <summary>The answers so far, and for the rest what Enter gives.</summary>
+    /// <summary>The answers so far, with defaults for the rest.</summary>
     private PocketRequest Now()
     {
         var (radius, depth) = (Number("Diameter") / 2.0, Number("Depth"));
@@ -113,6 +113,6 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
     }
 }
 
-/// <summary>What the operator wants.</summary>
-/// <param name="IsJob">The passes are all that is cut from now on, in their order.</param>
+/// <summary>The parameters of a pocket.</summary>
+/// <param name="IsJob">From now on only the passes are cut, in their order.</param>
 internal sealed record PocketRequest(PocketOptions Options, PocketDepths Depths, bool IsJob);

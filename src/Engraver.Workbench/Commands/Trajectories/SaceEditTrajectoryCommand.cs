@@ -4,7 +4,7 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACEEDITTRAJECTORY: Changes one trajectory: its name, its height, its error or steps (it is made anew), its place in the list, or deletes
+/// <summary>SACEEDITTRAJECTORY: Changes one trajectory: its name, its height, its error or steps (it is recomputed), its place in the list, or deletes
 /// it.</summary>
 internal sealed class SaceEditTrajectoryCommand : ICommand
 {
@@ -71,7 +71,7 @@ internal sealed class SaceEditTrajectoryCommand : ICommand
         return MadeAnew(one, new TrajectoryOptions(one.MaxErrorMm) { SegmentLength = length });
     }
 
-    /// <summary>From what it follows; it stays one trajectory, also through corners.</summary>
+    /// <summary>Recomputes it from its source; it remains one trajectory, also across corners.</summary>
     private static DocumentTrajectory MadeAnew(DocumentTrajectory one, TrajectoryOptions options)
     {
         if (one.IsHelix) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.HelixNotEditable", one.Name));

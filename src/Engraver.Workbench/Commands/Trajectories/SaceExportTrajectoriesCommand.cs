@@ -10,7 +10,7 @@ namespace Engraver.Workbench.Commands.Trajectories;
 /// <summary>SACEEXPORTTRAJECTORIES: Writes a file for each trajectory into a folder, for the SACE bench or an XPS controller. The list stays.</summary>
 internal sealed class SaceExportTrajectoriesCommand : ICommand
 {
-    /// <summary>Options as they are typed, each beginning with its own letter.</summary>
+    /// <summary>The typed options, each with a unique first letter.</summary>
     private static readonly (string Option, TrajectoryFormat Format)[] s_formats =
         [("Sace", TrajectoryFormat.Sace), ("Xps-spline", TrajectoryFormat.XpsSpline), ("Linearc", TrajectoryFormat.XpsLineArc), ("Pvt", TrajectoryFormat.XpsPvt)];
 
@@ -32,8 +32,8 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
         context.Say(Wording.Get("Trajectories.Written", CountText.Format(files.Count, "File"), name));
     }
 
-    /// <summary>Lines, arcs and velocities are made from what the trajectories follow, and keep the error.</summary>
-    /// <exception cref="CommandException">Equal steps do not keep the error, and the operator does not want them all the same.</exception>
+    /// <summary>Checks the error of formats with equal steps; lines, arcs and velocities are computed from the source and keep the error.</summary>
+    /// <exception cref="CommandException">Equal steps exceed the error, and the operator declined.</exception>
     private static async Task KeepErrorAsync(CommandContext context, IReadOnlyList<DocumentTrajectory> all, TrajectoryFormat format)
     {
         if (format is not (TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline) || TrajectoryExport.NotKept(all).ToList() is not { Count: > 0 } refused) return;
@@ -41,7 +41,7 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
         if (!await context.ConfirmAsync(Wording.Get("Trajectories.ExportAnyway")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NotExported"));
     }
 
-    /// <exception cref="CommandException">A controller would not take one of them; nothing was written.</exception>
+    /// <exception cref="CommandException">A controller would reject one of them; nothing was written.</exception>
     private static List<NamedTrajectory> Files(CommandContext context, IReadOnlyList<DocumentTrajectory> all, TrajectoryFormat format)
     {
         var (files, findings) = (new List<NamedTrajectory>(), new List<Diagnostic>(TrajectoryEdits.Findings(context.Drawing, all)));

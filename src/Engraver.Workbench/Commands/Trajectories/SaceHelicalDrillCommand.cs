@@ -4,8 +4,8 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACEHELICALDRILL: Bores a hole by a helix from the machining plane down, and goes once round at the bottom ("helical boring", paper 004,
-/// section 5; the plug-in's command was empty).</summary>
+/// <summary>SACEHELICALDRILL: Bores a hole by a helix from the machining plane down, with one full turn at the bottom ("helical boring", paper 004, section 5;
+/// the plug-in's command was empty).</summary>
 internal sealed class SaceHelicalDrillCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACEHELICALDRILL", CommandGroup.Trajectory);

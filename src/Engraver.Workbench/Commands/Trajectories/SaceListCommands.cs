@@ -22,7 +22,7 @@ internal sealed class SaceShowTrajectoriesCommand : ICommand
     }
 }
 
-/// <summary>SACEDELETELASTTRAJECTORY: Takes the last trajectory out of the list.</summary>
+/// <summary>SACEDELETELASTTRAJECTORY: Removes the last trajectory from the list.</summary>
 internal sealed class SaceDeleteLastTrajectoryCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACEDELETELASTTRAJECTORY", CommandGroup.Trajectory);

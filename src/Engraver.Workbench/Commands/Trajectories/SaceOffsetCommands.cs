@@ -4,7 +4,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACEOFFSET: Makes trajectories beside objects, at the radius of what the tool removes (paper 004, section 2.2).</summary>
+/// <summary>SACEOFFSET: Creates trajectories at an offset of the removal radius of the tool from objects (paper 004, section 2.2).</summary>
 internal sealed class SaceOffsetCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACEOFFSET", CommandGroup.Trajectory);
@@ -18,8 +18,8 @@ internal sealed class SaceOffsetCommand : ICommand
     }
 }
 
-/// <summary>SACEUNIFORMOFFSET: Makes a series of trajectories at decreasing offsets, the last at the radius of what the tool removes (paper 004,
-/// section 2.2: offset step, number of passes, direction).</summary>
+/// <summary>SACEUNIFORMOFFSET: Creates a series of trajectories at decreasing offsets, the last at the removal radius of the tool (paper 004, section 2.2:
+/// offset step, number of passes, direction).</summary>
 internal sealed class SaceUniformOffsetCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACEUNIFORMOFFSET", CommandGroup.Trajectory);
@@ -35,10 +35,9 @@ internal sealed class SaceUniformOffsetCommand : ICommand
     }
 }
 
-/// <summary>SACECONSTANTOFFSETS: Makes a series of trajectories at increasing offsets up to a largest one, as the plug-in does
-/// (sace-xps-agie.md 1.1).</summary>
-/// <remarks>Offsets r, r + step, ... up to the largest; one that lies between the largest less r and the largest becomes the largest less r, but never less
-/// than r, and none comes twice.</remarks>
+/// <summary>SACECONSTANTOFFSETS: Creates a series of trajectories at increasing offsets up to a maximum, as the plug-in does (sace-xps-agie.md 1.1).</summary>
+/// <remarks>Offsets r, r + step, ... up to the largest; an offset between the largest minus r and the largest becomes the largest minus r, but at least r,
+/// without duplicates.</remarks>
 internal sealed class SaceConstantOffsetsCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACECONSTANTOFFSETS", CommandGroup.Trajectory);
@@ -69,7 +68,7 @@ internal sealed class SaceConstantOffsetsCommand : ICommand
     }
 }
 
-/// <summary>What the offset commands have in common.</summary>
+/// <summary>Shared by the offset commands.</summary>
 internal static class SaceOffsets
 {
     public const int MostPasses = 10_000;

@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACEPATH: Makes trajectories that follow objects (paper 004, section 2.2; sace-xps-agie.md 1.1).</summary>
+/// <summary>SACEPATH: Creates trajectories that follow objects (paper 004, section 2.2; sace-xps-agie.md 1.1).</summary>
 internal sealed class SacePathCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACEPATH", CommandGroup.Trajectory);
@@ -16,9 +16,9 @@ internal sealed class SacePathCommand : ICommand
     }
 }
 
-/// <summary>SACEDEEPENGRAVING: Repeats the trajectories of objects deeper and deeper: at 0, one step, two steps ... and at the final depth below the
+/// <summary>SACEDEEPENGRAVING: Repeats the trajectories of objects at increasing depths: at 0, one step, two steps ... and at the final depth below the
 /// machining plane.</summary>
-/// <remarks>The plug-in's of 2022 left the final depth out when it was no multiple of the step (sace-xps-agie.md 1.1); here it is always the last.</remarks>
+/// <remarks>The plug-in of 2022 omitted the final depth if it was not a multiple of the step (sace-xps-agie.md 1.1); here it is always included.</remarks>
 internal sealed class SaceDeepEngravingCommand : ICommand
 {
     private const int MostDepths = 10_000;

@@ -4,8 +4,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACESETMAXERROR, SACESETSTATICSEGMENTLENGTH, SACESETZPLANE: ask for a length in millimetres that the next trajectories are made with. Enter
-/// keeps the present one.</summary>
+/// <summary>SACESETMAXERROR, SACESETSTATICSEGMENTLENGTH, SACESETZPLANE: ask for a length in millimetres for the next trajectories. Enter keeps the current
+/// one.</summary>
 internal sealed class SaceLengthCommand : ICommand
 {
     private readonly Func<TrajectorySettings, double> _read;
@@ -36,7 +36,7 @@ internal sealed class SaceLengthCommand : ICommand
     }
 }
 
-/// <summary>SACETOGGLEDYNAMICDENSITY: Changes between points as the curvature needs them and equal steps.</summary>
+/// <summary>SACETOGGLEDYNAMICDENSITY: Switches between curvature-dependent points and equal steps.</summary>
 internal sealed class SaceToggleDensityCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACETOGGLEDYNAMICDENSITY", CommandGroup.Trajectory);
@@ -50,7 +50,7 @@ internal sealed class SaceToggleDensityCommand : ICommand
     }
 }
 
-/// <summary>SACECORNERS: Chooses what becomes of corners: the end of a trajectory, or a rounding within the error.</summary>
+/// <summary>SACECORNERS: Selects the treatment of corners: the end of a trajectory, or a rounding within the error.</summary>
 internal sealed class SaceCornersCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACECORNERS", CommandGroup.Trajectory);
@@ -63,7 +63,7 @@ internal sealed class SaceCornersCommand : ICommand
     }
 }
 
-/// <summary>The last act of every command that changes trajectories: one document step.</summary>
+/// <summary>Commits a change of trajectories as one undo step.</summary>
 internal static class TrajectoryChange
 {
     public static void Settings(CommandContext context, Func<TrajectorySettings, TrajectorySettings> change)
@@ -74,7 +74,7 @@ internal static class TrajectoryChange
 
     public static void All(CommandContext context, IReadOnlyList<DocumentTrajectory> all) => All(context, all, context.Document.Current.Sidecar.Trajectories.NextNumber);
 
-    /// <param name="next">Number in the name of the next one.</param>
+    /// <param name="next">Number in the name of the next trajectory.</param>
     public static void All(CommandContext context, IReadOnlyList<DocumentTrajectory> all, int next) => Take(context, context.Document.Current.Sidecar.Trajectories with { All = all, NextNumber = next });
 
     private static void Take(CommandContext context, TrajectoryList list)

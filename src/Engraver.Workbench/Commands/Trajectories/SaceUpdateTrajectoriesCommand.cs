@@ -5,8 +5,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>SACEUPDATETRAJECTORIES: Makes those trajectories anew whose objects have been edited since; names, heights, errors and places in the list
-/// stay.</summary>
+/// <summary>SACEUPDATETRAJECTORIES: Recomputes the trajectories whose objects have been edited; names, heights, errors and positions in the list are
+/// kept.</summary>
 internal sealed class SaceUpdateTrajectoriesCommand : ICommand
 {
     public CommandInfo Info { get; } = new("SACEUPDATETRAJECTORIES", CommandGroup.Trajectory);

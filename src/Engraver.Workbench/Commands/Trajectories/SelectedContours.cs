@@ -12,15 +12,15 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>The objects that the operator selects, joined to contours within CNCJOINTOL, whatever their layers.</summary>
+/// <summary>The objects that the operator selects, joined to contours within CNCJOINTOL, regardless of their layers.</summary>
 /// <param name="All">In the order and direction of the drawing, millimetres.</param>
-/// <param name="Entities">What was selected, by index.</param>
+/// <param name="Entities">Indices of the selected entities.</param>
 internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IReadOnlyList<int> Entities)
 {
-    /// <summary>Exact enough to see on which side of a curve a place lies, millimetres.</summary>
+    /// <summary>Curve error that is sufficient to determine the side of a point, millimetres.</summary>
     private const double CurveError = 0.01;
 
-    /// <exception cref="CommandException">Nothing of what is selected has a length.</exception>
+    /// <exception cref="CommandException">The selection has no entity with a length.</exception>
     public static async Task<SelectedContours> TakeAsync(CommandContext context)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
@@ -30,7 +30,7 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
         return contours;
     }
 
-    /// <summary>The contours of some entities, none where nothing of them has a length.</summary>
+    /// <summary>The contours of some entities, empty if none has a length.</summary>
     public static (SelectedContours Contours, IReadOnlyList<Diagnostic> Findings) Of(Drawing drawing, DrawingSettings settings, IReadOnlyList<int> entities)
     {
         var table = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, entities));
@@ -39,7 +39,7 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
         return (new SelectedContours([.. contours], entities), chained.Diagnostics);
     }
 
-    /// <summary>The side of a place: in or out of the closed contours together (islands are holes), and for each open contour whether the place lies to its
+    /// <summary>The side of a point: inside or outside of all closed contours (islands are holes), and for an open contour whether the point is to its
     /// left.</summary>
     public OffsetSide SideOf(SelectedContour contour, Point2D place)
     {
@@ -50,7 +50,7 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
 
     private static IEnumerable<Segment> WithoutCurves(Segment segment) => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, CurveError) : [segment];
 
-    /// <summary>By the direction at the nearest place; where that is a joint, by both directions there together.</summary>
+    /// <summary>By the direction at the nearest point; at a joint by the sum of both directions.</summary>
     private static bool IsLeftOf(IReadOnlyList<Segment> segments, Point2D place)
     {
         var distances = segments.Select(segment => segment.DistanceTo(place)).ToArray();
@@ -67,7 +67,7 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
         return way.Cross(place - from) > 0.0;
     }
 
-    /// <summary>By halving of the best of some places: exact enough for a side.</summary>
+    /// <summary>By bisection around the best of some samples: exact enough to determine the side.</summary>
     private static double NearestFraction(Segment segment, Point2D place)
     {
         const int Places = 256;

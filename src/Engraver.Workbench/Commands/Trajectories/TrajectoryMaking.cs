@@ -9,8 +9,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>Collects the trajectories that one command makes, and takes them as one step.</summary>
-/// <param name="cancellation">Honoured before each contour.</param>
+/// <summary>Collects the trajectories that one command creates, and commits them as one undo step.</summary>
+/// <param name="cancellation">Checked before each contour.</param>
 internal sealed class TrajectoryMaking(CommandContext context, CancellationToken cancellation)
 {
     private readonly TrajectoryList _list = context.Document.Current.Sidecar.Trajectories;
@@ -18,19 +18,19 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
     private readonly List<Diagnostic> _findings = [];
     private readonly TrajectoryEdits _edits = new(context.Drawing);
 
-    /// <summary>Millimetres of a drawing unit.</summary>
+    /// <summary>Millimetres per drawing unit.</summary>
     public double Unit { get; } = context.Drawing.Unit.ToMillimetres;
 
     public TrajectorySettings Settings => _list.Settings;
 
-    /// <summary>One for each run of a contour between corners, or one for the contour; at one height or at several.</summary>
-    /// <param name="name">Its name from its number.</param>
+    /// <summary>One for each run of a contour between corners, or one for the contour; at one or several heights.</summary>
+    /// <param name="name">Returns the name for a number.</param>
     public void Add(SelectedContour contour, Func<int, string> name, params IReadOnlyList<double> heights) => Add([(contour.Contour, name)], contour.Handles, heights, offset: null, default);
 
-    /// <summary>The same beside contours.</summary>
-    /// <param name="loops">With the names of their trajectories from their numbers.</param>
-    /// <param name="handles">Of all objects that were offset together.</param>
-    /// <param name="distance">Millimetres.</param>
+    /// <summary>The same for offset contours.</summary>
+    /// <param name="loops">Offset loops, each with a function that returns the trajectory name for a number.</param>
+    /// <param name="handles">Handles of all objects that were offset together.</param>
+    /// <param name="distance">Offset, millimetres.</param>
     public void AddBeside(IReadOnlyList<(OffsetContour Loop, Func<int, string> Name)> loops, IReadOnlyList<string> handles, double distance, OffsetSide side) => Add(loops, handles, [Settings.PlaneZ], distance, side);
 
     private void Add(IReadOnlyList<(OffsetContour Loop, Func<int, string> Name)> contours, IReadOnlyList<string> handles, IReadOnlyList<double> heights, double? offset, OffsetSide side)
@@ -55,7 +55,7 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
         }
     }
 
-    /// <param name="origin">Null when it is made from no object.</param>
+    /// <param name="origin">Null if it was not created from objects.</param>
     public void Add(Trajectory curve, IReadOnlyList<string> handles, Func<int, string> name, TrajectoryOrigin? origin = null)
     {
         var called = name(_list.NextNumber + _made.Count);
@@ -65,8 +65,8 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
 
     public void Tell(IEnumerable<Diagnostic> findings) => _findings.AddRange(findings);
 
-    /// <summary>Says what was made, and takes the step.</summary>
-    /// <exception cref="CommandException">Nothing was made.</exception>
+    /// <summary>Reports the created trajectories and commits the step.</summary>
+    /// <exception cref="CommandException">No trajectory was created.</exception>
     public void Take()
     {
         FindingMessages.Say(context, context.Drawing.FileName, _findings, Severity.Warning);

@@ -4,20 +4,20 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>Questions that several SACE commands ask. Lengths are drawing units, as points are.</summary>
+/// <summary>Prompts shared by SACE commands. Lengths are in drawing units, like points.</summary>
 internal static class TrajectoryPrompts
 {
-    /// <summary>Under this name the radius of what the tool removes is remembered, for all commands.</summary>
+    /// <summary>Name under which all commands remember the removal radius of the tool.</summary>
     public const string Removal = "SACE.removal";
 
     private const double Least = 1e-6;
 
     private const double Most = 1e6;
 
-    /// <summary>A length above 0, typed or shown by two points; Enter takes what was used last.</summary>
+    /// <summary>A length above 0, typed or given by two points; Enter repeats the last value.</summary>
     /// <param name="memory">The name under which it is remembered.</param>
-    /// <param name="text">Of the question.</param>
-    /// <param name="from">Where a shown length begins; null: the first point is asked for too.</param>
+    /// <param name="text">Text of the prompt.</param>
+    /// <param name="from">First point of the length; null: asks for it too.</param>
     public static async Task<double> LengthAsync(CommandContext context, string memory, string text, double first, Point2D? from = null)
     {
         var prompt = new AmountPrompt(Wording.Get(text), way => way.Length) { Least = Least, Most = Most, Default = context.Remembered(memory, NumberPrompt.Show(first)), From = from };
@@ -33,7 +33,7 @@ internal static class TrajectoryPrompts
         }
     }
 
-    /// <summary>The side of an offset for each contour: by a point, or named for all.</summary>
+    /// <summary>The side of an offset for each contour: by a point, or one side for all.</summary>
     public static async Task<Func<SelectedContour, OffsetSide>> SideAsync(CommandContext context, SelectedContours contours)
     {
         var answer = await context.AskAsync(new PointPrompt(Wording.Get("Trajectories.OffsetSide")) { Options = Keyword.List("Left", "Right", "In", "Out") }).ConfigureAwait(false);

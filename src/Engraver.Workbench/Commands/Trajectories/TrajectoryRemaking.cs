@@ -8,19 +8,19 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
-/// <summary>Makes trajectories anew from the objects that they were made from, as these are drawn now.</summary>
+/// <summary>Recomputes trajectories from the current state of their source objects.</summary>
 internal sealed class TrajectoryRemaking(Drawing drawing, DocumentState state, TrajectoryEdits edits)
 {
     private readonly List<Diagnostic> _findings = [];
 
-    /// <summary>What could not be made within its error.</summary>
+    /// <summary>Trajectories that could not be computed within their error.</summary>
     public IReadOnlyList<Diagnostic> Findings => _findings;
 
     /// <summary>The number in the name of the next trajectory.</summary>
     public int NextNumber { get; private set; } = state.Sidecar.Trajectories.NextNumber;
 
-    /// <param name="group">All that are left of what was made together.</param>
-    /// <returns>In their order; nothing when their objects are gone, or nothing is left of the offset.</returns>
+    /// <param name="group">The remaining trajectories of one group.</param>
+    /// <returns>The trajectories in their order; empty if their objects were erased or the offset vanishes.</returns>
     public IReadOnlyList<DocumentTrajectory> Anew(IReadOnlyList<DocumentTrajectory> group)
     {
         var (first, origin) = (group[0], group[0].Origin!);
@@ -32,8 +32,8 @@ internal sealed class TrajectoryRemaking(Drawing drawing, DocumentState state, T
         return runs.Count == origin.Count ? [.. group.SelectMany(one => Fitted(one, first, runs[one.Origin!.Index], place))] : Others(group, runs, place);
     }
 
-    /// <summary>As many as before: each takes the run of its number; one that was deleted stays so.</summary>
-    /// <param name="first">With whose error and steps the run was planned; it is planned again for one that was given others.</param>
+    /// <summary>The number of runs is unchanged: each trajectory gets the run of its number; deleted ones stay deleted.</summary>
+    /// <param name="first">Trajectory whose error and steps were used to plan the run; it is planned again for trajectories with other values.</param>
     private IEnumerable<DocumentTrajectory> Fitted(DocumentTrajectory one, DocumentTrajectory first, Trajectory run, TrajectoryOrigin place)
     {
         var isAsFirst = (one.MaxErrorMm, one.SegmentLengthMm) == (first.MaxErrorMm, first.SegmentLengthMm);
@@ -41,7 +41,7 @@ internal sealed class TrajectoryRemaking(Drawing drawing, DocumentState state, T
         return own.Take(1).Select(curve => one with { Curve = curve.Moved(one.Curve.Z), Origin = place with { Index = one.Origin!.Index } });
     }
 
-    /// <summary>The contours fall apart in other runs than before: all of them at each height, under the old names as far as these go.</summary>
+    /// <summary>The number of runs has changed: creates all runs at each height, with the old names as far as possible.</summary>
     private List<DocumentTrajectory> Others(IReadOnlyList<DocumentTrajectory> group, List<Trajectory> runs, TrajectoryOrigin place)
     {
         var made = new List<DocumentTrajectory>();

@@ -4,7 +4,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands.View;
 
-/// <summary>OSNAP: Chooses the places of objects that the crosshair jumps to, or switches that on or off.</summary>
+/// <summary>OSNAP: Selects the object snap modes, or switches object snap on or off.</summary>
 internal sealed class OsnapCommand : ICommand
 {
     public CommandInfo Info { get; } = new("OSNAP", CommandGroup.View) { Transparent = true };
@@ -19,7 +19,7 @@ internal sealed class OsnapCommand : ICommand
         context.View.Change(view => view with { ObjectSnap = !off });
     }
 
-    /// <exception cref="CommandException">One of them is unknown.</exception>
+    /// <exception cref="CommandException">A name is unknown.</exception>
     private static int Bits(string typed)
     {
         var bits = 0;

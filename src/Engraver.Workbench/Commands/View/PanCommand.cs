@@ -18,7 +18,7 @@ internal sealed class PanCommand : ICommand
     }
 }
 
-/// <summary>REGEN: Draws the view anew and removes the mark at the place that a finding pointed to. Planning that was ended by Esc is begun again.</summary>
+/// <summary>REGEN: Redraws the view and removes the mark of a finding. Restarts planning that was cancelled by Esc.</summary>
 internal sealed class RegenCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REGEN", CommandGroup.View) { Transparent = true, HeardDuringJob = true };

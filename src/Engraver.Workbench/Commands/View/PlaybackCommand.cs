@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.View;
 
-/// <summary>PLAYBACK: Plays the planned motion in time, or goes to a moment, row, entity, contour or program line of it; no machine moves.</summary>
+/// <summary>PLAYBACK: Plays the planned motion, or goes to a time, row, entity, contour or program line of it; no machine moves.</summary>
 internal sealed class PlaybackCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("PLay", "PAuse", "Time", "Speed", "Row", "Handle", "Contour", "Line", "?");

@@ -8,7 +8,7 @@ internal sealed class ShowCommand : ICommand
 {
     private static readonly IReadOnlyList<CanvasLayers> s_layers = [.. Enum.GetValues<CanvasLayers>().Where(layer => layer is not (CanvasLayers.None or CanvasLayers.All))];
 
-    /// <summary>The capital letters, which are the short forms, differ from option to option.</summary>
+    /// <summary>The capital letters are the abbreviations and must be unique.</summary>
     private static readonly IReadOnlyList<Keyword> s_options =
         Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "RECorded", "WorkOrigin", "Trajectories", "All", "None");
 

@@ -72,7 +72,7 @@ internal sealed class ZoomCommand : ICommand
         }
     }
 
-    /// <summary>A factor alone is relative to the whole drawing, with X to what is seen.</summary>
+    /// <summary>A factor alone is relative to the whole drawing, with X to the current view.</summary>
     private static void Scale(CommandContext context, ZoomRequest.Scale scale)
     {
         var view = context.View.Current;

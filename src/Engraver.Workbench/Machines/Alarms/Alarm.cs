@@ -1,26 +1,26 @@
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>Something that the operator must know and see to. Immutable; the log replaces it as it changes.</summary>
-/// <param name="Number">1 is the first since the program began.</param>
-/// <param name="Time">When it was first raised.</param>
-/// <param name="Cause">Alarms of the same cause and the same <paramref name="Where"/> are counted as one.</param>
+/// <summary>An alarm for the operator. Immutable; the log replaces it when it changes.</summary>
+/// <param name="Number">1 is the first since the program start.</param>
+/// <param name="Time">Time of the first occurrence.</param>
+/// <param name="Cause">Alarms with the same cause and the same <paramref name="Where"/> are counted as one.</param>
 /// <param name="What">One sentence.</param>
-/// <param name="Where">The link, the axis, the place of the job.</param>
-/// <param name="ToDo">What the operator can do about it, one sentence.</param>
+/// <param name="Where">The link, the axis or the position in the job.</param>
+/// <param name="ToDo">The remedy, one sentence.</param>
 public sealed record Alarm(int Number, DateTimeOffset Time, AlarmCause Cause, string What, string Where, string ToDo)
 {
     public AlarmState State { get; init; }
 
-    /// <summary>How often it was raised.</summary>
+    /// <summary>Number of occurrences.</summary>
     public int Count { get; init; } = 1;
 
-    /// <summary>When it was raised last.</summary>
+    /// <summary>Time of the last occurrence.</summary>
     public DateTimeOffset LastTime { get; init; } = Time;
 
-    /// <summary>True for the one that came first while no other stood: the likely cause of those after it.</summary>
+    /// <summary>True for the first alarm while no other was active: the likely cause of the following ones.</summary>
     public bool IsFirstOut { get; init; }
 
-    /// <summary>True while the cause stands.</summary>
+    /// <summary>True while the cause is active.</summary>
     public bool IsActive => State is AlarmState.Unacknowledged or AlarmState.Acknowledged;
 
     public bool NeedsAcknowledging => State is AlarmState.Unacknowledged or AlarmState.ClearedUnacknowledged;

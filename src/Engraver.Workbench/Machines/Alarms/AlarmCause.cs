@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>What alarms are grouped by: the same cause raises one alarm with a count.</summary>
+/// <summary>Causes by which alarms are grouped: the same cause raises one alarm with a count.</summary>
 public enum AlarmCause
 {
     /// <summary>The link was lost, idle or in a job.</summary>
@@ -12,24 +12,24 @@ public enum AlarmCause
     /// <summary>The watchdog in the controller stopped the machine.</summary>
     WatchdogTripped,
 
-    /// <summary>A limit switch is hit.</summary>
+    /// <summary>A limit switch is active.</summary>
     Limit,
 
-    /// <summary>An axis was switched off or stands too far from its command.</summary>
+    /// <summary>An axis was switched off, or its following error is too large.</summary>
     FollowingError,
 
     /// <summary>The abort input is or was active.</summary>
     AbortInput,
 
-    /// <summary>A job ended before its end.</summary>
+    /// <summary>A job ended early.</summary>
     JobStopped,
 
-    /// <summary>A job cut something else than the drawing, judged by the positions that the controller told.</summary>
+    /// <summary>The cut differs from the drawing according to the reported positions.</summary>
     Deviated,
 
-    /// <summary>A bug in a command or in the program around it; the machine was stopped.</summary>
+    /// <summary>An internal error; the machine was stopped.</summary>
     InternalError,
 
-    /// <summary>The display of the desktop is gone; the machine was stopped.</summary>
+    /// <summary>The desktop lost its display; the machine was stopped.</summary>
     DisplayLost,
 }

@@ -1,11 +1,11 @@
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>The alarms since the program began, oldest first. A cause that comes again counts its alarm up instead of adding one; the first of a series is
-/// marked (first-out).</summary>
-/// <remarks>Any thread. Nothing here touches the machine: acknowledging never resets it.</remarks>
+/// <summary>The alarms since the program start, oldest first. A repeated cause increments the count of its alarm; the first of a series is marked
+/// (first-out).</summary>
+/// <remarks>Any thread. The log has no effect on the machine: acknowledging does not reset it.</remarks>
 public sealed class AlarmLog(TimeProvider time)
 {
-    /// <summary>Largest number of alarms; beyond it cleared ones are forgotten.</summary>
+    /// <summary>Maximum number of alarms; beyond it cleared ones are removed.</summary>
     private const int MostKept = 500;
 
     private readonly Lock _guard = new();
@@ -23,14 +23,14 @@ public sealed class AlarmLog(TimeProvider time)
         }
     }
 
-    /// <summary>What the operator must look at now: standing, or gone but not seen.</summary>
+    /// <summary>Alarms that need attention: active, or cleared but not acknowledged.</summary>
     public IReadOnlyList<Alarm> Open => [.. All.Where(alarm => alarm.State != AlarmState.Cleared)];
 
-    /// <summary>Of those open, the one that came first.</summary>
+    /// <summary>The first of the open alarms.</summary>
     public Alarm? FirstOut => Open.LastOrDefault(alarm => alarm.IsFirstOut) ?? (Open.Count > 0 ? Open[0] : null);
 
-    /// <summary>Raises an alarm, or counts it up when the same cause at the same place is open already. A cause that comes back after it was acknowledged
-    /// must be acknowledged again.</summary>
+    /// <summary>Raises an alarm, or increments its count if the same cause at the same location is open. A cause that returns after acknowledgement must be
+    /// acknowledged again.</summary>
     public Alarm Raise(AlarmCause cause, string what, string where, string toDo)
     {
         Alarm raised;
@@ -47,14 +47,14 @@ public sealed class AlarmLog(TimeProvider time)
         return raised;
     }
 
-    /// <summary>Notes that a cause is gone. Its alarm stays open until it is acknowledged.</summary>
+    /// <summary>Clears a cause. Its alarm stays open until it is acknowledged.</summary>
     public void Clear(AlarmCause cause) => Replace(alarm => alarm.Cause == cause && alarm.IsActive ? Gone(alarm) : alarm);
 
-    /// <summary>Notes that the operator has seen an alarm. Resets nothing.</summary>
-    /// <returns>False when there is no such alarm, or it needs no acknowledgement.</returns>
+    /// <summary>Acknowledges an alarm. Resets nothing.</summary>
+    /// <returns>False if there is no such alarm, or it needs no acknowledgement.</returns>
     public bool Acknowledge(int number) => Replace(alarm => alarm.Number == number ? Seen(alarm) : alarm) > 0;
 
-    /// <returns>How many were acknowledged.</returns>
+    /// <returns>The number of acknowledged alarms.</returns>
     public int AcknowledgeAll() => Replace(Seen);
 
     private Alarm First(AlarmCause cause, string what, string where, string toDo) =>
@@ -102,16 +102,16 @@ public sealed class AlarmLog(TimeProvider time)
     }
 }
 
-/// <summary>The states of ISA-18.2 that an alarm goes through. Acknowledging says "seen" and resets nothing.</summary>
+/// <summary>The alarm states of ISA-18.2. Acknowledging resets nothing.</summary>
 public enum AlarmState
 {
     Unacknowledged,
 
     Acknowledged,
 
-    /// <summary>The cause is gone, and the alarm is not acknowledged yet: it stays in the list.</summary>
+    /// <summary>The cause is cleared but the alarm is not acknowledged: it stays in the list.</summary>
     ClearedUnacknowledged,
 
-    /// <summary>The cause is gone, and the alarm was acknowledged.</summary>
+    /// <summary>The cause is cleared and the alarm was acknowledged.</summary>
     Cleared,
 }

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>Decides which readings and ends of jobs raise an alarm, and which clear it.</summary>
+/// <summary>Raises and clears alarms according to controller readings and job results.</summary>
 internal static class MachineAlarms
 {
     public static void LinkLost(AlarmLog log, string link, string why) =>
@@ -12,9 +12,9 @@ internal static class MachineAlarms
     public static void Refused(AlarmLog log, MachineRefusal refused, string link) =>
         log.Raise(AlarmCause.Refused, refused.Sentence, link, Wording.Get("MachineAlarms.CorrectAndRepeat"));
 
-    /// <summary>Raises and clears alarms by a reading of the controller.</summary>
-    /// <param name="axes">What the axes are called.</param>
-    /// <param name="ended">A job that has ended since the last reading: a cause that is new in this reading has ended it, and both are one alarm. Null for
+    /// <summary>Raises and clears alarms from a reading of the controller.</summary>
+    /// <param name="axes">Names of the axes.</param>
+    /// <param name="ended">A job that has ended since the last reading: a new cause in this reading has ended it, and both are one alarm. Null for
     /// none.</param>
     public static void Seen(AlarmLog log, MachineReading poll, MachineAxes axes, string link, JobResult? ended = null)
     {
@@ -53,7 +53,7 @@ internal static class MachineAlarms
         foreach (var cause in new[] { AlarmCause.JobStopped, AlarmCause.Deviated, AlarmCause.Refused, AlarmCause.WatchdogTripped }) log.Clear(cause);
     }
 
-    /// <returns>True when it was raised now.</returns>
+    /// <returns>True if it was raised by this call.</returns>
     private static bool Standing(AlarmLog log, bool stands, AlarmCause cause, string what, string toDo, string link, JobResult? ended)
     {
         if (!stands) log.Clear(cause);

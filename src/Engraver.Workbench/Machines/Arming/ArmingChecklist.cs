@@ -10,37 +10,36 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Arming;
 
-/// <summary>What was checked before START works, in the order in which an operator would look: the one list of ARM, CNCARM, CNCSTATUS and the
-/// desktop.</summary>
+/// <summary>The start checks, in the order in which an operator would look: used by ARM, CNCARM, CNCSTATUS and the desktop.</summary>
 public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 {
-    /// <summary>What the controller said longer ago is not told as if it were so now.</summary>
+    /// <summary>Maximum age of a controller status that counts as current.</summary>
     public static readonly TimeSpan FreshFor = TimeSpan.FromSeconds(2);
 
     public bool Passed => Checks.All(check => check.Passed);
 
-    /// <param name="errorsAccepted">The operator has said that the drawing's errors do not matter.</param>
-    /// <param name="placement">Where the job would go on this machine; null while nobody has asked it.</param>
-    /// <param name="now">By the clock of the status: what the controller said a while ago gets no tick.</param>
-    /// <param name="certificate">How the job stands to its certificate, with commands as their keys; null where nobody has looked.</param>
+    /// <param name="errorsAccepted">The operator has accepted the errors of the drawing.</param>
+    /// <param name="placement">The placement of the job on this machine; null if unknown.</param>
+    /// <param name="now">Time by the clock of the status: outdated values do not pass.</param>
+    /// <param name="certificate">The certificate check, with commands by their keys; null if it was not checked.</param>
     public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, ArmingCheck? certificate = null) => Create(job, status, errorsAccepted, placement, now, CheckSpeech.Desktop, certificate);
 
-    /// <summary>The same in the words of the console, of a machine that was asked just now. No ARM comes before the start there: the drawing's errors were
-    /// accepted, and a job switches the motors on that it finds off.</summary>
-    /// <param name="profile">Of the machine on which the job was placed.</param>
+    /// <summary>The same for the console, with a status that was just polled. There is no ARM: errors of the drawing were accepted, and a job switches on
+    /// motors that are off.</summary>
+    /// <param name="profile">Profile of the machine on which the job was placed.</param>
     /// <param name="certificate">As for <see cref="Create(PreparedJob, MachineStatus, bool, PlacementResult, DateTimeOffset, ArmingCheck)"/>.</param>
     public static ArmingChecklist OnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement, ArmingCheck? certificate = null) =>
         Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console, certificate);
 
-    /// <summary>The same before the machine goes round a job, tool out of the work.</summary>
-    /// <param name="placement">Where the way round the job would go.</param>
+    /// <summary>The same for a frame run with the tool off.</summary>
+    /// <param name="placement">The placement of the frame.</param>
     public static ArmingChecklist OfFrameOnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
         Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console with { StaysInside = "ArmingChecklist.FrameStaysInside" }, certificate: null);
 
-    /// <summary>The first line that prevents the start; null when none does.</summary>
+    /// <summary>The first line that prevents the start; null if there is none.</summary>
     public string? WhyNot => Checks.FirstOrDefault(check => !check.Passed)?.Sentence;
 
-    /// <summary>The lines of the machine alone, where no job is prepared.</summary>
+    /// <summary>Only the checks of the machine, without a prepared job.</summary>
     public static ArmingChecklist OfMachineAlone(MachineStatus status, DateTimeOffset now) => new([.. OfMachine(status, now, CheckSpeech.Desktop), .. LastJob(status)]);
 
     private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckSpeech speech, ArmingCheck? certificate) => new(
@@ -76,7 +75,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         foreach (var check in said) yield return Asked(status, now, check);
     }
 
-    /// <summary>A tick only for who has answered just now.</summary>
+    /// <summary>Passes only if the controller has answered recently.</summary>
     private static ArmingCheck Link(MachineStatus status, DateTimeOffset now, CheckSpeech speech)
     {
         if (status.Link is not { } link) return Check(false, speech.Text("ArmingChecklist.NoController"));
@@ -86,16 +85,16 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     private static bool IsFresh(MachineStatus status, DateTimeOffset now) => !status.IsLinkLost && now - status.Time <= FreshFor;
 
-    /// <summary>What was said while the link stood is not known any more: it has neither passed nor failed.</summary>
+    /// <summary>An outdated check counts as unknown: neither passed nor failed.</summary>
     private static ArmingCheck Asked(MachineStatus status, DateTimeOffset now, ArmingCheck check) =>
         status.Link is null || IsFresh(status, now) ? check : new ArmingCheck(false, Wording.Get("ArmingChecklist.LastKnown", check.Sentence)) { IsAsked = false };
 
-    /// <summary>Units that were assumed, sizes that no machine has, what is seen and not cut.</summary>
+    /// <summary>Warnings: assumed units, unrealistic sizes, visible but uncut entities.</summary>
     private static IEnumerable<ArmingCheck> Warnings(PreparedJob job, CheckSpeech speech) =>
         job.Drawing.Diagnostics.Where(found => found.Id == DxfRules.UnitsAssumed.Id).Concat(job.Findings.Where(found => found.Severity == Severity.Warning))
             .Select(found => Warning(speech.Finding(found).TrimEnd('.')) with { IsFinding = true });
 
-    /// <summary>A job that would leave the travel has no place, and the line of the origin says so.</summary>
+    /// <summary>Without a check for a job that exceeds the travel: it has no placement, which the origin check reports.</summary>
     private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
     {
         if (placement is { Frame: not null, StaysInside: true } && job.Settings.Machine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get(speech.StaysInside));
@@ -105,7 +104,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     {
         if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.WorkOriginUnknown"));
         var machine = job.Settings.Machine;
-        var scale = machine.Height is null ? machine.Scale with { Z = 0.0 } : machine.Scale; // without a tool on it the height of an axis means nothing to a job
+        var scale = machine.Height is null ? machine.Scale with { Z = 0.0 } : machine.Scale; // Without a tool axis the height is irrelevant for a job.
         return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroPosition", PlaceText.Show(frame, scale)));
     }
 
@@ -133,42 +132,42 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     };
 }
 
-/// <summary>The words of the place where the list is read: commands of the desktop, or verbs and options of the console.</summary>
+/// <summary>Terminology of the front end: commands of the desktop, or verbs and options of the console.</summary>
 internal sealed record CheckSpeech(Func<Diagnostic, Diagnostic> Translate, Func<string, string> Spell, bool SwitchesMotors)
 {
     public static CheckSpeech Desktop { get; } = new(SettingWording.AtCommandLine, SettingWording.AtCommandLine, SwitchesMotors: false);
 
     public static CheckSpeech Console { get; } = new(SettingWording.OnConsole, SettingWording.OnConsole, SwitchesMotors: true);
 
-    /// <summary>Key of the line that nothing leaves the travel.</summary>
+    /// <summary>Text key of the check that the job stays inside the travel.</summary>
     public string StaysInside { get; init; } = "ArmingChecklist.StaysInside";
 
-    /// <summary>A text with its settings and commands named.</summary>
+    /// <summary>A text with its settings and commands named for the front end.</summary>
     public string Text(string key) => Spell(Wording.Get(key));
 
     public string Finding(Diagnostic found) => Translate(found).Message;
 
-    /// <summary>The line of motors that are off.</summary>
+    /// <summary>The check of motors that are off.</summary>
     public ArmingCheck Motors() => SwitchesMotors ? ArmingChecklist.Warning(Wording.Get("ArmingChecklist.JobSwitchesMotorsOn")) : ArmingChecklist.Check(false, Text("ArmingChecklist.MotorsOff"));
 }
 
-/// <summary>One thing that must be so before a job may start.</summary>
-/// <param name="Passed">True when it is so.</param>
-/// <param name="Sentence">What was looked at, and when it is not so, what to do.</param>
+/// <summary>One start check.</summary>
+/// <param name="Passed">True if it passed.</param>
+/// <param name="Sentence">What was checked and, if it failed, what to do.</param>
 public sealed record ArmingCheck(bool Passed, string Sentence)
 {
-    /// <summary>True when it does not prevent arming, but the operator must have read it.</summary>
+    /// <summary>True if it does not prevent arming, but the operator must acknowledge it.</summary>
     public bool IsWarning { get; init; }
 
-    /// <summary>False for what the controller said too long ago: nobody knows whether it is so.</summary>
+    /// <summary>False if the value from the controller is outdated and therefore unknown.</summary>
     public bool IsAsked { get; init; } = true;
 
-    /// <summary>True for what is only told: nothing is wrong, and nothing was found right either.</summary>
+    /// <summary>True for information that is neither passed nor failed.</summary>
     public bool IsNote { get; init; }
 
-    /// <summary>True for a finding of the drawing, which stands in the list of findings too.</summary>
+    /// <summary>True for a finding of the drawing, which is also in the list of findings.</summary>
     public bool IsFinding { get; init; }
 
-    /// <summary>The line as the operator reads it.</summary>
+    /// <summary>The displayed line.</summary>
     public string Line => Wording.Get(this switch { { IsNote: true } => "CncArm.Note", { IsWarning: true } => "CncArm.Warning", { IsAsked: false } => "CncArm.Unknown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
 }

@@ -3,7 +3,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Arming;
 
-/// <summary>Holds an armed job until it is started, disarmed, or its time is over.</summary>
+/// <summary>Keeps a job armed until it is started or disarmed, or the time expires.</summary>
 internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
 {
     public static readonly TimeSpan Lasts = TimeSpan.FromSeconds(60);
@@ -12,7 +12,7 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
     private ArmedJob? _armed;
     private ITimer? _end;
 
-    /// <summary>Null while nothing is armed.</summary>
+    /// <summary>Null if no job is armed.</summary>
     public ArmedJob? Armed
     {
         get
@@ -35,7 +35,7 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
         return armed;
     }
 
-    /// <returns>False when nothing was armed.</returns>
+    /// <returns>False if no job was armed.</returns>
     public bool Disarm()
     {
         lock (_guard)
@@ -56,7 +56,7 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
     }
 }
 
-/// <summary>A job that was checked and may be started until a moment, or until anything it was checked against changes.</summary>
+/// <summary>An armed job, which may be started until a time or until a checked condition changes.</summary>
 /// <param name="Job">Prepared in the style of the mode.</param>
-/// <param name="Until">When arming ends by itself.</param>
+/// <param name="Until">Time at which arming expires.</param>
 public sealed record ArmedJob(PreparedJob Job, JobMode Mode, bool DryRun, ArmingChecklist Checklist, DateTimeOffset Until);

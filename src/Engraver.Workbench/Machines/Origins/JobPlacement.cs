@@ -4,34 +4,33 @@ using Engraver.Core.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Origins;
 
-/// <summary>The place of a job on a machine: found before anything moves, and kept with what the machine did.</summary>
+/// <summary>The placement of a job on a machine: determined before any motion and updated with the result of the motion.</summary>
 public sealed class JobPlacement
 {
     private readonly MachineHold _hold;
 
     private JobPlacement(MachineHold hold, PlacementResult found, MotionProgram program) => (_hold, Found, Program) = (hold, found, program);
 
-    /// <summary>The place, or why there is none.</summary>
+    /// <summary>The placement, or why there is none.</summary>
     public PlacementResult Found { get; }
 
-    /// <summary>The job with the place where it finishes.</summary>
+    /// <summary>The job with its finish position.</summary>
     public MotionProgram Program { get; }
 
-    /// <summary>Whether the travel of the profile is in force, so that the controller watches it too.</summary>
+    /// <summary>Whether the travel limits of the profile apply, so that the controller monitors them too.</summary>
     public bool KnowsTravel { get; private init; }
 
-    /// <summary>X, Y and Z as far as steppers move them, by the controller or by the profile: their positions are those that were commanded, and nobody
-    /// knows whether the motors followed.</summary>
+    /// <summary>Those of X, Y and Z that steppers move, according to controller or profile: their positions are the commanded ones, without feedback.</summary>
     public IReadOnlyList<char> OpenLoop { get; private init; } = [];
 
-    /// <summary>X, Y and Z as far as their motors are taken for steppers because nobody tells their type.</summary>
+    /// <summary>Those of X, Y and Z whose motor type is unknown and which therefore count as steppers.</summary>
     public IReadOnlyList<char> Untold { get; private init; } = [];
 
-    /// <summary>Asks the controller where the machine is and finds the place by the kept work origin.</summary>
-    /// <param name="dryRun">The tool stays out of the work, which takes a tool that an axis holds higher.</param>
-    /// <param name="time">Gives the number of the mark that is left in the controller.</param>
+    /// <summary>Queries the machine position and computes the placement from the stored work origin.</summary>
+    /// <param name="dryRun">The tool stays off; a tool axis stays raised.</param>
+    /// <param name="time">Provides the number of the mark in the controller.</param>
     /// <exception cref="ControllerException">The link failed.</exception>
-    /// <exception cref="MachineMemoryException">What is found out cannot be kept.</exception>
+    /// <exception cref="MachineMemoryException">The result cannot be stored.</exception>
     public static async Task<JobPlacement> FindAsync(IMachineConnection machine, MachineHold hold, MotionProgram program, bool dryRun, OriginRequest origin, FinishPlace finish, TimeProvider time, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(machine);
@@ -46,37 +45,37 @@ public sealed class JobPlacement
         return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place), Untold = UntoldOf(program.Profile.Axes, place) };
     }
 
-    /// <summary>Notes that the machine is about to move.</summary>
-    /// <exception cref="MachineMemoryException">It cannot be written down.</exception>
+    /// <summary>Records that the machine is about to move.</summary>
+    /// <exception cref="MachineMemoryException">It cannot be stored.</exception>
     public void Begin()
     {
         if (_hold.KeepMoving() is { } failure) throw MachineMemoryException.NotWritten(failure);
     }
 
-    /// <summary>Notes the end of the motion.</summary>
-    /// <returns>Null when it was written down.</returns>
+    /// <summary>Records the end of the motion.</summary>
+    /// <returns>Null on success.</returns>
     public Diagnostic? End(JobResult result) => _hold.KeepEnd(result) is { } failure ? PreparationRules.StateNotKept.At(default, failure) : null;
 
-    /// <summary>Sets an origin at the present place, and vouches for the controller's zero from now on.</summary>
-    /// <param name="set">From the machine's position, counts.</param>
-    /// <returns>Why there is no certain place that an origin could be, and nothing was set; null when it was.</returns>
-    /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
+    /// <summary>Sets an origin at the current position and confirms the controller's zero.</summary>
+    /// <param name="set">Computes the new state from the machine's position, counts.</param>
+    /// <returns>Why the position is uncertain and nothing was set; null on success.</returns>
+    /// <exception cref="ControllerException">The link failed, or the origin cannot be stored.</exception>
     internal static async Task<Diagnostic?> SetOriginAsync(IMachineConnection machine, MachineProfile profile, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, TimeProvider time, CancellationToken cancellation)
     {
         var look = await machine.LookAsync(profile.Axes, cancellation).ConfigureAwait(false);
-        if (look.Moves || look.ProgramRuns) return PreparationRules.NotSetWhileMoving.At(default); // the job of somebody else: where the machine stands in it is nobody's place
+        if (look.Moves || look.ProgramRuns) return PreparationRules.NotSetWhileMoving.At(default); // Another program moves the machine: its position is temporary.
         var place = await machine.LocateAsync(profile.Axes, cancellation).ConfigureAwait(false);
-        if (place.Doubt.Length > 0) return PreparationRules.NotSetWhileDoubted.At(default, place.Doubt); // it may be moved by hand before its motor holds it again
+        if (place.Doubt.Length > 0) return PreparationRules.NotSetWhileDoubted.At(default, place.Doubt); // It may be moved by hand before its motor is on again.
         hold.Recognise(place);
-        if (WorkPlacement.NotHomed(hold.Memory, place, profile) is { } unhomed) return unhomed; // the homing that has to come first gives the counts another zero
+        if (WorkPlacement.NotHomed(hold.Memory, place, profile) is { } unhomed) return unhomed; // The required homing will change the zero of the counts.
         var knows = WorkPlacement.LossOf(hold.Memory, place) is null;
         await VouchAsync(machine, hold, place, memory => set(knows ? memory : memory.Forget(), place) with { Rest = place.Position, IsMoving = false }, time, cancellation).ConfigureAwait(false);
         return null;
     }
 
-    /// <summary>Keeps an origin that is true by the controller's present zero, and leaves a number in a controller that has none yet, by which the next
-    /// session knows that it was not switched off.</summary>
-    /// <exception cref="MachineMemoryException">The controller does not take the number, or it cannot be written down; then nothing has changed.</exception>
+    /// <summary>Stores an origin relative to the controller's current zero, and writes a mark to a controller without one, by which the next session detects a
+    /// power cycle.</summary>
+    /// <exception cref="MachineMemoryException">The controller does not accept the mark, or it cannot be stored; nothing was changed.</exception>
     private static async Task VouchAsync(IMachineConnection machine, MachineHold hold, ControllerPlace place, Func<MachineMemory, MachineMemory> change, TimeProvider time, CancellationToken cancellation)
     {
         var mark = hold.Memory.Mark;
@@ -90,7 +89,7 @@ public sealed class JobPlacement
         hold.Recognise(place with { Mark = mark });
     }
 
-    /// <summary>The motor type of the profile is set before the job moves; where it names none the controller's own stays.</summary>
+    /// <summary>The motor type of the profile is set before the job moves; without one the controller's setting applies.</summary>
     private static IReadOnlyList<char> OpenLoopOf(MachineAxes axes, ControllerPlace place) =>
         [.. axes.All.Zip("XYZ").Where(pair => pair.First.MotorType is null ? place.Uncounted.Contains(pair.First.Letter, StringComparison.Ordinal) : pair.First.IsStepper).Select(pair => pair.Second)];
 

@@ -8,7 +8,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
 
-/// <summary>A machine that this host has reserved, and what is kept of it between sessions. Disposing releases it.</summary>
+/// <summary>A machine leased by this host, with its state that is stored between sessions. Disposing releases it.</summary>
 public sealed class MachineHold : IDisposable
 {
     private readonly Lock _guard = new();
@@ -19,12 +19,12 @@ public sealed class MachineHold : IDisposable
     private bool _knowsZero;
     private bool _isWritten = true;
 
-    /// <summary>A machine of which nothing is kept.</summary>
+    /// <summary>A machine without stored state.</summary>
     internal MachineHold()
     {
     }
 
-    /// <exception cref="IOException">The file cannot be read, or holds something else.</exception>
+    /// <exception cref="IOException">The file cannot be read, or is invalid.</exception>
     internal MachineHold(string path, string name, MachineLock taken)
     {
         (_path, _name, _lock) = (path, name, taken);
@@ -34,13 +34,13 @@ public sealed class MachineHold : IDisposable
         }
         catch (Exception unusable) when (unusable is JsonException or InvalidDataException or IOException or UnauthorizedAccessException)
         {
-            taken.Dispose(); // releases the machine
+            taken.Dispose(); // Releases the machine.
             if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.InvalidRecord", SystemReason.Of(unusable)), unusable);
             throw;
         }
     }
 
-    /// <summary>Whether anything is kept beyond this session.</summary>
+    /// <summary>Whether the state is stored beyond this session.</summary>
     public bool IsKept => _path is not null;
 
     public MachineMemory Memory
@@ -51,8 +51,8 @@ public sealed class MachineHold : IDisposable
         }
     }
 
-    /// <summary>Keeps what was learnt of the machine: also when it cannot be written, and then the next change writes it.</summary>
-    /// <returns>Why it could not be written; null when it was.</returns>
+    /// <summary>Updates the known state of the machine. If it cannot be written, it is kept in memory and written with the next change.</summary>
+    /// <returns>Why it could not be written; null on success.</returns>
     public string? Keep(Func<MachineMemory, MachineMemory> change)
     {
         ArgumentNullException.ThrowIfNull(change);
@@ -63,8 +63,8 @@ public sealed class MachineHold : IDisposable
         }
     }
 
-    /// <summary>Keeps a decision of the operator: it is written whole, or nothing changes.</summary>
-    /// <returns>Why it could not be written; null when it was.</returns>
+    /// <summary>Stores a decision of the operator: if it cannot be written, nothing is changed.</summary>
+    /// <returns>Why it could not be written; null on success.</returns>
     public string? Set(Func<MachineMemory, MachineMemory> change)
     {
         ArgumentNullException.ThrowIfNull(change);
@@ -93,8 +93,7 @@ public sealed class MachineHold : IDisposable
         }
     }
 
-    /// <summary>The controller counts from the zero that is kept. Otherwise what the machine does now says nothing of that zero, and is not kept with
-    /// it.</summary>
+    /// <summary>True if the controller's zero is the stored one. Otherwise motion is not recorded, because it is unrelated to the stored zero.</summary>
     public bool KnowsZero
     {
         get
@@ -103,23 +102,23 @@ public sealed class MachineHold : IDisposable
         }
     }
 
-    /// <summary>True when the machine was homed as this profile says, and as far as is known the controller still counts from there.</summary>
+    /// <summary>True if the machine was homed by this profile and the controller's zero is unchanged as far as known.</summary>
     public bool IsHomed(MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
         lock (_guard) return _knowsZero && _memory.Lost.Length == 0 && _memory.WasHomedBy(profile);
     }
 
-    /// <summary>The machine is simulated and nothing of it is kept: it counts as homed, with its zero where it began
+    /// <summary>For a simulated machine without stored state: it counts as homed, with its zero at the start position
     /// (<see cref="MachineMemory.AssumeHomed"/>).</summary>
-    /// <exception cref="InvalidOperationException">It is a machine of which something is kept.</exception>
+    /// <exception cref="InvalidOperationException">The machine has stored state.</exception>
     public void AssumeHomed(MachineProfile profile)
     {
         if (IsKept) throw new InvalidOperationException("A real machine is homed.");
         Keep(memory => memory.AssumeHomed(profile));
     }
 
-    /// <summary>The controller was asked where it is.</summary>
+    /// <summary>Processes a position query of the controller.</summary>
     public void Recognise(ControllerPlace place)
     {
         ArgumentNullException.ThrowIfNull(place);
@@ -128,16 +127,15 @@ public sealed class MachineHold : IDisposable
         KeepStoppedHard(place, place.StoppedHard);
     }
 
-    /// <summary>Steppers that were stopped without a ramp since the machine came to rest last may have lost steps.</summary>
-    /// <param name="place">Where the machine stands.</param>
-    /// <param name="stoppedHard">Letters of the axes that the controller says were stopped so.</param>
+    /// <summary>Steppers that were stopped without deceleration since the last standstill may have lost steps.</summary>
+    /// <param name="place">Current position.</param>
+    /// <param name="stoppedHard">Letters of the axes that were stopped like this.</param>
     public void KeepStoppedHard(ControllerPlace place, string stoppedHard)
     {
         if (KnowsZero && Memory.WhyStepsMayBeLost(place, stoppedHard) is { Length: > 0 } why) KeepLost(why);
     }
 
-    /// <summary>The machine has origins or was homed, and its position is not known any more: it is not until an origin is set again, or the machine is
-    /// homed.</summary>
+    /// <summary>Marks the position of a machine with origins or homing as unknown until an origin is set again or the machine is homed.</summary>
     /// <param name="why">For example "the stepper motor of axis A is off".</param>
     public void KeepLost(string why)
     {
@@ -145,11 +143,11 @@ public sealed class MachineHold : IDisposable
         if (memory.Lost.Length == 0 && (memory.Origins.Count > 0 || memory.HomedAs.Length > 0)) Keep(before => before with { Lost = why });
     }
 
-    /// <summary>Notes that the machine is about to move: its place is unknown until it is heard again.</summary>
-    /// <returns>Why it could not be written; null when it was.</returns>
+    /// <summary>Records that the machine is about to move: its position is unknown until it is reported again.</summary>
+    /// <returns>Why it could not be written; null on success.</returns>
     public string? KeepMoving() => KnowsZero ? Keep(memory => memory with { IsMoving = true }) : null;
 
-    /// <summary>Notes where the machine was seen, at rest or under way, whatever moved it.</summary>
+    /// <summary>Records a reported position, at rest or moving, regardless of what moved the machine.</summary>
     public void KeepSeen(CountsPoint at, bool moves)
     {
         var memory = Memory;
@@ -157,9 +155,9 @@ public sealed class MachineHold : IDisposable
         Keep(before => before with { IsMoving = moves, Rest = moves ? before.Rest : at });
     }
 
-    /// <summary>Notes the end of a motion of this program. Where its end is not known, the controller must be asked again before anything is kept with its
-    /// zero; where it ended before anything was sent, nothing has changed.</summary>
-    /// <returns>Why it could not be written; null when it was.</returns>
+    /// <summary>Records the end of a motion of this program. If its end is unknown, the zero must be checked again before anything is recorded relative to it;
+    /// if nothing was sent, nothing has changed.</summary>
+    /// <returns>Why it could not be written; null on success.</returns>
     public string? KeepEnd(JobResult result)
     {
         ArgumentNullException.ThrowIfNull(result);
@@ -176,8 +174,8 @@ public sealed class MachineHold : IDisposable
     public void Dispose() => _lock?.Dispose();
 }
 
-/// <summary>What is kept of a machine, as it stands in its file: counts of the controller.</summary>
-/// <remarks>What the file leaves out has the value written here; an init-only property would be null then.</remarks>
+/// <summary>The stored state of a machine in its file, counts of the controller.</summary>
+/// <remarks>Missing members have the default values below; with init-only properties they would be null.</remarks>
 internal sealed record MachineMemoryDocument
 {
     public string Machine { get; set; } = "";
@@ -204,14 +202,14 @@ internal sealed record MachineMemoryDocument
 
     public ScaleDocument? HomedCountsPerMillimetre { get; set; }
 
-    /// <summary>The first 64 bits of SHA-256 over the rest; null in files of an older version.</summary>
+    /// <summary>The first 64 bits of SHA-256 over the other members; null in files of an older version.</summary>
     public string? Sum { get; set; }
 
-    /// <summary>The same with its check sum.</summary>
+    /// <summary>The same with its checksum.</summary>
     public MachineMemoryDocument Sealed() => this with { Sum = SumOf((this with { Sum = null }).ToJson()) };
 
-    /// <exception cref="JsonException">It is no such document.</exception>
-    /// <exception cref="InvalidDataException">It is not as it was written.</exception>
+    /// <exception cref="JsonException">It is not such a document.</exception>
+    /// <exception cref="InvalidDataException">The checksum does not match.</exception>
     public static MachineMemoryDocument Read(string text)
     {
         var document = JsonSerializer.Deserialize(text, MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.ContainsNull"));
@@ -220,7 +218,7 @@ internal sealed record MachineMemoryDocument
 
     public string ToJson() => JsonSerializer.Serialize(this, MachineMemoryJson.Default.MachineMemoryDocument);
 
-    /// <summary>Over every member but the sum itself, also of a version that knows more; blanks do not matter.</summary>
+    /// <summary>Covers every member except the checksum, also unknown ones; whitespace is ignored.</summary>
     private static string SumOf(string json)
     {
         var members = JsonNode.Parse(json)!.AsObject();
@@ -270,12 +268,12 @@ internal sealed record MachineMemoryDocument
         return origins;
     }
 
-    /// <param name="Assumed">Nobody set it: the controller counted 0 there.</param>
+    /// <param name="Assumed">It was not set by the operator: the controller's position was 0 there.</param>
     /// <param name="CountsPerMillimetre">Null in files of an older version.</param>
     /// <param name="Axes">The controller's letters; null in files of an older version.</param>
     internal sealed record OriginDocument(long? X, long? Y, int? Z, bool Assumed, ScaleDocument? CountsPerMillimetre = null, LettersDocument? Axes = null);
 
-    /// <summary>By the drawing's axes.</summary>
+    /// <summary>Scales of the drawing's axes.</summary>
     internal sealed record ScaleDocument(double? X, double? Y, double? Z)
     {
         public static ScaleDocument? From(KeptAxes axes) => axes == default ? null : new ScaleDocument(axes.X?.Counts, axes.Y?.Counts, axes.Z?.Counts);
@@ -285,7 +283,7 @@ internal sealed record MachineMemoryDocument
         private static KeptAxis? Axis(double? counts, char? letter) => counts is { } known ? new KeptAxis(known, letter) : null;
     }
 
-    /// <summary>As the controller calls the drawing's axes.</summary>
+    /// <summary>The controller's letters of the drawing's axes.</summary>
     internal sealed record LettersDocument(char? X, char? Y, char? Z)
     {
         public static LettersDocument? From(KeptAxes axes) =>

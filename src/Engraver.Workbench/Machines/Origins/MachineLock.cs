@@ -2,8 +2,8 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
 
-/// <summary>Lets one host at a time use a machine: a file that is opened without sharing, and a second one that names its holder. The system closes the
-/// first when the process dies.</summary>
+/// <summary>Ensures that one host at a time uses a machine: a file opened without sharing, and a second file that names its owner. The system closes the first
+/// when the process ends.</summary>
 internal sealed class MachineLock : IDisposable
 {
     private const string LockSuffix = ".lock";
@@ -12,10 +12,10 @@ internal sealed class MachineLock : IDisposable
 
     private MachineLock(FileStream file) => _file = file;
 
-    /// <param name="path">The file that is guarded.</param>
-    /// <param name="machine">Its name, for the sentence.</param>
-    /// <param name="holder">Who takes it.</param>
-    /// <exception cref="MachineTakenException">Another host has it.</exception>
+    /// <param name="path">The locked file.</param>
+    /// <param name="machine">Name of the machine for the message.</param>
+    /// <param name="holder">Name of the new owner.</param>
+    /// <exception cref="MachineTakenException">Another host uses it.</exception>
     /// <exception cref="IOException">The folder cannot be written.</exception>
     public static MachineLock Take(string path, string machine, string holder)
     {
@@ -60,7 +60,7 @@ internal sealed class MachineLock : IDisposable
 /// <summary>Names the host that uses a machine.</summary>
 public static class MachineHolder
 {
-    /// <summary>A phrase that names this process, for another host that wants the machine meanwhile.</summary>
+    /// <summary>A phrase that names this process, for the messages of other hosts.</summary>
     public static string Describe(string program, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(time);

@@ -8,18 +8,18 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
 
-/// <summary>Where the work origins of machines are kept: one file for each, and one host at a time.</summary>
-/// <param name="folder">Null: nothing is kept between connections, as for a simulated machine.</param>
+/// <summary>Storage of the work origins of machines: one file for each, used by one host at a time.</summary>
+/// <param name="folder">Null: nothing is stored between connections, as for a simulated machine.</param>
 public sealed class MachineMemories(string? folder)
 {
     /// <summary>The folder beside the journals of a folder; null for the operator's data folder.</summary>
     public static string FolderIn(string? journals) => Path.Combine(journals ?? UserFiles.Folder, "machines");
 
-    /// <summary>Takes a machine for as long as the hold lives: no other host that goes by these files moves it meanwhile.</summary>
-    /// <param name="address">Where the controller is reached.</param>
-    /// <param name="holder">Who takes it, for the one who comes second.</param>
-    /// <exception cref="MachineTakenException">Another host has it.</exception>
-    /// <exception cref="MachineMemoryException">What is kept cannot be read, or the folder cannot be written.</exception>
+    /// <summary>Acquires the lease of a machine: no other host that uses these files can move it until the lease is disposed.</summary>
+    /// <param name="address">Address of the controller.</param>
+    /// <param name="holder">Name of the owner for the messages of other hosts.</param>
+    /// <exception cref="MachineTakenException">Another host uses it.</exception>
+    /// <exception cref="MachineMemoryException">The stored state cannot be read, or the folder cannot be written.</exception>
     public MachineHold Take(string address, MachineIdentity identity, ControllerPlace place, string holder)
     {
         ArgumentNullException.ThrowIfNull(identity);
@@ -31,7 +31,7 @@ public sealed class MachineMemories(string? folder)
         {
             Directory.CreateDirectory(folder);
             var hold = new MachineHold(path, name, MachineLock.Take(path, name, holder));
-            hold.Recognise(place); // what is lost stays lost, whatever this host is refused and the operator does then
+            hold.Recognise(place); // A lost position remains recorded, whatever happens afterwards.
             return hold;
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
@@ -40,12 +40,12 @@ public sealed class MachineMemories(string? folder)
         }
     }
 
-    /// <summary>The file name of a controller: a hash of its model and its serial number, or of its model and its address where it tells no number.</summary>
+    /// <summary>The file name of a controller: a hash of its model and its serial number, or of its model and its address if it has none.</summary>
     private static string KeyOf(string address, MachineIdentity identity, ControllerPlace place) =>
         Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes($"{identity.Model}\n{place.Serial?.ToString(CultureInfo.InvariantCulture) ?? address}")))[..24];
 }
 
-/// <summary>The machine answers, but this host must not move it: nothing was moved.</summary>
+/// <summary>The machine answers but must not be moved by this host. Nothing was moved.</summary>
 public abstract class MachineUnavailableException : ControllerException
 {
     protected MachineUnavailableException()
@@ -81,7 +81,7 @@ public sealed class MachineTakenException : MachineUnavailableException
     }
 }
 
-/// <summary>What is kept of a machine cannot be used. Without it nobody knows where the work is, so nothing is moved.</summary>
+/// <summary>The stored state of a machine cannot be used. Without it the work origin is unknown, so nothing is moved.</summary>
 public sealed class MachineMemoryException : MachineUnavailableException
 {
     public MachineMemoryException()
@@ -98,6 +98,6 @@ public sealed class MachineMemoryException : MachineUnavailableException
     {
     }
 
-    /// <summary>Nothing is moved when nobody could say afterwards where the machine is.</summary>
+    /// <summary>The state cannot be written: nothing is moved, because the position would be unknown afterwards.</summary>
     internal static MachineMemoryException NotWritten(string failure) => new(Wording.Get("Origins.NotWritten", failure));
 }

@@ -7,14 +7,14 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>The settings and the machine profile of a job as words. Its journal keeps them, and a run that resumes it must have the same ones: otherwise
-/// one part of the work would be cut otherwise than the rest.</summary>
+/// <summary>The settings and the machine profile of a job as text values in its journal. A resumed run must have the same values, otherwise the parts of the
+/// work would be cut differently.</summary>
 internal static class JobWords
 {
-    /// <summary>Fields of the profile by which nothing is cut otherwise.</summary>
+    /// <summary>Fields of the profile that do not affect the cut.</summary>
     private static readonly FrozenSet<string> s_beside = FrozenSet.Create(StringComparer.Ordinal, "costPerHour", "costPerMetre", "costPerStart", "inputs", "outputs", "jogMmPerMinute", "travelX", "travelY", "travelZ");
 
-    /// <summary>By the keys of docs/settings.md and the fields of docs/machine-profile.md.</summary>
+    /// <summary>Values by the keys of docs/settings.md and the fields of docs/machine-profile.md.</summary>
     public static IReadOnlyDictionary<string, string> Of(PreparedJob job)
     {
         var settings = job.Followed?.Settings ?? job.Settings;
@@ -29,13 +29,12 @@ internal static class JobWords
         return words;
     }
 
-    /// <summary>Why an interrupted job cannot be resumed by this one. Where their settings differ they are named, rather than that the path is another
-    /// one.</summary>
-    /// <returns>Null when it can.</returns>
+    /// <summary>Why an interrupted job cannot be resumed by this one. Different settings are named instead of the different path.</summary>
+    /// <returns>Null if it can.</returns>
     public static string? WhyNotResumed(ResumePlace found, PreparedJob job) =>
         (found.Refusal is null || found.IsOtherPath) && found.Settings is { } then && Difference(then, Of(job)) is { } other ? other : found.Refusal;
 
-    /// <summary>Every setting that differs, with both values; null where none does.</summary>
+    /// <summary>All different settings with both values; null if there are none.</summary>
     private static string? Difference(IReadOnlyDictionary<string, string> then, IReadOnlyDictionary<string, string> now)
     {
         var keys = then.Keys.Union(now.Keys).Where(key => then.GetValueOrDefault(key) != now.GetValueOrDefault(key)).Order(StringComparer.Ordinal);

@@ -3,16 +3,16 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>The file beside a journal in which stands what was said to the controller, compressed: by it the run can be replayed.</summary>
+/// <summary>The compressed file beside a journal with the conversation with the controller, used to replay the run.</summary>
 public static class KeptConversation
 {
     private const string Ending = ".wire";
 
-    /// <summary>The file of a journal.</summary>
+    /// <summary>Path of the file of a journal.</summary>
     public static string PathOf(string journal) => journal + Ending;
 
-    /// <summary>Begins the file of a journal; beside a stream, and in one, there is no place for it.</summary>
-    /// <returns>The file, or why there is none; neither beside a stream.</returns>
+    /// <summary>Creates the file of a journal, unless one of them would be a stream.</summary>
+    /// <returns>The file, or why it could not be created; neither for a stream.</returns>
     internal static (StreamWriter? File, string? Failure) Begin(string journal)
     {
         if (FileKind.IsStream(journal) || FileKind.IsStream(PathOf(journal))) return (null, null);

@@ -4,16 +4,16 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>The file beside a journal in which stands where the machine was.</summary>
+/// <summary>The file beside a journal with the positions of the machine.</summary>
 public static class KeptTrace
 {
     private const string Ending = ".trace.csv";
 
-    /// <summary>The file of a journal.</summary>
+    /// <summary>Path of the file of a journal.</summary>
     public static string PathOf(string journal) => journal + Ending;
 
-    /// <summary>Keeps a trace beside its journal; beside a stream there is no place for it.</summary>
-    /// <returns>Why it could not be kept; null when it was, or had no place.</returns>
+    /// <summary>Saves a trace beside its journal, unless the journal is a stream.</summary>
+    /// <returns>Why it could not be written; null on success and for a stream.</returns>
     internal static string? Keep(RunTrace trace, string journal)
     {
         if (FileKind.IsStream(journal)) return null;
@@ -31,7 +31,7 @@ public static class KeptTrace
     /// <summary>Reads the trace of a journal.</summary>
     /// <param name="journal">The journal, or the trace beside it.</param>
     /// <exception cref="IOException">There is none, or it cannot be read.</exception>
-    /// <exception cref="FormatException">The file holds something else.</exception>
+    /// <exception cref="FormatException">The file is not a trace.</exception>
     public static RunTrace Read(string journal)
     {
         ArgumentNullException.ThrowIfNull(journal);
@@ -39,12 +39,12 @@ public static class KeptTrace
         return RunTrace.Read(input);
     }
 
-    /// <summary>The journal of the last run of a drawing whose trace was kept; null when there is none.</summary>
-    /// <param name="drawing">The drawing's file; runs are known by its name.</param>
-    /// <param name="folder">Where the journals are; null for the usual folder.</param>
+    /// <summary>The journal of the last run of a drawing with a saved trace; null if there is none.</summary>
+    /// <param name="drawing">The drawing's file; runs are identified by its name.</param>
+    /// <param name="folder">Folder of the journals; null for the default.</param>
     public static string? LastOf(string drawing, string? folder = null) => AllOf(drawing, folder) is [.., var last] ? last : null;
 
-    /// <summary>The journals of all runs of a drawing whose traces were kept, the oldest first.</summary>
+    /// <summary>The journals of all runs of a drawing with saved traces, the oldest first.</summary>
     /// <param name="drawing">As for <see cref="LastOf"/>.</param>
     /// <param name="folder">As for <see cref="LastOf"/>.</param>
     public static IReadOnlyList<string> AllOf(string drawing, string? folder = null)

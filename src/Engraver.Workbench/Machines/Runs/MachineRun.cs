@@ -13,8 +13,9 @@ namespace Engraver.Workbench.Machines.Runs;
 public static class MachineRun
 {
     /// <param name="job">Prepared in the style of the mode, with a motion program.</param>
-    /// <param name="program">Of <paramref name="job"/>, made fit for the link (<see cref="JobPlan.FitToLink"/>).</param>
-    /// <exception cref="Engraver.Core.Machines.ControllerException">The link never came up. A link lost later is an outcome, not an exception.</exception>
+    /// <param name="program">Program of <paramref name="job"/> with feeds limited to the link (<see cref="JobPlan.FitToLink"/>).</param>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link could not be established. A link lost later is an outcome, not an
+    /// exception.</exception>
     /// <exception cref="IOException">The journal or the trace cannot be written.</exception>
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
@@ -24,8 +25,8 @@ public static class MachineRun
     }
 
     /// <summary>The same on a machine that stays connected afterwards.</summary>
-    /// <param name="connection">Where to; the address of the options is not looked at.</param>
-    /// <exception cref="Engraver.Core.Machines.ControllerException">The link never came up.</exception>
+    /// <param name="connection">Connection to the machine; the address in the options is ignored.</param>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link could not be established.</exception>
     /// <exception cref="IOException">The journal or the trace cannot be written.</exception>
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
@@ -41,7 +42,7 @@ public static class MachineRun
         }
         finally
         {
-            if (trace is not null) await trace.CloseAsync(stop).ConfigureAwait(false); // behind the session: until its links are closed something may be heard
+            if (trace is not null) await trace.CloseAsync(stop).ConfigureAwait(false); // After the session: data may arrive until its links are closed.
             if (conversation is not null) await conversation.CloseAsync(stop).ConfigureAwait(false);
         }
 
@@ -49,7 +50,7 @@ public static class MachineRun
         return report with { TraceFailure = trace?.Failure };
     }
 
-    /// <summary>A named pipe opens when somebody reads at its other end, which the operator's stop does not wait for.</summary>
+    /// <summary>Opening a named pipe blocks until it has a reader; the operator's stop does not wait for that.</summary>
     private static Task<StreamWriter> OpenAsync(string path, CancellationToken stop) =>
         Task.Factory.StartNew(() => new StreamWriter(path), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).WaitAsync(stop);
 
@@ -67,8 +68,8 @@ public static class MachineRun
         }
     }
 
-    /// <exception cref="MachineTakenException">Another host has the machine; nothing was moved.</exception>
-    /// <exception cref="MachineMemoryException">Where the work is cannot be read or written down; nothing was moved.</exception>
+    /// <exception cref="MachineTakenException">Another host uses the machine; nothing was moved.</exception>
+    /// <exception cref="MachineMemoryException">The work origin cannot be read or written; nothing was moved.</exception>
     private static async Task<MachineRunReport> OnMachineAsync(
         PreparedJob job, MotionProgram program, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
@@ -94,8 +95,8 @@ public static class MachineRun
         };
     }
 
-    /// <summary>Looks at the machine now and asks whether the job may start.</summary>
-    /// <returns>Why not; null when it may, or nobody is to be asked.</returns>
+    /// <summary>Polls the machine and checks whether the job may start.</summary>
+    /// <returns>Why not; null if it may, or without a check.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     private static async Task<string?> WhyNotAsync(JobPlacement placement, MachineHold hold, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, TimeProvider time, CancellationToken stop)
     {
@@ -114,14 +115,14 @@ public static class MachineRun
         return mayStart(facts.ToStatus(profile, armed: null), placement);
     }
 
-    /// <param name="frame">Controller counts at the drawing's zero: where the work is, and where the judge looks for it.</param>
+    /// <param name="frame">Controller counts at the drawing's zero, used for the motion and for the comparison.</param>
     private static async Task<(JobResult Result, RunJudgement Judgement, RunTrace? Trace)> RunPlacedAsync(
         PreparedJob job, JobPlacement placement, JobBeginning beginning, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         var judge = options.DryRun || connection.Simulator is null ? null : RunJudge.JudgeOf(job);
         if (judge is not null) beginning.Tell(judge, placement.Program);
         var listener = judge is null ? null : new RecordListener(job.Settings.Machine, judge) { Places = RunJudge.PlacesOf(job), Motors = RunJudge.MotorsOf(job) };
-        using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
+        using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // Cuts of earlier jobs on the same simulated controller do not count for this one.
         listener?.Start(frame.X, frame.Y, frame.Z);
         var polled = options.DryRun || connection.Simulator is not null ? null : new PolledJudge(job);
         var judgement = RunJudgement.Unknown;
@@ -144,7 +145,7 @@ public static class MachineRun
             SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],
             Polled = polled is null ? null : polled.Add,
             Told = options.Told,
-            FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.All.Zip("XYZ").Where(axis => !placement.OpenLoop.Contains(axis.Second)).Select(axis => axis.First.Letter)) : "", // a stepper has no position error: its position is what was commanded
+            FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.All.Zip("XYZ").Where(axis => !placement.OpenLoop.Contains(axis.Second)).Select(axis => axis.First.Letter)) : "", // A stepper has no position error: its position is the commanded one.
         };
         options.Placed?.Invoke(frame);
         if (machine.Identity.UntriedFamily is { } family) options.Told?.Invoke(PreparationRules.FamilyUntried.At(default, machine.Identity.Model, family));
@@ -155,7 +156,7 @@ public static class MachineRun
         return (result, judgement, Recorded(result, listener, polled, options));
     }
 
-    /// <summary>Where the machine was, which is kept beside the journal. A dry run cuts nothing, and nothing of it is kept.</summary>
+    /// <summary>The trace that is saved beside the journal. A dry run cuts nothing and has no trace.</summary>
     private static RunTrace? Recorded(JobResult result, RecordListener? listener, PolledJudge? polled, MachineRunOptions options)
     {
         if (result.FrameOrigin is null || (listener?.Trace() ?? polled?.Trace()) is not { } trace) return null;
@@ -170,49 +171,47 @@ public static class MachineRun
     }
 }
 
-/// <summary>How a run ended, and how well it cut the drawing.</summary>
-/// <param name="Controller">The model as the controller names itself.</param>
-/// <param name="PlannedSeconds">By the trapezoids the controller runs and the commands exchanged at standstills over this link.</param>
+/// <summary>Result of a run and its comparison with the drawing.</summary>
+/// <param name="Controller">Model reported by the controller.</param>
+/// <param name="PlannedSeconds">Planned from the speed profiles of the controller and the commands exchanged at standstills over this link.</param>
 public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, string Controller, double PlannedSeconds)
 {
-    /// <summary>Where the drawing's zero lay; null while that is not known.</summary>
+    /// <summary>Position of the drawing's zero; null if unknown.</summary>
     public PlacementResult? Placement { get; init; }
 
-    /// <summary>X, Y and Z as far as steppers move them: a judgement by polled positions knows of them what was commanded, and nothing of what the motors
-    /// did.</summary>
+    /// <summary>Those of X, Y and Z that steppers move: their polled positions are the commanded ones, not those of the motors.</summary>
     public IReadOnlyList<char> OpenLoop { get; init; } = [];
 
-    /// <summary>Those of <see cref="OpenLoop"/> whose deviation is that of what was commanded: the record of a simulated controller knows where its motors
-    /// were.</summary>
+    /// <summary>Those of <see cref="OpenLoop"/> whose deviation is based on commanded positions; the record of a simulated controller contains motor
+    /// positions.</summary>
     public IReadOnlyList<char> Unseen => Judgement.Source == "record" ? [] : OpenLoop;
 
-    /// <summary>The distance from the drawing up to which this run counts as right, mm: max error, counts and, of servos, the lag that the profile
-    /// allows.</summary>
+    /// <summary>Maximum allowed deviation of this run, mm: max error, counts and, for servos, the following error that the profile allows.</summary>
     public double? ToleranceMm { get; init; }
 
     /// <summary>The tool stayed off.</summary>
     public bool IsDryRun { get; init; }
 
-    /// <summary>Where the machine was; null when nothing is known of it.</summary>
+    /// <summary>The trace of the machine; null if unknown.</summary>
     public RunTrace? Trace { get; init; }
 
-    /// <summary>Path of the run's journal; null for a run that was refused before it began.</summary>
+    /// <summary>Path of the run's journal; null for a run that was refused before its start.</summary>
     public string? Journal { get; init; }
 
-    /// <summary>What lay before it was cut by an earlier job; null for a job that began at its beginning.</summary>
+    /// <summary>Resume position; earlier parts were cut by a previous job. Null for a job from the start.</summary>
     public JobPlace? ResumedFrom { get; init; }
 
-    /// <summary>Why the job could not be resumed; null when it was, or was not to be.</summary>
+    /// <summary>Why the job could not be resumed; null if it was, or for a job from the start.</summary>
     public Diagnostic? ResumeRefusal { get; private init; }
 
-    /// <summary>A job whose journal does not fit.</summary>
+    /// <summary>Report of a job that does not match its journal.</summary>
     internal static MachineRunReport NotResumed(Diagnostic refused, MotionProgram program, string controller) =>
         new(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, controller, 0.0) { ResumeRefusal = refused };
 
-    /// <summary>A job that was refused because nobody can say where it belongs.</summary>
+    /// <summary>Report of a job that was refused because it has no placement.</summary>
     internal static MachineRunReport NotPlaced(JobPlacement placement, string controller, double plannedSeconds) =>
         new(JobResult.NotStarted(placement.Program.Strokes.Count, placement.Found.Refusal!.Message), RunJudgement.Unknown, controller, plannedSeconds) { Placement = placement.Found };
 
-    /// <summary>Why the trace of the wire ended before the job did; null when it is whole, or none was wanted.</summary>
+    /// <summary>Why the wire trace ended before the job; null if complete or not requested.</summary>
     public string? TraceFailure { get; init; }
 }

@@ -5,46 +5,46 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>How a prepared job is run.</summary>
+/// <summary>Options of a run.</summary>
 public sealed record MachineRunOptions(ControllerAddress Address, JobMode Mode)
 {
     /// <summary>Path of the journal.</summary>
     public required string JournalPath { get; init; }
 
-    /// <summary>Where every line on the wire is written; null for nowhere.</summary>
+    /// <summary>Path of the wire trace; null for none.</summary>
     public string? TracePath { get; init; }
 
-    /// <summary>True: every motion, with the tool off.</summary>
+    /// <summary>True: executes every motion with the tool off.</summary>
     public bool DryRun { get; init; }
 
-    /// <summary>Where the drawing's zero lies.</summary>
+    /// <summary>Position of the drawing's zero.</summary>
     public OriginRequest Origin { get; init; } = new OriginRequest.Work();
 
-    /// <summary>Where the machine goes after the last stroke.</summary>
+    /// <summary>Target of the machine after the last stroke.</summary>
     public FinishPlace Finish { get; init; }
 
-    /// <summary>The machine in this host's hands; null: it is taken from <see cref="Memories"/> for the time of the run.</summary>
+    /// <summary>The lease of the machine; null: it is acquired from <see cref="Memories"/> for the run.</summary>
     public MachineHold? Hold { get; init; }
 
-    /// <summary>Where the origins of machines are kept.</summary>
+    /// <summary>Storage of the origins of machines.</summary>
     public MachineMemories Memories { get; init; } = new(null);
 
-    /// <summary>Name of this process for another host that wants the machine meanwhile.</summary>
+    /// <summary>Name of this process for the messages of other hosts.</summary>
     public string Holder { get; init; } = "";
 
-    /// <summary>Where the job goes on that was begun before; null for one that begins at its beginning.</summary>
+    /// <summary>Where to resume an interrupted job; null for a job from the start.</summary>
     public ResumeRequest? Resume { get; init; }
 
-    /// <summary>Hold, resume and overrides by the operator; null for a job that nobody holds.</summary>
+    /// <summary>Feed hold, resume and overrides by the operator; null for none.</summary>
     public JobControl? Control { get; init; }
 
-    /// <summary>Told where the drawing's zero lies, counts of the controller, before anything moves; null for nobody.</summary>
+    /// <summary>Receives the position of the drawing's zero, counts of the controller, before any motion; null for none.</summary>
     public Action<CountsPoint>? Placed { get; init; }
 
-    /// <summary>Asked before the start with what the machine says just then and where the job would go: why it must not start, or null. Null where a list
-    /// was gone through before (ARM).</summary>
+    /// <summary>Checks before the start: receives the current status and the placement, and returns why the job must not start, or null. Null if the checks
+    /// were already run (ARM).</summary>
     public Func<MachineStatus, JobPlacement, string?>? MayStart { get; init; }
 
-    /// <summary>Told what is found out before the first motion; on the thread of the job.</summary>
+    /// <summary>Receives findings before the first motion, on the thread of the job.</summary>
     public Action<Diagnostic>? Told { get; init; }
 }

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>How a job ended: for programs and for people.</summary>
+/// <summary>Texts of job outcomes: contract words and displayed text.</summary>
 public static class OutcomeText
 {
     /// <summary>The outcome in the words of the runner's contract.</summary>
@@ -15,7 +15,7 @@ public static class OutcomeText
         _ => "linkLost",
     };
 
-    /// <summary>For people.</summary>
+    /// <summary>The displayed text.</summary>
     public static string Said(JobOutcome outcome) => Wording.Get("Outcome." + outcome);
 
     /// <param name="word">An outcome as the history stores it.</param>

@@ -6,9 +6,9 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Judges a run on a real link by the positions that are polled while it goes on, one after the other: memory does not grow with the time of the
-/// run.</summary>
-/// <remarks>Everything is built before the job begins, because building a judge of a large drawing would delay the heartbeat. Not thread safe.</remarks>
+/// <summary>Compares a run over a real link with the drawing by its polled positions. Memory does not grow with the duration of the run.</summary>
+/// <remarks>All data structures are built before the job starts, because building them for a large drawing would delay the heartbeat. Not thread
+/// safe.</remarks>
 internal sealed class PolledJudge
 {
     private readonly PreparedJob _job;
@@ -33,15 +33,15 @@ internal sealed class PolledJudge
         TellLast(commanded.Cutting);
         _last = commanded;
         if (point.Error is not null) _motors.Add(commanded, RunJudge.MotorSample(profile, point));
-        _error = point.Error ?? _error; // between two questions the last answer is the best that is known
+        _error = point.Error ?? _error; // Between two queries the last answer is the best estimate.
         _places.Add(RunJudge.MotorSample(profile, point with { Error = _error }));
     }
 
-    /// <summary>Where the machine was.</summary>
+    /// <summary>The trace of the machine.</summary>
     public RunTrace Trace() => _places.ToTrace("polled");
 
-    /// <summary>By the positions, and by the segments that the controller counted as executed; the one under way counts up to the last position known on
-    /// it. Call once, at the end of the job.</summary>
+    /// <summary>Judges the positions and the segments counted by the controller; the current segment counts up to the last known position on it. Call once, at
+    /// the end of the job.</summary>
     public RunJudgement Judge(MotionProgram program, JobResult result)
     {
         TellLast(isCutOn: true);
@@ -55,8 +55,8 @@ internal sealed class PolledJudge
         return RunJudge.WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, _motors);
     }
 
-    /// <summary>The last poll before the tool is out of the work may be the only one of its way up; the judge of heights knows a way up or down by what is
-    /// no cut before it.</summary>
+    /// <summary>The last poll before the tool leaves the work may be the only one of the retract; the height judge recognises retracts and plunges by the
+    /// preceding sample without a cut.</summary>
     private void TellLast(bool isCutOn)
     {
         if (_last is not { } last) return;

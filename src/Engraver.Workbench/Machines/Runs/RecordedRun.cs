@@ -5,14 +5,14 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Where the machine was in a run of a job: the last one, or one that was kept.</summary>
+/// <summary>The trace of a run: the last run or a saved one.</summary>
 public sealed record RecordedRun(PreparedJob Job, RunTrace Trace)
 {
-    /// <summary>The distance from the drawing that a faithful run may have, mm.</summary>
+    /// <summary>Maximum allowed deviation, mm.</summary>
     public double ToleranceMm => RunJudge.Tolerances(Job).Deviation;
 
-    /// <summary>What is coloured, for each place: the deviation as a part of what is tolerated, the others as a part of the run's own largest; 0 where it
-    /// is not known.</summary>
+    /// <summary>Colour value for each position: the deviation as a fraction of the tolerance, other quantities as a fraction of their maximum in the run; 0 if
+    /// unknown.</summary>
     public double[] Colours(RunMeasure measure)
     {
         var values = RunPlot.Values(Trace, measure);
@@ -21,25 +21,25 @@ public sealed record RecordedRun(PreparedJob Job, RunTrace Trace)
     }
 }
 
-/// <summary>Collects where the machine is while a job runs on it, by what the job tells.</summary>
+/// <summary>Collects the trace of a running job from its progress.</summary>
 /// <remarks>On the job's thread.</remarks>
 internal sealed class LiveTrace(PreparedJob job, bool isDryRun)
 {
-    /// <summary>The distance of a place from so many segments is not found on the side.</summary>
+    /// <summary>Maximum number of segments for which deviations are computed during a run.</summary>
     private const int MostSegments = 50_000;
 
-    /// <summary>Controller seconds between two pictures of it.</summary>
+    /// <summary>Controller seconds between two updates of the display.</summary>
     private const double Between = 0.25;
 
     private readonly RunTraceBuilder _places = RunJudge.PlacesOf(job);
     private double _shown = double.NegativeInfinity;
     private CountsPoint? _error;
 
-    /// <returns>Null for a drawing that is too large for it.</returns>
+    /// <returns>Null if the drawing is too large.</returns>
     public static LiveTrace? Of(PreparedJob job, bool isDryRun) => job.Analysed.Count > MostSegments ? null : new LiveTrace(job, isDryRun);
 
-    /// <summary>The machine is here.</summary>
-    /// <returns>The run so far when it is time to show it; otherwise null.</returns>
+    /// <summary>Adds a position.</summary>
+    /// <returns>The run so far if the display is due; otherwise null.</returns>
     public RecordedRun? Add(JobProgress told)
     {
         _error = told.Error ?? _error;

@@ -11,55 +11,53 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>A job that does not begin at its beginning: it goes on where an earlier one ended, by that one's journal, or from a place that was
-/// chosen.</summary>
+/// <summary>A job that starts in the middle: where an earlier one ended according to its journal, or from a chosen contour.</summary>
 public sealed record ResumeRequest
 {
     /// <summary>The default of <see cref="LeadInMm"/>.</summary>
     public const double UsualLeadInMm = 1.0;
 
-    /// <summary>The most that <see cref="LeadInMm"/> may be.</summary>
+    /// <summary>The maximum of <see cref="LeadInMm"/>.</summary>
     public const double LongestLeadInMm = 1000.0;
 
     /// <summary>Journal of the interrupted job; null where <see cref="Stroke"/> was chosen.</summary>
     public string? Journal { get; init; }
 
-    /// <summary>The first contour that is cut, from 0 in the order of cutting; without a journal.</summary>
+    /// <summary>Index of the first contour to cut, from 0 in the order of cutting; used without a journal.</summary>
     public int Stroke { get; init; }
 
-    /// <summary>Length of the path already cut that is cut again before the place, millimetres.</summary>
+    /// <summary>Length of the path before the resume position that is cut again, millimetres.</summary>
     public double LeadInMm { get; init; } = UsualLeadInMm;
 
-    /// <summary>The job goes on at the active work origin though it was begun elsewhere: the operator has set that origin anew at the same place of the
-    /// work.</summary>
+    /// <summary>The job resumes at the active work origin although it was started at another one: the operator has set the origin again at the same point of
+    /// the work.</summary>
     public bool AtOrigin { get; init; }
 }
 
-/// <summary>What START would cut where it is not the whole drawing: what an interrupted job has left, or the contours from one on. It lasts until it is
-/// cut, or drawing, settings or work origin change.</summary>
-/// <param name="Shown">What lies before it is shown as done.</param>
-/// <param name="Mode">The mode in which it must be run; null for any.</param>
-/// <param name="Drawing">The drawing for which it was chosen.</param>
-/// <param name="Settings">The settings for which it was chosen.</param>
+/// <summary>The part of the drawing that START cuts: the rest of an interrupted job, or the contours from one on. Valid until it is cut or the drawing, the
+/// settings or the work origin change.</summary>
+/// <param name="Shown">Start of the part; earlier segments are shown as done.</param>
+/// <param name="Mode">The required mode; null for any.</param>
+/// <param name="Drawing">The drawing of the part.</param>
+/// <param name="Settings">The settings of the part.</param>
 public sealed record JobPart(ResumeRequest Request, JobPlace Shown, JobMode? Mode, Drawing Drawing, DrawingSettings Settings);
 
-/// <summary>Where a job begins, found before anything moves.</summary>
-/// <param name="Place">What lies before it is not cut.</param>
-/// <param name="LeadIn">Counts before the place that are cut again.</param>
-/// <param name="Origin">Where the drawing's zero lies.</param>
+/// <summary>The start position of a job, determined before any motion.</summary>
+/// <param name="Place">Start; earlier segments are not cut.</param>
+/// <param name="LeadIn">Counts before the start that are cut again.</param>
+/// <param name="Origin">Position of the drawing's zero.</param>
 internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest Origin)
 {
     /// <summary>The height to which the machine returns before it cuts, counts of the controller (<see cref="JobOptions.HeightOfCut"/>).</summary>
     public int? HeightOfCut { get; private init; }
 
-    /// <summary>Why the job cannot be resumed; null when it can, or begins at its beginning.</summary>
+    /// <summary>Why the job cannot be resumed; null if it can, or starts from the beginning.</summary>
     public Diagnostic? Refusal { get; private init; }
 
-    /// <summary>Asks the machine what it has kept of an interrupted job, and finds where it is to go on: at the active work origin where the operator has
-    /// set one, which must be where the job was
-    /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another place is refused, also where nothing tells
-    /// whether the counts of then are those of now, unless the operator
-    /// asks for the work origin by name; then, or where the origin was set anew, the height is the operator's too.</summary>
+    /// <summary>Reads the state of an interrupted job from the machine and determines the resume position. If the operator has set a work origin, the job
+    /// resumes at the active one, which must be where the job was started. Otherwise it resumes at its own origin if the controller's zero is unchanged. It is
+    /// refused elsewhere, or if the zero cannot be confirmed, unless the operator requests the work origin explicitly; then, or if the origin was set again,
+    /// the operator also sets the height.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public static async Task<JobBeginning> FindAsync(IMachineConnection machine, PreparedJob job, MotionProgram program, MachineRunOptions options, MachineMemory memory, CancellationToken cancellation)
     {
@@ -93,23 +91,23 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
 
     private static string Shown(Point2D place) => string.Create(CultureInfo.InvariantCulture, $"{place.X:0.###},{place.Y:0.###}");
 
-    /// <summary>The place before a stroke of a program.</summary>
+    /// <summary>The position before a stroke of a program.</summary>
     public static JobPlace ToStroke(MotionProgram program, int stroke) => new(program.Strokes.Take(stroke).Sum(before => before.Sequences.Sum(sequence => sequence.Segments.Count)), 0.0);
 
-    /// <summary>The program as far as it will be cut; angles as they were planned.</summary>
+    /// <summary>The part of the program that will be cut; planned angles are unchanged.</summary>
     public MotionProgram RestOf(MotionProgram program) => Place == default ? program : RemainingProgram.From(program, Place, LeadIn, static angle => angle).Program;
 
-    /// <summary>What an earlier job has cut, for a judge who looks at the whole drawing.</summary>
+    /// <summary>Passes the part cut by an earlier job to a judge of the whole drawing.</summary>
     public void Tell(ITraceJudge judge, MotionProgram program)
     {
         foreach (var sample in CutPath.Before(program, Place)) judge.Add(sample);
     }
 }
 
-/// <summary>The path of a program up to a place, as samples with the tool on.</summary>
+/// <summary>The path of a program up to a position, as samples with the tool on.</summary>
 internal static class CutPath
 {
-    /// <summary>A chord leaves its arc by no more than this, counts.</summary>
+    /// <summary>Maximum distance of a chord from its arc, counts.</summary>
     private const double Sagitta = 0.2;
 
     public static IEnumerable<TraceSample> Before(MotionProgram program, JobPlace place)
@@ -143,7 +141,7 @@ internal static class CutPath
         for (var i = 0; i <= chords; i++) yield return course.At(length * i / chords);
     }
 
-    /// <summary>Counts of the Z axis; a line rises evenly.</summary>
+    /// <summary>Z position, counts, interpolated linearly.</summary>
     private static double HeightOf(CountsPoint start, in VectorSegment segment, Point2D at)
     {
         if (start.Z == segment.End.Z) return start.Z;

@@ -5,22 +5,22 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>How much room on the disk the runs may take whose journals nobody named: when a run begins, the oldest ones are deleted beyond that, each with
-/// the files beside its journal. One that is under way, that did not end properly or that can be resumed is never deleted.</summary>
+/// <summary>Disk space limit of runs without an explicit journal path: when a run starts, the oldest runs beyond the limit are deleted with all their files.
+/// Runs that are active, did not end regularly or can be resumed are not deleted.</summary>
 public static class RunBudget
 {
-    /// <summary>Where the operator has set nothing.</summary>
+    /// <summary>The default limit.</summary>
     public const int UsualMegabytes = 1000;
 
     private const long Megabyte = 1_000_000;
     private const string Ending = ".jsonl";
 
-    /// <summary>A journal and what is written beside it.</summary>
+    /// <summary>Suffixes of a journal and of the files beside it.</summary>
     private static readonly string[] s_besides = ["", KeptConversation.PathOf(""), KeptTrace.PathOf(""), JournalledRun.ProgramCopyOf("")];
 
     private static string SettingFile => Path.Combine(UserFiles.Folder, "runs-megabytes.txt");
 
-    /// <summary>The operator's setting.</summary>
+    /// <summary>The limit set by the operator.</summary>
     public static int Megabytes
     {
         get
@@ -37,7 +37,7 @@ public static class RunBudget
     }
 
     /// <summary>Changes the setting.</summary>
-    /// <returns>Why that failed, without a full stop; null when it is kept.</returns>
+    /// <returns>Why that failed, without a full stop; null on success.</returns>
     public static string? Set(int megabytes)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(megabytes);
@@ -53,7 +53,7 @@ public static class RunBudget
         }
     }
 
-    /// <summary>What the kept runs take, in megabytes.</summary>
+    /// <summary>Disk space of the stored runs, megabytes.</summary>
     public static double UsedMegabytes => UsedIn(JournalFolder.Usual);
 
     /// <summary>The same of another folder.</summary>
@@ -69,7 +69,7 @@ public static class RunBudget
         }
     }
 
-    /// <summary>Deletes the oldest runs of a folder until those that are left take no more than so much, or none may be deleted.</summary>
+    /// <summary>Deletes the oldest runs of a folder until the rest is within the limit or no more may be deleted.</summary>
     public static void MakeRoom(string folder, int megabytes)
     {
         try
@@ -86,11 +86,11 @@ public static class RunBudget
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            // Somebody reads one of them: the next run tries again.
+            // A file is in use: the next run tries again.
         }
     }
 
-    /// <summary>A file without a journal may be of a run that begins just now, or nobody's.</summary>
+    /// <summary>A file without a journal may belong to a run that is just starting, so it is not deleted.</summary>
     private static bool MayGo(string journal) => File.Exists(journal) && JournalledRun.Read(journal) is { IsSettled: true };
 
     private static List<RunFiles> Runs(string folder) => !Directory.Exists(folder) ? [] :
@@ -102,7 +102,7 @@ public static class RunBudget
             .Select(static files => new RunFiles(files.Key, [.. files])),
     ];
 
-    /// <summary>Null for a file that no run has written.</summary>
+    /// <summary>Null for a file that does not belong to a run.</summary>
     private static string? JournalOf(string path) =>
         s_besides.FirstOrDefault(ending => path.EndsWith(Ending + ending, StringComparison.Ordinal)) is { } beside ? path[..^beside.Length] : null;
 

@@ -8,18 +8,18 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Compares what the motors did with the drawing. It uses what the controller or the simulator's record says, never the planned motion.</summary>
+/// <summary>Compares the motion of the motors with the drawing, using the data of the controller or the simulator's record, not the planned motion.</summary>
 public static class RunJudge
 {
-    /// <summary>What was found while the controller ran.</summary>
-    /// <param name="motors">What was found of the motors; null where only the commanded path is judged.</param>
+    /// <summary>The verdict of the run.</summary>
+    /// <param name="motors">The judge of the motors; null if only the commanded path is judged.</param>
     internal static RunJudgement ByRecord(TraceVerdict found, MotorJudge? motors = null) =>
         WithMotors(new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt }, motors);
 
-    /// <summary>Compares the motors of a job with the drawing, in plan: how far the height is behind is part of the following error.</summary>
+    /// <summary>Compares the motors of a job with the drawing, in XY: the lag of Z is part of the following error.</summary>
     internal static MotorJudge MotorsOf(PreparedJob job) => new(() => PlanJudgeOf(job, null, Tolerances(job)));
 
-    /// <summary>A verdict on the commanded path and, where they are known, on the motors.</summary>
+    /// <summary>Combines the verdict on the commanded path with that on the motors, if known.</summary>
     internal static RunJudgement WithMotors(RunJudgement path, MotorJudge? motors) => motors?.Following is not { } following || path.MaxDeviationMm is not { } commanded ? path : path with
     {
         MaxDeviationMm = Math.Max(commanded, motors.Deviation),
@@ -29,8 +29,8 @@ public static class RunJudge
         FollowingAt = motors.FollowingAt,
     };
 
-    /// <summary>The following error that the profile allows at the fastest cutting speed of a program, mm: by so much healthy servos may be beside a path
-    /// that bends.</summary>
+    /// <summary>The following error that the profile allows at the fastest cutting speed of a program, mm: the allowed deviation of servos at corners and
+    /// arcs.</summary>
     internal static double AllowedFollowing(MotionProgram program)
     {
         var fastest = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max();
@@ -38,34 +38,34 @@ public static class RunJudge
     }
 
     /// <summary>A judge that compares recorded motion with the drawing.</summary>
-    /// <param name="bridges">Lines that may be cut besides; what is missing is then not to be asked of the verdict.</param>
+    /// <param name="bridges">Additional lines that may be cut; the missing length of the verdict is then meaningless.</param>
     internal static ITraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null) => job.Settings.Machine.Height is { } drive
         ? new HeightJudge([.. StrokeMove.AllOf(job.Analysed), .. bridges ?? []], drive.CutDepth, drive.DepthPerPass, Tolerances(job))
         : PlanJudgeOf(job, bridges, Tolerances(job));
 
-    /// <summary>The same in plan only, whatever drives the tool.</summary>
+    /// <summary>The same in XY only, with or without a tool axis.</summary>
     internal static ITraceJudge PlanJudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges, TraceTolerances tolerances) =>
         new TraceJudge([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], tolerances);
 
-    /// <summary>Keeps where a machine was, with its distance from the drawing.</summary>
+    /// <summary>Creates the builder of a trace with the deviation from the drawing.</summary>
     internal static RunTraceBuilder PlacesOf(PreparedJob job) => new(job.Analysed.ToSegments());
 
-    /// <summary>A place that a job has told while it runs; of a dry run the path counts as cut.</summary>
-    /// <param name="error">The position error that was told last; null where nobody asks.</param>
+    /// <summary>A sample from the progress of a running job; in a dry run the path counts as cut.</summary>
+    /// <param name="error">The last reported position error; null if it is not polled.</param>
     internal static TraceSample Sample(PreparedJob job, JobProgress told, bool isDryRun, CountsPoint? error) =>
         MotorSample(job.Settings.Machine, new TracePoint(told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath)) { Error = error });
 
-    /// <summary>The differences that a correct run of the job may have.</summary>
+    /// <summary>The allowed deviations of a correct run.</summary>
     public static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
     {
         Count = CoarsestCount(job.Settings.Machine),
         MaxError = job.Settings.MaxErrorMm,
     };
 
-    /// <summary>Millimetres; of the Z axis too, where it cuts.</summary>
+    /// <summary>Size of the coarsest count, millimetres; includes Z if the tool axis cuts.</summary>
     private static double CoarsestCount(MachineProfile profile) => 1.0 / (profile.Height is null ? profile.Scale.Smallest : Math.Min(profile.Scale.Smallest, Math.Abs(profile.Scale.Z)));
 
-    /// <summary>Where the motors were: the commanded position less the position error, where somebody asked for it.</summary>
+    /// <summary>The motor position: the commanded position minus the position error, if it was polled.</summary>
     internal static TraceSample MotorSample(MachineProfile profile, TracePoint point) => CommandedSample(profile, point.Seconds, point.Place - (point.Error ?? default), point.ToolOn, point.Error);
 
     internal static TraceSample CommandedSample(MachineProfile profile, double seconds, CountsPoint counts, bool cutting, CountsPoint? error = null)
@@ -74,33 +74,33 @@ public static class RunJudge
         return new(seconds, place.X, place.Y, cutting, profile.Scale.ToMillimetres(counts.Z)) { FollowingMm = error is { } known ? Following(profile, known) : null };
     }
 
-    /// <summary>Millimetres; of the height too, where an axis holds the tool.</summary>
+    /// <summary>Length of the position error, millimetres; includes Z with a tool axis.</summary>
     private static double Following(MachineProfile profile, CountsPoint error) =>
         double.Hypot(double.Hypot(error.X / profile.Scale.X, error.Y / profile.Scale.Y), profile.Height is null ? 0.0 : error.Z / profile.Scale.Z);
 }
 
-/// <summary>What a run is worth, by what the controller or the simulator's record says; null where nothing is known.</summary>
-/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing: of the motors, where their position error is known, otherwise of
-/// what was commanded.</param>
-/// <param name="MissingLengthMm">Drawn length that was never cut; null too when the link was lost and the controller went on alone.</param>
+/// <summary>Comparison of a run with the drawing from the data of the controller or the simulator's record; null values are unknown.</summary>
+/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing: of the motors if their position error is known, otherwise of the
+/// commanded position.</param>
+/// <param name="MissingLengthMm">Drawn length that was not cut; also null if the link was lost and the controller continued alone.</param>
 /// <param name="Source">"record", "polled" or "none".</param>
 public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthMm, string Source)
 {
     public static RunJudgement Unknown { get; } = new(null, null, "none");
 
-    /// <summary>Largest distance of the commanded path from the drawing, where the motors' own is known; null where only one of the two is, and then it is
+    /// <summary>Largest distance of the commanded path from the drawing, if the deviation of the motors is known too; null if only one is known, which is then
     /// <see cref="MaxDeviationMm"/>.</summary>
     public double? CommandedDeviationMm { get; init; }
 
-    /// <summary>Largest following error of the servo axes while the tool cut, mm; null where nobody asked, or steppers move them.</summary>
+    /// <summary>Largest following error of the servo axes while the tool cut, mm; null if it was not polled, or for steppers.</summary>
     public double? FollowingMm { get; init; }
 
-    /// <summary>Where on the commanded path that was, millimetres.</summary>
+    /// <summary>Its position on the commanded path, millimetres.</summary>
     public Point2D? FollowingAt { get; init; }
 
-    /// <summary>Where on the drawing the machine was furthest from it, millimetres; null where that is not known.</summary>
+    /// <summary>Position of the largest deviation on the drawing, millimetres; null if unknown.</summary>
     public Point2D? DeviationAt { get; init; }
 
-    /// <summary>The first place of the drawing that was never cut, millimetres; null where nothing is missing or nobody knows where.</summary>
+    /// <summary>The first position of the drawing that was not cut, millimetres; null if nothing is missing or it is unknown.</summary>
     public Point2D? MissingAt { get; init; }
 }

@@ -6,15 +6,14 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Turns a run whose measured deviation or missing length is out of tolerance into <see cref="JobOutcome.Deviated"/>, whatever the controller
-/// counted.</summary>
+/// <summary>Changes the outcome of a run whose measured deviation or missing length exceeds the tolerance to <see cref="JobOutcome.Deviated"/>, regardless of
+/// the controller's counters.</summary>
 internal static class RunVerdict
 {
-    /// <summary>Nominal sample of the controller's motion, seconds: two axes that are asked one after the other may be so far apart in time
-    /// (galil-dmc.md C).</summary>
+    /// <summary>Nominal sample of the controller's motion, seconds: two axes queried in sequence may differ by this time (galil-dmc.md C).</summary>
     private const double SampleSeconds = 0.001;
 
-    /// <returns>The result as it was, or as <see cref="JobOutcome.Deviated"/> with place and size.</returns>
+    /// <returns>The unchanged result, or <see cref="JobOutcome.Deviated"/> with position and size.</returns>
     public static JobResult Judge(PreparedJob job, MotionProgram program, JobResult result, RunJudgement judgement)
     {
         if (result.Outcome != JobOutcome.Complete) return result;
@@ -31,20 +30,19 @@ internal static class RunVerdict
         return result;
     }
 
-    /// <summary>The distance from the drawing up to which a run counts as right, mm: with the lag that healthy servos may have, where their position errors
-    /// are known.</summary>
+    /// <summary>Maximum allowed deviation of a run, mm, including the allowed following error of servos if it is known.</summary>
     public static double Tolerance(PreparedJob job, MotionProgram program, RunJudgement judgement) =>
         AllowedDeviation(job, program, judgement, RunJudge.Tolerances(job)) + (judgement.FollowingMm is null ? 0.0 : RunJudge.AllowedFollowing(program));
 
     /// <param name="what">A sentence.</param>
-    /// <param name="place">Drawing point of the largest value, mm; null where none is known.</param>
+    /// <param name="place">Drawing point of the largest value, mm; null if unknown.</param>
     private static JobResult Deviated(JobResult result, string what, Point2D? place) => result with
     {
         Outcome = JobOutcome.Deviated,
         Sentence = string.Join(' ', (string[])[what, .. At(place), Wording.Get("RunVerdict.CheckWorkpiece")]),
     };
 
-    /// <summary>Where the join tolerance bridges gaps, the middle of a bridge is right though it lies off the drawing.</summary>
+    /// <summary>If the join tolerance bridges gaps, the middle of a bridge is correct although it is off the drawing.</summary>
     private static double AllowedDeviation(PreparedJob job, MotionProgram program, RunJudgement judgement, TraceTolerances tolerances)
     {
         var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
@@ -52,12 +50,12 @@ internal static class RunVerdict
         return judgement.Source == "polled" ? bridged + Skew(program, tolerances) : bridged;
     }
 
-    /// <summary>By how much a polled position may lie beside the path because its two numbers are a sample apart: half of the distance of a sample, in a
-    /// slanting direction. Nearer than that it is the job that watches (PathWatch).</summary>
+    /// <summary>Allowed distance of a polled position from the path, because its two coordinates are one sample apart: half the distance of a sample in a
+    /// diagonal direction. Smaller deviations are monitored by the job (PathWatch).</summary>
     private static double Skew(MotionProgram program, TraceTolerances tolerances) =>
         program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * SampleSeconds / 2.0 * tolerances.Count;
 
-    /// <summary>A record is judged place by place; polled, the length is a sum of segments, of which an arc that was aimed anew is a little shorter or
+    /// <summary>A record is judged by its samples. With polling the length is a sum of segments, and a recomputed arc may be slightly shorter or
     /// longer.</summary>
     private static double AllowedMissing(RunJudgement judgement, TraceTolerances tolerances) => judgement.Source == "record" ? tolerances.Deviation : tolerances.LargestStep;
 

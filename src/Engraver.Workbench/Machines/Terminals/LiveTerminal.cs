@@ -2,11 +2,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines.Terminals;
 
-/// <summary>The lines of the terminal page: what was typed, answered and printed, oldest first. They stay when the connection ends.</summary>
-/// <remarks>Any thread. Nothing is sent while a job runs, and what the driver withholds is not sent at all.</remarks>
+/// <summary>The lines of the terminal page: what was typed, answered and printed, oldest first. They are kept after disconnecting.</summary>
+/// <remarks>Any thread. Nothing is sent while a job runs, and lines that the driver withholds are not sent.</remarks>
 public sealed class LiveTerminal
 {
-    /// <summary>Largest number of lines; older ones are forgotten.</summary>
+    /// <summary>Maximum number of lines; older ones are removed.</summary>
     private const int MostLines = 2000;
 
     private readonly Lock _guard = new();
@@ -16,7 +16,7 @@ public sealed class LiveTerminal
 
     internal LiveTerminal(TimeProvider time, Func<string, CancellationToken, Task<IReadOnlyList<TerminalAnswer>>> answer) => (_time, _answer) = (time, answer);
 
-    /// <summary>Raised after lines have come; on any thread.</summary>
+    /// <summary>Raised after lines were added; on any thread.</summary>
     public event EventHandler? Changed;
 
     public IReadOnlyList<TerminalEntry> Lines
@@ -27,8 +27,8 @@ public sealed class LiveTerminal
         }
     }
 
-    /// <summary>Takes a typed line and shows it with its answer.</summary>
-    /// <exception cref="Engraver.Core.Machines.ControllerException">The link failed; the line stays on the page.</exception>
+    /// <summary>Sends a typed line and shows it with its answer.</summary>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link failed; the line remains on the page.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> TypeAsync(string line, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(line);
@@ -51,6 +51,6 @@ public sealed class LiveTerminal
 }
 
 /// <summary>A line of the terminal's page.</summary>
-/// <param name="Time">When it was typed or heard.</param>
-/// <param name="Kind">Null for what the operator typed; otherwise where it comes from.</param>
+/// <param name="Time">Time of input or reception.</param>
+/// <param name="Kind">Null for input of the operator; otherwise the source.</param>
 public sealed record TerminalEntry(DateTimeOffset Time, TerminalAnswerKind? Kind, string Text);

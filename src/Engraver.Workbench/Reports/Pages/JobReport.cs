@@ -15,50 +15,50 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Reports.Pages;
 
-/// <summary>Everything that the page of a job tells: the job, its plan and cost, its certificate, and the run where there was one.</summary>
+/// <summary>The data of a job report: the job, its plan and cost, its certificate, and its run if any.</summary>
 /// <param name="Job">Prepared in the style of <paramref name="Mode"/>.</param>
-/// <param name="Certificate">How the job stands to the certificate beside its drawing.</param>
-/// <param name="Now">When the page is made.</param>
+/// <param name="Certificate">Status of the certificate beside its drawing.</param>
+/// <param name="Now">Date of the report.</param>
 public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStanding Certificate, DateTimeOffset Now)
 {
-    /// <summary>The motion, made fit for the link; null when nothing can be cut.</summary>
+    /// <summary>The motion program with feeds limited to the link; null if nothing can be cut.</summary>
     public MotionProgram? Program { get; private init; }
 
     /// <summary>The planned times of the program, over the link.</summary>
     public MotionTimes Times { get; private init; }
 
-    /// <summary>Null where nobody says what the machine costs.</summary>
+    /// <summary>Null if machine rates are undefined.</summary>
     public JobCost? Cost { get; private init; }
 
-    /// <summary>The planned motion over time; null when nothing can be cut.</summary>
+    /// <summary>The planned motion over time; null if nothing can be cut.</summary>
     public PlannedMotion? Motion { get; private init; }
 
-    /// <summary>Findings of every stage, errors first, in the words of the place where they are read.</summary>
+    /// <summary>Findings of every stage, errors first, named for the front end.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; private init; } = [];
 
-    /// <summary>How the job stands to the certificates of other targets that are beside its drawing, by target and dialect.</summary>
+    /// <summary>Status of the certificates of other targets beside its drawing, by target and dialect.</summary>
     public IReadOnlyList<(string Target, CertificateStanding Standing)> OtherCertificates { get; private init; } = [];
 
-    /// <summary>The run that the page is about; null for a job that has not been run, or that the history does not know.</summary>
+    /// <summary>The reported run; null for a job that was not run or has no history entry.</summary>
     public HistoryEntry? Run { get; private init; }
 
-    /// <summary>What the journal alone tells of a run that the history does not know; null where it knows it, or there is no journal.</summary>
+    /// <summary>The run from its journal if it has no history entry; otherwise null.</summary>
     public JournalledRun? Journalled { get; private init; }
 
-    /// <summary>The file of <see cref="Journalled"/>, and whether its job is the one of the page.</summary>
+    /// <summary>The file of <see cref="Journalled"/>, and whether its job is the reported one.</summary>
     public (string File, bool IsThisJob) Journal { get; private init; }
 
-    /// <summary>What has changed since that run, as a certificate tells it; empty where the run is of just this job, or there is none.</summary>
+    /// <summary>Changes since that run, as in a certificate; empty if there are none or there is no run.</summary>
     public IReadOnlyList<string> RunDiffers { get; private init; } = [];
 
-    /// <summary>Where the machine was in that run; null where it was not kept.</summary>
+    /// <summary>The trace of that run; null if it was not saved.</summary>
     public RunTrace? Trace { get; private init; }
 
-    /// <summary>Why a kept trace cannot be shown; null where it can, or where there is none.</summary>
+    /// <summary>Why a saved trace cannot be shown; null if it can or there is none.</summary>
     public string? TraceProblem { get; private init; }
 
-    /// <summary>Puts it together.</summary>
-    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <summary>Collects the data.</summary>
+    /// <exception cref="SettingException">A named layer or the entry entity is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static JobReport Create(JobReportRequest request, CancellationToken cancellation)
     {
@@ -85,7 +85,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
         return request.Run is null && JournalledRun.Read(journal) is { } told ? report with { Journalled = told, Journal = (Path.GetFullPath(journal), IsOf(told, program, job)) } : report;
     }
 
-    /// <summary>Whether the journal is of the job; one that was run in the other style had other segments.</summary>
+    /// <summary>Whether the journal belongs to the job; a run in the other style has different segments.</summary>
     private static bool IsOf(JournalledRun told, MotionProgram? program, PreparedJob job)
     {
         if (told.Program.Length == 0) return true;
@@ -120,25 +120,25 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
     }
 }
 
-/// <summary>Of what a page is made.</summary>
+/// <summary>Parameters of a job report.</summary>
 public sealed record JobReportRequest(Drawing Drawing, DrawingSettings Settings, JobMode Mode, DateTimeOffset Now)
 {
-    /// <summary>The link that the job goes over; null for a network.</summary>
+    /// <summary>The link of the job; null for a network.</summary>
     public ControllerAddress? Address { get; init; }
 
-    /// <summary>What the machine costs; null for what its profile says.</summary>
+    /// <summary>Machine rates; null for those of the profile.</summary>
     public JobRates? Rates { get; init; }
 
-    /// <summary>The run that the page is about.</summary>
+    /// <summary>The reported run.</summary>
     public HistoryEntry? Run { get; init; }
 
-    /// <summary>Its journal, beside which the trace was kept.</summary>
+    /// <summary>Its journal, beside which the trace is saved.</summary>
     public string? Journal { get; init; }
 
-    /// <summary>Puts findings into the words of where they are read (<see cref="SettingWording"/>).</summary>
+    /// <summary>Names settings in findings for the front end (<see cref="SettingWording"/>).</summary>
     public Func<Diagnostic, Diagnostic> Spell { get; init; } = SettingWording.OnConsole;
 
-    /// <summary>The same about the run of <see cref="Journal"/>, or without one about the last run of the drawing that the history knows.</summary>
+    /// <summary>The same request for the run of <see cref="Journal"/>, or by default for the last run of the drawing in the history.</summary>
     public JobReportRequest WithRunOf(HistoryReading history)
     {
         ArgumentNullException.ThrowIfNull(history);

@@ -12,21 +12,21 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Reports.Pages;
 
-/// <summary>A job as one page of HTML that needs nothing else: pictures of the path, of the speed and of the run, the sheet of times, lengths and costs,
-/// the list before the start, the certificate, the findings, the settings.</summary>
+/// <summary>A job report as a self-contained HTML page: pictures of the path, of the speed and of the run, the summary of times, lengths and costs, the start
+/// checks, the certificate, the findings, the settings.</summary>
 public static class JobReportPage
 {
-    /// <summary>Characters of the lines of one picture; a page has two at most.</summary>
+    /// <summary>Maximum number of characters of one picture; a page has at most two.</summary>
     private const int MostPicture = 1_500_000;
 
-    /// <summary>Findings that are listed, the worst first; of the others their number is told.</summary>
+    /// <summary>Maximum number of listed findings, worst first; the others are counted.</summary>
     private const int MostFindings = 500;
 
-    /// <summary>The usual file of a drawing's page.</summary>
+    /// <summary>The default path of a drawing's report.</summary>
     public static string PathOf(string drawing) => Path.ChangeExtension(drawing, null) + ".report.html";
 
-    /// <summary>Writes it; LF line ends, numbers invariant. The same report gives the same bytes.</summary>
-    /// <param name="here">For times of day.</param>
+    /// <summary>Writes the page with LF line ends and invariant numbers. The same report gives the same bytes.</summary>
+    /// <param name="here">Time zone of displayed times.</param>
     public static void Write(JobReport report, TimeZoneInfo here, TextWriter output)
     {
         ArgumentNullException.ThrowIfNull(report);
@@ -75,7 +75,7 @@ public static class JobReportPage
         if (report.Run is { OpenLoop: { Count: > 0 } axes }) page.Paragraph(Wording.Get("JobReport.OpenLoop", string.Join(", ", axes)));
     }
 
-    /// <summary>A picture with more lines than a browser opens at once is drawn at a resolution, and says at which.</summary>
+    /// <summary>A picture with too many lines for a browser is simplified to a resolution, which is stated.</summary>
     private static void Picture(PlotModel plot, PageWriter page)
     {
         double? resolution = null;
@@ -83,7 +83,7 @@ public static class JobReportPage
         if (resolution is { } millimetres) page.Paragraph(Wording.Get("JobReport.Thinned", plot.Strokes.Sum(stroke => stroke.Segments.Count), millimetres), "quiet");
     }
 
-    /// <summary>The figures stand under their names in <c>plan --json</c>.</summary>
+    /// <summary>The figures have the names of <c>plan --json</c>.</summary>
     private static void Sheet(JobReport report, PageWriter page) => page.Section("sheet", Wording.Get("JobReport.Sheet"), () => page.Inside("sheet", () =>
     {
         var (times, sequence, has) = (report.Times, report.Job.Sequence, report.Program is not null);
@@ -134,7 +134,7 @@ public static class JobReportPage
 
     private static string Outcome(JournalledRun told) => told.Outcome is { } outcome ? OutcomeText.Said(outcome) : Wording.Get("Outcome.Begun");
 
-    /// <param name="kind">As in the history.</param>
+    /// <param name="kind">Kind from the history.</param>
     private static string Kind(string kind) => kind switch
     {
         "dryRun" => Wording.Get("JobReport.DryRun"),

@@ -4,8 +4,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Reports.Pages;
 
-/// <summary>Writes a page that is HTML and well-formed XML at once. Every text is escaped; only pictures, which escape theirs, are written as they
-/// are.</summary>
+/// <summary>Writes a page that is both HTML and well-formed XML. All text is escaped, except pictures, which escape their own text.</summary>
 internal sealed class PageWriter : IDisposable
 {
     private const string Html = "http://www.w3.org/1999/xhtml";
@@ -15,7 +14,7 @@ internal sealed class PageWriter : IDisposable
 
     public PageWriter(TextWriter output) => (_output, _xml) = (output, XmlWriter.Create(output, new XmlWriterSettings { OmitXmlDeclaration = true, NewLineChars = "\n", NewLineHandling = NewLineHandling.None }));
 
-    /// <summary>The beginning up to the first heading. No other page or program may be reached from it.</summary>
+    /// <summary>Writes the start of the page. Its policy allows no external resources and no scripts.</summary>
     public void Begin(string title)
     {
         _xml.WriteDocType("html", null, null, null);
@@ -42,7 +41,7 @@ internal sealed class PageWriter : IDisposable
         _xml.Flush();
     }
 
-    /// <param name="key">Names the part for programs that read the page.</param>
+    /// <param name="key">Name of the section for programs that read the page.</param>
     public void Section(string key, string heading, Action write)
     {
         _xml.WriteStartElement("section");
@@ -54,7 +53,7 @@ internal sealed class PageWriter : IDisposable
 
     public void Paragraph(string text, string style = "") => Element("p", text, style);
 
-    /// <summary>A frame for what is written inside as it is.</summary>
+    /// <summary>An element with content written by the caller.</summary>
     public void Figure(string style, Action<TextWriter> picture)
     {
         Begin("figure", style);
@@ -71,7 +70,7 @@ internal sealed class PageWriter : IDisposable
         End();
     }
 
-    /// <summary>A table of names and values. A figure stands exact in <c>data-value</c>, under its name in the JSON of the console.</summary>
+    /// <summary>A table of names and values. The exact value is in <c>data-value</c>, with its name in the JSON of the console.</summary>
     public void Pairs(IEnumerable<PagePair> pairs)
     {
         Begin("table", "pair");
@@ -90,7 +89,7 @@ internal sealed class PageWriter : IDisposable
         End();
     }
 
-    /// <param name="rows">As many cells as headings.</param>
+    /// <param name="rows">Rows with as many cells as headings.</param>
     public void Table(IReadOnlyList<string> headings, IEnumerable<IReadOnlyList<string>> rows)
     {
         _xml.WriteStartElement("table");
@@ -139,7 +138,7 @@ internal sealed class PageWriter : IDisposable
         if (style.Length > 0) _xml.WriteAttributeString("class", style);
     }
 
-    /// <summary>With a tag of its own also where the element is empty, as HTML wants it.</summary>
+    /// <summary>Always writes an end tag, as required by HTML.</summary>
     private void End()
     {
         _xml.WriteFullEndElement();
@@ -147,12 +146,12 @@ internal sealed class PageWriter : IDisposable
     }
 }
 
-/// <summary>A name with its value.</summary>
-/// <param name="Key">Name in the JSON of the console; null for what no program reads.</param>
-/// <param name="Value">The exact figure; null for words.</param>
+/// <summary>A name and its value.</summary>
+/// <param name="Key">Name in the JSON of the console; null if it is not machine-readable.</param>
+/// <param name="Value">The exact number; null for text.</param>
 internal sealed record PagePair(string Name, string Text, string? Key = null, double? Value = null, string Style = "")
 {
-    /// <summary>A figure with its unit.</summary>
+    /// <summary>A number with its unit.</summary>
     public static PagePair Of(string name, string key, double? value, string form) =>
         new(name, value is { } known ? known.ToString(form, CultureInfo.InvariantCulture) : "–", key, value, "number");
 }

@@ -5,10 +5,10 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.Workbench.Reports.Pages;
 
-/// <summary>The planned speed over time as SVG, for paper: what is cut filled, rapids dashed.</summary>
+/// <summary>The planned speed over time as SVG for printing: cuts filled, rapids dashed.</summary>
 internal static class SpeedPicture
 {
-    /// <summary>Samples of a long job; more than a page has points.</summary>
+    /// <summary>Maximum number of samples of a long job.</summary>
     private const int MostSamples = 2400;
     private const double Width = 1000.0;
     private const double Height = 260.0;
@@ -37,7 +37,7 @@ internal static class SpeedPicture
         output.Write(picture.ToString(SaveOptions.DisableFormatting));
     }
 
-    /// <summary>Neighbouring samples of one kind as one path; that of a cut goes down to the axis at both ends.</summary>
+    /// <summary>Neighbouring samples of one kind as one path; the path of a cut is closed to the axis at both ends.</summary>
     private static IEnumerable<(bool Cutting, string Path)> Runs(IReadOnlyList<SpeedSample> samples, Func<double, double> x, Func<double, double> y)
     {
         for (var first = 0; first < samples.Count;)
@@ -53,7 +53,7 @@ internal static class SpeedPicture
         }
     }
 
-    /// <summary>Round values from 0 to the largest, five to ten of them.</summary>
+    /// <summary>Five to ten round values from 0 to the maximum.</summary>
     private static IEnumerable<double> Grid(double most)
     {
         const double Lines = 5.0;

@@ -4,7 +4,7 @@ namespace Engraver.Workbench.Tests.Commands.Drafting;
 
 public class ArcCommandTests
 {
-    /// <summary>The quarter from 10,0 to 0,10 about the origin, in every way in which AutoCAD takes it.</summary>
+    /// <summary>The quarter from 10,0 to 0,10 about the origin, in every method of AutoCAD.</summary>
     [Theory]
     [InlineData("10,0", "7.0710678118654755,7.0710678118654755", "0,10", "Arc (0,0 r10 from 0 by 90)")]
     [InlineData("10,0", "C", "0,0", "0,99", "Arc (0,0 r10 from 0 by 90)")]

@@ -75,7 +75,7 @@ public class NewCommandTests
         Assert.True(talk.Session.Document.IsEdited);
     }
 
-    /// <summary>An empty drawing goes through everything that looks at a drawing without a bug.</summary>
+    /// <summary>Everything that processes a drawing accepts an empty one.</summary>
     [Theory]
     [InlineData("CHECK")]
     [InlineData("LIST", "ALL", "")]

@@ -6,7 +6,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Commands.Files;
 
-/// <summary>Worked example A of sace-xps-agie.md 4.4 as the paper makes it: each contour posted by itself, then linked.</summary>
+/// <summary>Worked example A of sace-xps-agie.md 4.4 as in the paper: each contour posted separately, then linked.</summary>
 public class LinkCommandTests
 {
     private const string Slot = "%\t001\t01\t000\t000\t+002000\t+000000\t02\n\t002\t01\t000\t000\t+020000\t+000000\t02\n\t003\t03\t270\t180\t+005000\t+005000\t02\n\t004\t01\t000\t000\t-020000\t+000000\t02\n\t005\t01\t000\t000\t+000000\t-010000\t02\t02\n";
@@ -42,8 +42,8 @@ public class LinkCommandTests
         Assert.IsNotType<InputResult.Failed>(await talk.TypeAsync("VERIFY", "c.agie"));
     }
 
-    /// <summary>The form does not say where a program begins: it is kept beside the file, and so known whatever the drawing's entering entity is by then,
-    /// and in another session.</summary>
+    /// <summary>The format does not contain the start of a program: it is stored beside the file, and therefore independent of a later entry entity and of the
+    /// session.</summary>
     [Fact]
     public async Task A_program_that_was_linked_with_an_entering_entity_is_verified_from_where_it_begins()
     {

@@ -20,7 +20,7 @@ public class ReportCommandTests
         Assert.Equal(talk.PathOf("other.html"), Assert.Single(talk.Session.History.Look().Entries).Report);
     }
 
-    /// <summary>The settings of the job, and not those of now.</summary>
+    /// <summary>Uses the settings of the job, not the current ones.</summary>
     [Fact]
     public async Task The_page_of_a_job_in_the_history_is_of_its_own_settings()
     {

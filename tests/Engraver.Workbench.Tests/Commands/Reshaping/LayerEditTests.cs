@@ -4,7 +4,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands.Reshaping;
 
-/// <summary>LAYER makes, renames and sets.</summary>
+/// <summary>LAYER creates, renames and sets layers.</summary>
 public class LayerEditTests
 {
     [Fact]

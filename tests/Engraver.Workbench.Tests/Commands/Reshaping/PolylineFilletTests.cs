@@ -4,12 +4,12 @@ using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands.Reshaping;
 
-/// <summary>FILLET and CHAMFER where a polyline is one of the two objects, or both. Expected corners and centres are worked out by hand.</summary>
+/// <summary>FILLET and CHAMFER where a polyline is one of the two objects, or both. Expected corners and centres were computed by hand.</summary>
 public class PolylineFilletTests
 {
     private static readonly Point2D[] s_zigzag = [new(0, 0), new(20, 0), new(20, 20), new(0, 20)];
 
-    /// <summary>With an open polyline the other object becomes one polyline, in the polyline's direction; what lies beyond the joint goes.</summary>
+    /// <summary>With an open polyline the other object becomes one polyline, in the polyline's direction; parts beyond the joint are removed.</summary>
     [Theory]
     [InlineData("R 4", "20,10", "30,30", "LwPolyline: 0,0>20,0 | 20,0>20,26 | 24,26 r4 180-90 | 24,30>40,30")]
     [InlineData("R 4", "30,30", "20,10", "LwPolyline: 0,0>20,0 | 20,0>20,26 | 24,26 r4 180-90 | 24,30>40,30")]

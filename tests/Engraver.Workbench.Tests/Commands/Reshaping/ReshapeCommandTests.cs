@@ -72,7 +72,7 @@ public class ReshapeCommandTests
         Assert.Contains("1 object not stretched: no end point in a crossing window", talk.Said, StringComparison.Ordinal);
     }
 
-    /// <summary>As COPY and MOVE offer it: Enter at "Specify displacement" takes the one before.</summary>
+    /// <summary>As in COPY and MOVE: Enter at "Specify displacement" repeats the previous one.</summary>
     [Fact]
     public async Task Stretch_remembers_its_displacement()
     {

@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands.Reshaping;
 
-/// <summary>Objects of a drawing as short texts, and talks about a drawing of one's own.</summary>
+/// <summary>Objects of a drawing as short texts, and sessions with a given drawing.</summary>
 internal static class Shape
 {
     public static CommandTalk Talk(DrawingBuilder builder)

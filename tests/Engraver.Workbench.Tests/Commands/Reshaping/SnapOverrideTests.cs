@@ -2,7 +2,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands.Reshaping;
 
-/// <summary>Object snaps that are typed where a place is asked for, OSNAP's list and the switches of polar tracking.</summary>
+/// <summary>Object snaps typed at a point prompt, OSNAP's list and the switches of polar tracking.</summary>
 public class SnapOverrideTests
 {
     [Theory]

@@ -145,7 +145,7 @@ public class TrimCommandTests
         await talk.Session.CancelAsync();
     }
 
-    /// <summary>Esc ends the command; what was trimmed by then stays, as in AutoCAD, and is one step.</summary>
+    /// <summary>Esc ends the command; earlier trims are kept, as in AutoCAD, and are one undo step.</summary>
     [Fact]
     public async Task Esc_keeps_what_was_trimmed()
     {

@@ -233,7 +233,7 @@ public class SaceCommandTests
         Assert.False(Directory.Exists(talk.PathOf("out")));
         await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Sace", "out", "Y");
         Assert.True(File.Exists(talk.PathOf("out/traj0_path.txt")));
-        await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Linearc", "arcs"); // made from what it follows
+        await talk.TypeAsync("SACEEXPORTTRAJECTORIES", "Linearc", "arcs"); // Computed from its source.
         Assert.True(File.Exists(talk.PathOf("arcs/traj0_path.txt")));
     }
 
@@ -250,7 +250,7 @@ public class SaceCommandTests
         Assert.False(Directory.Exists(talk.PathOf("flat")));
     }
 
-    /// <summary>"No simulation" (sace-xps-agie.md 1.4): the machine's record against what the trajectories follow.</summary>
+    /// <summary>"No simulation" (sace-xps-agie.md 1.4): compares the machine's record with the source of the trajectories.</summary>
     [Fact]
     public async Task SACESIMULATE_tells_how_far_the_machine_was_from_what_the_trajectories_follow()
     {
@@ -260,7 +260,7 @@ public class SaceCommandTests
         var judged = talk.Session.Machine.LastRun!.Judgement;
 
         Assert.IsType<InputResult.Done>(result);
-        Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // the spline's own error is seen, for the judge knows the source alone
+        Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // The error of the spline is visible, because only the source is the reference.
         Assert.Equal(0.0, judged.MissingLengthMm);
         Assert.Contains("proven", talk.Said, StringComparison.Ordinal);
     }

@@ -7,8 +7,8 @@ using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Tests.Commands.Trajectories;
 
-/// <summary>Trajectories whose objects were edited say so, and are made anew by SACEUPDATETRAJECTORIES. The drawing: a line A1, an arc A2, a circle A3
-/// (20,5 radius 3), a square A4 (30,0 side 8).</summary>
+/// <summary>Trajectories whose objects were edited are reported, and recomputed by SACEUPDATETRAJECTORIES. The drawing: a line A1, an arc A2, a circle A3 (20,5
+/// radius 3), a square A4 (30,0 side 8).</summary>
 public class TrajectoryEditTests
 {
     [Fact]
@@ -20,7 +20,7 @@ public class TrajectoryEditTests
         await talk.TypeAsync("MOVE", "H", "A3", "", "0,0", "5,1");
         Assert.Equal(["ring"], Stale(talk));
         await talk.TypeAsync("U");
-        Assert.Empty(Stale(talk)); // back where it was
+        Assert.Empty(Stale(talk)); // Back at its old position.
         await talk.TypeAsync("REDO", "SACESHOWTRAJECTORIES");
         Assert.Contains("Its objects have been edited since.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("SACEUPDATETRAJECTORIES"));
@@ -42,7 +42,7 @@ public class TrajectoryEditTests
         await using var talk = new CommandTalk();
         talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(0, 0, 10).Circle(0, 0, 3).Build() });
         await talk.TypeAsync("SACEOFFSET", "ALL", "", "1", "6,0", "SCALE", "H", "A1", "", "0,0", "2");
-        Assert.Equal(["traj0_offset-0", "traj1_offset-1"], Stale(talk)); // the hole's too, which was made with it
+        Assert.Equal(["traj0_offset-0", "traj1_offset-1"], Stale(talk)); // Also that of the hole, which was created with it.
         await talk.TypeAsync("SACEUPDATETRAJECTORIES");
 
         Assert.Equal([4.0, 19.0], All(talk).Select(one => Math.Round(one.Curve.Length / (2.0 * Math.PI), 9)).Order());
@@ -67,7 +67,7 @@ public class TrajectoryEditTests
         await using var talk = new CommandTalk();
         talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 20, 0).Build() });
         await talk.TypeAsync("SACEPATH", "ALL", "", "SACEPATH", "H", "A1", "");
-        Assert.Equal(["traj0_path", "traj1_path"], All(talk).Select(one => one.Name)); // straight on: one
+        Assert.Equal(["traj0_path", "traj1_path"], All(talk).Select(one => one.Name)); // Tangent: one trajectory.
         await talk.TypeAsync("ROTATE", "H", "A2", "", "10,0", "90", "SACEUPDATETRAJECTORIES");
 
         Assert.Equal(["traj0_path", "traj2_path", "traj1_path"], All(talk).Select(one => one.Name));
@@ -101,7 +101,7 @@ public class TrajectoryEditTests
         Assert.Contains("Trajectories that do not match the edited drawing: 1, the first is traj0_path", talk.Said, StringComparison.Ordinal);
     }
 
-    /// <summary>A written drawing gives its objects other handles; the file beside it has these.</summary>
+    /// <summary>A written drawing gives its objects new handles, which the sidecar refers to.</summary>
     [Fact]
     public async Task Saved_and_opened_they_still_know_their_objects()
     {
@@ -115,7 +115,7 @@ public class TrajectoryEditTests
         await talk.TypeAsync("MOVE", "H", All(talk)[0].Handles[0], "", "0,0", "5,1", "SACEUPDATETRAJECTORIES");
         Assert.All(All(talk)[0].Curve.Lines.Skip(1).SkipLast(1), place => Assert.InRange(place.DistanceTo(new Point2D(25, 6)), 2.999, 3.001));
         await talk.TypeAsync("MOVE", "H", All(talk)[1].Handles[0], "", "0,0", "1,1", "QSAVE", "Y", "OPEN", "new.dxf");
-        Assert.Equal(["traj1_offset-0"], Stale(talk)); // as it was when it was saved
+        Assert.Equal(["traj1_offset-0"], Stale(talk)); // As saved.
         await talk.TypeAsync("SACEUPDATETRAJECTORIES");
         Assert.Equal(32.0 + (2.0 * Math.PI), All(talk)[1].Curve.Length, 6);
     }
@@ -140,7 +140,7 @@ public class TrajectoryEditTests
         Assert.Contains("SID0001: new.dxf.engraver.json is damaged and was not used: trajectories[0].made", talk.Said, StringComparison.Ordinal);
     }
 
-    /// <summary>Of version 1.0, which did not say.</summary>
+    /// <summary>Of version 1.0, which has no origin.</summary>
     [Fact]
     public async Task Without_an_origin_a_trajectory_is_never_called_stale()
     {

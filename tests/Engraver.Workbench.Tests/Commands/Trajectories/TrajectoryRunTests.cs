@@ -23,9 +23,9 @@ public class TrajectoryRunTests
         var judged = talk.Session.Machine.LastRun!.Judgement;
 
         Assert.Contains("The job cuts 2 trajectories", talk.Said, StringComparison.Ordinal);
-        Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // the spline's own error is seen
+        Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // The error of the spline is visible.
         Assert.Equal(0.0, judged.MissingLengthMm);
-        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "T", "T", "Y")); // and back again: the drawing
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "T", "T", "Y")); // And back to the drawing.
         Assert.InRange(talk.Session.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.004);
     }
 

@@ -2,14 +2,14 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>What the record says of the tool.</summary>
+/// <summary>Evaluates the tool in the record.</summary>
 internal static class CutRecord
 {
-    /// <summary>No axis is commanded so many counts in a sample: the controller counts the place where it stands otherwise now. A motor may well go
-    /// farther, when its shaft is free again.</summary>
+    /// <summary>A larger change of the commanded position in one sample is a redefinition of the position, not motion. A released motor may move
+    /// farther.</summary>
     private const int Jump = 60;
 
-    /// <summary>The record from a row on, in counts of the machine as it was switched on first.</summary>
+    /// <summary>The record from a row on, in counts of the machine since its first power-on.</summary>
     /// <param name="isFollowed">Whether the controller's counts are followed through its power cycles; otherwise they are taken as they are.</param>
     public static List<MotionSample> Placed(IReadOnlyList<MotionSample> record, int from, bool isFollowed)
     {
@@ -27,7 +27,7 @@ internal static class CutRecord
 
     private static int Commanded(in MotionSample at, int axis, in MotionSample before) => Math.Abs(at[axis] + at.ErrorOf(axis) - before[axis] - before.ErrorOf(axis));
 
-    /// <summary>Length of the way in plan on which the tool was at work, counts.</summary>
+    /// <summary>XY length with the tool in the work, counts.</summary>
     public static double Length(IReadOnlyList<MotionSample> samples, Func<MotionSample, bool> isAtWork)
     {
         var length = 0.0;
@@ -39,7 +39,7 @@ internal static class CutRecord
         return length;
     }
 
-    /// <summary>The longest time for which the tool was at work while nothing moved, samples.</summary>
+    /// <summary>Longest standstill with the tool in the work, samples.</summary>
     public static long LongestBurn(IReadOnlyList<MotionSample> samples, Func<MotionSample, bool> isAtWork)
     {
         var longest = 0L;

@@ -3,7 +3,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>What the host does while a fault happens.</summary>
+/// <summary>Activity of the host during a fault.</summary>
 internal enum HostActivity
 {
     Run,
@@ -11,22 +11,22 @@ internal enum HostActivity
     /// <summary>The operator stops the run.</summary>
     Stop,
 
-    /// <summary>A move by hand.</summary>
+    /// <summary>A manual move.</summary>
     GoTo,
 
-    /// <summary>A move for as long as a key is held.</summary>
+    /// <summary>A continuous jog.</summary>
     Jog,
 
     /// <summary>The machine, homed before and with an origin, is homed again.</summary>
     Home,
 
-    /// <summary>A hold was asked for and the path brakes.</summary>
+    /// <summary>A feed hold was requested and the path decelerates.</summary>
     Holding,
 
-    /// <summary>The run stands held.</summary>
+    /// <summary>The run is held.</summary>
     Held,
 
-    /// <summary>The hold was taken back: the tool goes on again and the path moves.</summary>
+    /// <summary>The run resumes: the tool is switched on and the path moves.</summary>
     Resuming,
 
     /// <summary>A run that was stopped is resumed: in the path that is cut again before the place where it was stopped.</summary>
@@ -35,20 +35,20 @@ internal enum HostActivity
     /// <summary>The same, at any moment.</summary>
     Resume,
 
-    /// <summary>The run stands held and is moved away by hand.</summary>
+    /// <summary>The run is held and the machine is moved away manually.</summary>
     Away,
 
-    /// <summary>It is on its way back from there and goes on.</summary>
+    /// <summary>The machine returns from there and the run continues.</summary>
     ComingBack,
 }
 
-/// <summary>What machine it happens to.</summary>
+/// <summary>Kind of machine.</summary>
 internal enum MachineKind
 {
     /// <summary>Two servos; an output is the tool.</summary>
     Pen,
 
-    /// <summary>A third axis holds the tool, and a spindle turns.</summary>
+    /// <summary>A tool axis and a spindle.</summary>
     Mill,
 
     /// <summary>Two steppers without encoders; an output is the tool.</summary>
@@ -56,21 +56,21 @@ internal enum MachineKind
 }
 
 /// <summary>One fault at one moment of one activity, all drawn from the seed.</summary>
-/// <param name="Fault">Its moment counts from where the activity begins, or the part of it that it is about.</param>
+/// <param name="Fault">Its time is relative to the start of the activity, or of the tested part.</param>
 /// <param name="At">Executed segments at which the operator stops the run or holds it.</param>
 internal sealed record FaultCase(int Seed, MachineKind Machine, HostActivity Activity, JobMode Mode, ScheduledFault Fault, int At)
 {
-    /// <summary>Each activity that is about one part of a run begins where that part does; the fault waits for it.</summary>
+    /// <summary>Activities that test one part of a run start with that part; the fault waits for it.</summary>
     private static readonly HostActivity[] s_parts = [HostActivity.Holding, HostActivity.Held, HostActivity.Resuming, HostActivity.LeadIn, HostActivity.Away, HostActivity.ComingBack];
 
     private static readonly FaultKind[] s_kinds = Enum.GetValues<FaultKind>();
     private static readonly MachineKind[] s_machines = Enum.GetValues<MachineKind>();
     private static readonly HostActivity[] s_activities = Enum.GetValues<HostActivity>();
 
-    /// <summary>Thirty seeds in a row hold every pair of kind and machine once, and every activity, the first 24 of them every kind on a pen and on a mill
-    /// and what is special of steppers; 360 in a row every triple of kind, machine and activity. The moment is anywhere in the activity, by its clock, its
-    /// bytes or its segments.</summary>
-    /// <param name="extent">What the activity takes when nothing goes wrong.</param>
+    /// <summary>Thirty seeds in a row hold every pair of kind and machine once, and every activity, the first 24 of them every kind on a pen and on a mill and
+    /// what is special of steppers; 360 in a row every triple of kind, machine and activity. The moment is anywhere in the activity, by its clock, its bytes or
+    /// its segments.</summary>
+    /// <param name="extent">Extent of the activity without a fault.</param>
     public static FaultCase Create(int seed, Func<HostActivity, JobMode, MachineKind, ActivityExtent> extent)
     {
         var random = new Random(seed);
@@ -82,10 +82,10 @@ internal sealed record FaultCase(int Seed, MachineKind Machine, HostActivity Act
         return new FaultCase(seed, s_machines[machine], activity, mode, Moment(FaultOf(s_kinds[kind], s_machines[machine], random), whole, random), random.Next(1, Math.Max(2, whole.Segments)));
     }
 
-    /// <summary>The step by which a run that stands held is moved away; null for one of the matrix.</summary>
+    /// <summary>The step by which a held run is moved away; null for one of the matrix.</summary>
     public CountsPoint? Step { get; init; }
 
-    /// <summary>It is stopped there instead of going on.</summary>
+    /// <summary>It is stopped there instead of resumed.</summary>
     public bool IsStoppedAway { get; init; }
 
     /// <summary>The activity is a run of a job, or a part of one.</summary>
@@ -94,7 +94,7 @@ internal sealed record FaultCase(int Seed, MachineKind Machine, HostActivity Act
     /// <summary>The fault happens in a part of the run.</summary>
     public bool IsOfPart => s_parts.Contains(Activity);
 
-    /// <summary>The activity goes on with a run that was stopped before.</summary>
+    /// <summary>The activity resumes a stopped run.</summary>
     public bool IsResumed => Activity is HostActivity.LeadIn or HostActivity.Resume;
 
     /// <summary>The operator holds the run.</summary>
@@ -118,7 +118,7 @@ internal sealed record FaultCase(int Seed, MachineKind Machine, HostActivity Act
     };
 }
 
-/// <summary>What an activity takes of the controller when nothing goes wrong.</summary>
+/// <summary>Extent of an activity without a fault.</summary>
 /// <param name="Segments">Segments of the whole run.</param>
 internal sealed record ActivityExtent(double Seconds, long Bytes, int Segments)
 {

@@ -8,13 +8,14 @@ using Xunit.Abstractions;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>Every kind of fault at any moment of everything a host does, on a pen, a mill and a machine with steppers: nothing hangs, the tool is off or
-/// over the work afterwards, nothing wrong is called right, sentence, state and alarm tell what happened, and the next host cuts the part at its place, or
-/// what is left of it, or is told why not and does so with the operator's remedy.</summary>
-/// <remarks>ENGRAVER_FAULT_CASES=N runs as many seeds; ENGRAVER_FAULT_FIRST=N begins at another. The output of the test counts how the cases ended.</remarks>
+/// <summary>Every kind of fault at any time of every host activity, on a pen, a mill and a machine with steppers: nothing hangs, the tool is off or above the
+/// work afterwards, no wrong part is reported as correct, message, state and alarm report the fault, and the next host cuts the part or its rest at the correct
+/// position, or is refused with a reason and succeeds after the operator's remedy.</summary>
+/// <remarks>ENGRAVER_FAULT_CASES=N runs as many seeds; ENGRAVER_FAULT_FIRST=N starts at another seed. The output of the test counts how the cases
+/// ended.</remarks>
 public sealed class FaultMatrixTests(ITestOutputHelper output)
 {
-    /// <summary>Cases that run beside one another: most of their time is a host's patience with a lost answer.</summary>
+    /// <summary>Number of concurrent cases: they mostly wait for timeouts of lost replies.</summary>
     private const int AtOnce = 6;
 
     private static readonly TimeSpan s_limit = TimeSpan.FromSeconds(60);
@@ -37,7 +38,7 @@ public sealed class FaultMatrixTests(ITestOutputHelper output)
 
         output.WriteLine(string.Join('\n', outcomes.OrderBy(entry => entry.Key, StringComparer.Ordinal).Select(entry => $"{entry.Key} {entry.Value}")));
         Assert.True(wrong.IsEmpty, string.Create(CultureInfo.InvariantCulture, $"{wrong.Count} of {count}:\n{string.Join('\n', wrong)}"));
-        Assert.True(count < 24 || outcomes.Keys.Select(key => key[32..]).Distinct().Count() >= 4, string.Join(' ', outcomes.Keys)); // faults that harm nothing would prove nothing
+        Assert.True(count < 24 || outcomes.Keys.Select(key => key[32..]).Distinct().Count() >= 4, string.Join(' ', outcomes.Keys)); // Faults without effect would prove nothing.
     }
 
     private static async Task<(string Outcome, IReadOnlyList<string> Faults)> WithinLimitAsync(FaultCase one)
@@ -54,11 +55,11 @@ public sealed class FaultMatrixTests(ITestOutputHelper output)
         }
         catch (Exception broken) when (broken is not OutOfMemoryException)
         {
-            return ("threw", [broken.ToString()]); // of one case; the others are tried all the same
+            return ("threw", [broken.ToString()]); // Failure of one case; the others are tested anyway.
         }
     }
 
-    /// <summary>How long everything takes when nothing goes wrong. Only that of a pen's job depends on its mode; steppers take as long as a pen.</summary>
+    /// <summary>Durations without a fault. Only that of a pen's job depends on its mode; steppers take as long as a pen.</summary>
     private async Task MeasureAsync(MachineKind machine)
     {
         foreach (var mode in Enum.GetValues<JobMode>())

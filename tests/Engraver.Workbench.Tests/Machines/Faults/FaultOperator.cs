@@ -3,13 +3,13 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>Somebody who stops, holds, moves by hand and resumes a run by what it reports, and to whom a fault happens in a part of it.</summary>
+/// <summary>An operator who stops, holds, moves and resumes a run according to its progress, with a fault in one part of it.</summary>
 internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, CancellationTokenSource stop) : IProgress<JobProgress>
 {
-    /// <summary>How long a run stays held, seconds.</summary>
+    /// <summary>Duration of a feed hold, seconds.</summary>
     public const double HeldSeconds = 0.5;
 
-    /// <summary>A key that is held while the run stands held is released after so many counts, or after a second.</summary>
+    /// <summary>A jog key during a feed hold is released after this many counts, or after a second.</summary>
     private const int FarEnough = 3_000;
     private const double LongEnough = 1.0;
 
@@ -19,7 +19,7 @@ internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, Cancel
     private JogControl? _key;
     private Task<JobResult>? _moved;
 
-    /// <summary>The hold of the run.</summary>
+    /// <summary>The feed hold of the run.</summary>
     public JobControl Control { get; } = new();
 
     public void Report(JobProgress value)
@@ -52,8 +52,8 @@ internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, Cancel
         else Control.Resume();
     }
 
-    /// <summary>Moves by hand, once: by a step, or as long as a key is held.</summary>
-    /// <returns>Whether it has been done, however it ended.</returns>
+    /// <summary>Moves manually once: by a step or a continuous jog.</summary>
+    /// <returns>Whether it was done, with any result.</returns>
     private bool IsMoved(CountsPoint at, double seconds)
     {
         if (_moved is null)

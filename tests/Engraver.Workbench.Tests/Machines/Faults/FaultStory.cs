@@ -4,17 +4,16 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>What an operator must be told of a fault: how the activity says that it ended, and what the machine's status shows when everything rests.</summary>
+/// <summary>The expected reports of a fault: the result of the activity, and the machine's status at rest.</summary>
 internal static class FaultStory
 {
-    /// <summary>Why the sentence of an activity does not tell what happened to it; empty when it does.</summary>
+    /// <summary>Why the message of an activity does not report its fault; empty if it does.</summary>
     public static string WhyNot(FaultCase one, FaultyRun run) =>
         run.Result is { Outcome: JobOutcome.Complete } or { Outcome: JobOutcome.Stopped } || WordsFor(one.Fault.Kind).Any(word => run.Sentence.Contains(word, StringComparison.OrdinalIgnoreCase))
             ? ""
             : $"its sentence does not tell of {one.Fault.Kind}";
 
-    /// <summary>The state by the controller's own account and by how the activity ended, with words that its reason holds; in the order in which one hides
-    /// the next.</summary>
+    /// <summary>The expected state according to the controller and the result of the activity, with words of its reason; in order of precedence.</summary>
     public static (MachineState State, IReadOnlyList<string> Words) StateOf(FaultCase one, FaultyRun run, MachineTruth truth, MachineStatus status) => truth switch
     {
         { Abort: true } => (MachineState.EmergencyStopOpen, ["abort input"]),
@@ -34,7 +33,7 @@ internal static class FaultStory
         _ => (MachineState.Ready, []),
     };
 
-    /// <summary>What the operator calls axes A, B and C.</summary>
+    /// <summary>Displayed names of axes A, B and C.</summary>
     private static string Names(string letters) => string.Concat(letters.Select(letter => "XYZ"[letter - 'A']));
 
     private static string[] WordsFor(FaultKind kind) => kind switch

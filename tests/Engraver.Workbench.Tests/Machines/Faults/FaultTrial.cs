@@ -5,26 +5,26 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>One case of the matrix on a machine of its own: what comes before the activity, the activity with its fault, and the hosts behind it.</summary>
+/// <summary>One case of the matrix on a separate machine: preparation, the activity with its fault, and the following hosts.</summary>
 internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) : IAsyncDisposable
 {
-    /// <summary>Counts of a whole part: its drawn length is 64.1 mm, and what settles at its ends is within a tenth.</summary>
+    /// <summary>Counts of a whole part: its drawn length is 64.1 mm, with a tolerance of a tenth for settling.</summary>
     private const double PartCounts = 65_000.0;
 
     /// <summary>Counts that a resumed run may cut again: its lead-in, and at the planned feed what was cut in 60 ms since the last poll.</summary>
     private const double AgainCounts = (FaultyMachine.LeadIn * 1_000.0) + (20.0 * 60.0);
 
-    /// <summary>Counts from the planned feed to rest, which a tool that an axis holds cuts besides.</summary>
+    /// <summary>Counts from the planned feed to rest, which a tool axis cuts additionally.</summary>
     private const double BrakingCounts = 20.0 * 20.0 * 1_000.0 / 512.0;
 
     /// <summary>Samples for which a tool may be on while nothing moves: settling, a few polls, and the second until the watchdog trips where a host falls
     /// silent, or as long as the late answers of a case keep it waiting.</summary>
     private const long MostBurn = 2_500;
 
-    /// <summary>How exactly a switch is found again, counts.</summary>
+    /// <summary>Repeatability of a switch, counts.</summary>
     private const int HomingTolerance = 5;
 
-    /// <summary>Position error that a motor at rest may keep without a word, counts: 0.2 mm.</summary>
+    /// <summary>Position error of a motor at rest that is not reported, counts: 0.2 mm.</summary>
     private const int MostError = 200;
 
     private static readonly CountsPoint s_goal = new(20_000, -7_000);
@@ -36,14 +36,14 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     private int _resumes;
     private string _journal = "";
 
-    /// <summary>A switch, an input or a shaft that nobody frees: the next run meets it again.</summary>
+    /// <summary>A switch, an input or a shaft that remains blocked: it affects the next run again.</summary>
     private bool IsStanding => one.Fault is { Kind: FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam, ForSeconds: null };
 
-    /// <summary>Steps that a jammed stepper lost are seen by nobody: whoever commands it goes on beside its place until the machine is homed or the origin
-    /// is set anew, and what was cut meanwhile is spoiled.</summary>
+    /// <summary>Lost steps of a jammed stepper are not detected: the machine continues with an offset until it is homed or the origin is set again, and the
+    /// part is spoiled.</summary>
     private bool MayLoseSteps => one is { Machine: MachineKind.Stepper, Fault.Kind: FaultKind.Jam };
 
-    /// <summary>Counts that may be at work in all runs of the case.</summary>
+    /// <summary>Maximum cut length of all runs of the case, counts.</summary>
     private double MostCounts => PartCounts + (_resumes * AgainCounts) + (_machine.HasHeight ? (_resumes + 1) * BrakingCounts : 0.0);
 
     public static async Task<ActivityExtent> MeasureAsync(HostActivity activity, JobMode mode, MachineKind machine)
@@ -57,7 +57,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         return new ActivityExtent(trial._machine.Seconds - seconds, trial._machine.Controller.BytesArrived - bytes, (int)(trial._machine.Controller.Status.SegmentsExecuted - segments));
     }
 
-    /// <returns>The outcome by the host's own account, and what was wrong.</returns>
+    /// <returns>The outcome reported by the host, and the errors.</returns>
     public async Task<(string Outcome, IReadOnlyList<string> Faults)> TryAsync()
     {
         await PrepareAsync();
@@ -76,7 +76,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         if (!holds) _faults.Add($"{what}: {run}");
     }
 
-    /// <summary>What goes well before the fault: a homing, an origin, a run that is stopped.</summary>
+    /// <summary>Preparation without a fault: homing, an origin, a stopped run.</summary>
     private async Task PrepareAsync()
     {
         await _machine.BurnAsync(limit.Token);
@@ -92,7 +92,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
             Assert.True(away.IsComplete, away.ToString());
         }
 
-        if (one.Activity is HostActivity.GoTo or HostActivity.Jog) await _machine.SetOriginAsync(0, 0, limit.Token); // else any zero of the controller would do
+        if (one.Activity is HostActivity.GoTo or HostActivity.Jog) await _machine.SetOriginAsync(0, 0, limit.Token); // Otherwise any zero of the controller would be accepted.
 
         _since = _machine.Rows;
         if (one.IsResumed)
@@ -115,7 +115,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     private FaultOperator Watched(CancellationTokenSource stop) => new(_machine, one, stop);
 
-    /// <summary>Goes on with the run that was interrupted.</summary>
+    /// <summary>Resumes the interrupted run.</summary>
     private Task<FaultyRun> ResumeAsync(Func<CancellationTokenSource, FaultOperator>? watched)
     {
         _resumes++;
@@ -138,22 +138,22 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         Claim(!rest.IsMoving && (rest.Outputs & 5) == 0, $"outputs {rest.Outputs}, or the machine moves", run);
     }
 
-    /// <summary>The fault is one of the machine's motion, not of what is said over the wire.</summary>
+    /// <summary>True for a fault of the motion, not of the communication.</summary>
     private bool IsOfMotion => one.Fault.Kind is FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.MotorOff or FaultKind.Jam or FaultKind.PowerCycle;
 
-    /// <summary>What an operator is told of the machine when it has come to rest, held against what happened.</summary>
+    /// <summary>Compares the reported state of the machine at rest with the fault.</summary>
     private async Task<string> StateAsync(FaultyRun run)
     {
         var told = FaultStory.WhyNot(one, run);
         Claim(told.Length == 0, told, run);
         Claim(!one.IsRun || run.Result?.FrameOrigin is null || _machine.View.Meanwhile.All(state => state.IsJob()), $"while it ran it was {string.Join(", ", _machine.View.Meanwhile)}", run);
-        var status = await _machine.LookAsync(limit.Token) ?? await _machine.LookAsync(limit.Token); // the rest of the fault may meet the first look
+        var status = await _machine.LookAsync(limit.Token) ?? await _machine.LookAsync(limit.Token); // The rest of the fault may affect the first poll.
         if (status is null) return "unknown";
         var truth = await _machine.AskTruthAsync(limit.Token);
         var wanted = FaultStory.StateOf(one, run, truth, status);
         Claim(status.State == wanted.State && wanted.Words.All(word => status.Reason.Contains(word, StringComparison.Ordinal)), $"the state is {status.State} '{status.Reason}' and not {wanted.State} '{string.Join(' ', wanted.Words)}'", run);
 
-        // A link that was lost is one event, and so is each of what stands: the abort input, a switch, an axis that was switched off.
+        // A lost link is one event, and so is each active cause: the abort input, a switch, an axis that was switched off.
         var events = (run.Result is { Outcome: JobOutcome.LinkLost } ? 1 : 0) + (truth.Abort ? 1 : 0) + (truth.Limits.Length > 0 ? 1 : 0) + (truth.OffByError.Length > 0 ? 1 : 0);
         Claim(_machine.View.Alarms.Count <= Math.Max(1, events), $"{_machine.View.Alarms.Count} alarms: {string.Join(" | ", _machine.View.Alarms.Select(alarm => $"{alarm.Cause} {alarm.What}"))}", run);
         Claim(run.IsComplete || _machine.View.Alarms.Count > 0 || run.Result is null or { FrameOrigin: null }, "it ended before its end, and no alarm tells it", run);
@@ -192,8 +192,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         Claim((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);
     }
 
-    /// <summary>Nothing stands in the way any more but that nobody knows where the machine is: with the motors on and the origin set anew, or homed, the
-    /// part is cut, or what is left of it.</summary>
+    /// <summary>Only the machine position is unknown: with the motors on and the origin set again, or after homing, the part or its rest is cut.</summary>
     private async Task RemedyAsync(FaultyRun refused, bool isResumed)
     {
         var unpowered = await _machine.SwitchMotorsOnAsync(limit.Token);
@@ -215,7 +214,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     private Task<FaultyRun> AgainAsync(FaultyRun before, bool isResumed)
     {
-        _machine.Rest(); // a host that comes while a job of another goes on alone is told to wait
+        _machine.Rest(); // A host that connects while a job of another one continues is told to wait.
         if (isResumed) Interrupted(before);
         return OnceMoreAsync(isResumed);
     }
@@ -223,7 +222,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     private bool IsItsPlace(CountsPoint? zero) =>
         zero is { } at && Math.Abs(at.X - _zero.X) <= (one.Activity == HostActivity.Home ? HomingTolerance : 0) && Math.Abs(at.Y - _zero.Y) <= (one.Activity == HostActivity.Home ? HomingTolerance : 0);
 
-    /// <summary>A run that never began has left nothing: the one before it is gone on with.</summary>
+    /// <summary>A run that did not start left no state: the previous one is resumed.</summary>
     private void Interrupted(FaultyRun run)
     {
         if (run.Result is { FrameOrigin: not null }) _journal = run.Journal;

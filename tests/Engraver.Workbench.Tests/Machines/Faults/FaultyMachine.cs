@@ -15,14 +15,13 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>A simulated controller to which one fault happens, and hosts that come to it one after the other; what is known of the machine is kept between
-/// them.</summary>
+/// <summary>A simulated controller with one fault, and consecutive hosts; the stored state of the machine is kept between them.</summary>
 internal sealed class FaultyMachine : IAsyncDisposable
 {
-    /// <summary>Path that is cut again before the place where a run was interrupted, mm.</summary>
+    /// <summary>Lead-in of a resumed run, mm.</summary>
     public const double LeadIn = 2.0;
 
-    /// <summary>How far beside the drawing a tool may be, whatever is said or lost on the wire: three counts.</summary>
+    /// <summary>Maximum deviation of the tool from the drawing, regardless of communication faults: three counts.</summary>
     public const double MostBesideMm = 0.003;
 
     private const string Address = "tcp://faulty:1";
@@ -34,7 +33,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
 
     private readonly MachineKind _kind;
 
-    /// <param name="hasHoming">A machine with travel and switches, which is homed; otherwise one that is placed by its counts alone.</param>
+    /// <param name="hasHoming">A machine with travel and switches, with homing; otherwise one that is positioned only by its counts.</param>
     public FaultyMachine(MachineKind kind, bool hasHoming)
         : this(ProfileOf(kind, hasHoming), kind)
     {
@@ -48,22 +47,22 @@ internal sealed class FaultyMachine : IAsyncDisposable
         _controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, SerialNumber = 77, Switches = SimulatedMachine.Switches(_profile) });
     }
 
-    /// <summary>What an operator is told.</summary>
+    /// <summary>The operator's view.</summary>
     public OperatorsView View { get; }
 
-    /// <summary>An axis holds the tool.</summary>
+    /// <summary>True with a tool axis.</summary>
     public bool HasHeight => _profile.Height is not null;
 
     /// <summary>The height of the top of the work, counts of the machine as it was switched on first.</summary>
     public int TopOfWork { get; private set; }
 
-    /// <summary>The work lies at this height of the machine, counts of the controller now.</summary>
+    /// <summary>Sets the machine height of the work, current counts of the controller.</summary>
     public void PutWorkAt(int height) => TopOfWork = _controller.PlaceOf(2, height);
 
     /// <summary>The tool's height, the same counts; 0 where an output is the tool.</summary>
     public int ToolHeight => HasHeight ? _controller.MotorPlace(2) : 0;
 
-    /// <summary>How far over the work a tool that an axis holds travels.</summary>
+    /// <summary>Travel height of a tool axis above the work.</summary>
     public int Clearance => _profile.ClearanceCounts;
 
     private static MachineProfile ProfileOf(MachineKind kind, bool hasHoming)
@@ -82,7 +81,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
             };
     }
 
-    /// <summary>The operator has set the origin anew: a run is resumed there, wherever it was begun.</summary>
+    /// <summary>The operator has set the origin again: a run is resumed there, regardless of where it was started.</summary>
     public bool IsSetAnew { get; private set; }
 
     public SimulatedController Controller => _controller;
@@ -94,20 +93,20 @@ internal sealed class FaultyMachine : IAsyncDisposable
 
     private MachineMemories Memories => new(Path.Combine(_folder.FullName, "machines"));
 
-    /// <summary>A controller of steppers knows that before it is used: MT is burned (galil-dmc.md A.6).</summary>
+    /// <summary>A controller with steppers is configured before use: MT is burned (galil-dmc.md A.6).</summary>
     public async Task BurnAsync(CancellationToken limit)
     {
         if (_kind == MachineKind.Stepper) await SendAsync(limit, "MO AB", "MTA=-2", "MTB=2", "SH AB", "BN");
     }
 
-    /// <summary>Sends commands as somebody else would.</summary>
+    /// <summary>Sends commands like another host.</summary>
     public async Task SendAsync(CancellationToken limit, params string[] commands)
     {
         await using var channel = new CommandChannel(new StreamLink(_controller.OpenConnection(), Address), "else", TimeSpan.FromSeconds(60), TimeProvider.System, null);
         foreach (var command in commands) Assert.IsType<Accepted>(await channel.SendAsync(command, limit));
     }
 
-    /// <summary>Somebody frees whatever a fault has left: switch, input and shaft.</summary>
+    /// <summary>Removes the effects of a fault: switch, input and shaft.</summary>
     public void Free(ScheduledFault fault)
     {
         var axis = fault.Axis is [var letter] ? letter - 'A' : 0;
@@ -120,8 +119,8 @@ internal sealed class FaultyMachine : IAsyncDisposable
         }
     }
 
-    /// <summary>The operator looks at the machine: what the status tells then, by the controller's own account.</summary>
-    /// <returns>Null where nobody answers.</returns>
+    /// <summary>Polls the machine: the status according to the controller.</summary>
+    /// <returns>Null if it does not answer.</returns>
     public async Task<MachineStatus?> LookAsync(CancellationToken limit)
     {
         await using var connection = Connection();
@@ -141,7 +140,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
         }
     }
 
-    /// <summary>What the controller itself says of its inputs, limits and motors, by letters; asked one by one.</summary>
+    /// <summary>Inputs, limits and motors reported by the controller, by letters; queried individually.</summary>
     public async Task<MachineTruth> AskTruthAsync(CancellationToken limit)
     {
         await using var channel = new CommandChannel(new StreamLink(_controller.OpenConnection(), Address), "truth", TimeSpan.FromSeconds(60), TimeProvider.System, null);
@@ -159,7 +158,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
     }
 
     /// <summary>Switches the motors on.</summary>
-    /// <returns>Why not; empty when they are.</returns>
+    /// <returns>Why not; empty on success.</returns>
     public async Task<string> SwitchMotorsOnAsync(CancellationToken limit)
     {
         await using var connection = Connection();
@@ -168,14 +167,14 @@ internal sealed class FaultyMachine : IAsyncDisposable
         return (await machine.SetMotorsAsync(_profile.Axes, on: true, limit))?.Sentence ?? "";
     }
 
-    /// <summary>Sets the origin anew at the place of the work, wherever the controller counts from now.</summary>
+    /// <summary>Sets the origin again at the position of the work, regardless of the controller's current zero.</summary>
     public Task SetOriginAnewAsync(CancellationToken limit)
     {
         IsSetAnew = true;
         return SetOriginAsync(-_controller.PlaceOf(0, 0), -_controller.PlaceOf(1, 0), limit);
     }
 
-    /// <summary>The fault happens at its moment from now on; once.</summary>
+    /// <summary>Schedules the fault relative to now, once.</summary>
     public void Happen(ScheduledFault fault)
     {
         if (_happened) return;
@@ -183,8 +182,8 @@ internal sealed class FaultyMachine : IAsyncDisposable
         _controller.Schedule(fault with { AtSeconds = fault.AtSeconds + Seconds, AtByte = fault.AtByte + _controller.BytesArrived, AtSegment = fault.AtSegment + _controller.Status.SegmentsExecuted });
     }
 
-    /// <summary>Cuts the part, or what is left of it, and judges what was cut by every sample of the record.</summary>
-    /// <param name="watched">Who stops, holds and resumes; null for nobody.</param>
+    /// <summary>Cuts the part or its rest, and judges the cut by every sample of the record.</summary>
+    /// <param name="watched">The operator who stops, holds and resumes; null for none.</param>
     /// <param name="since">Row of the record from which on it is judged: that of the run whose journal is resumed; null: from now on.</param>
     /// <param name="resumed">The journal of an interrupted run; null for a run from the beginning.</param>
     public async Task<FaultyRun> RunAsync(JobMode mode, Func<CancellationTokenSource, FaultOperator>? watched, CancellationToken limit, int? since = null, string? resumed = null)
@@ -225,17 +224,17 @@ internal sealed class FaultyMachine : IAsyncDisposable
         }
     }
 
-    /// <summary>Whether the tool works on the material in a sample: its output is on, or it is lower than it may travel through the air.</summary>
+    /// <summary>Whether the tool is in the work in a sample: its output is on, or it is below the travel height.</summary>
     private Func<MotionSample, bool> IsAtWork(CountsPoint? frame)
     {
         var travel = (frame?.Z ?? 0) + _profile.RetractCounts;
         return HasHeight ? sample => sample.C < travel && (sample.Outputs & 4) != 0 : static sample => (sample.Outputs & 1) != 0;
     }
 
-    /// <summary>Moves by hand to a place.</summary>
+    /// <summary>Moves manually to a position.</summary>
     public Task<FaultyRun> GoToAsync(CountsPoint goal, CancellationToken limit) => MoveAsync(MachineMove.GoTo(goal, _profile, Journal(), new Told(View, isJob: false)), limit);
 
-    /// <summary>Moves by hand until the machine has gone so far.</summary>
+    /// <summary>Jogs until the machine has moved a distance.</summary>
     /// <param name="far">Counts of the first axis.</param>
     public Task<FaultyRun> JogAsync(JogVelocity velocity, int far, CancellationToken limit)
     {
@@ -262,7 +261,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
         }
     }
 
-    /// <summary>Sets the work origin, at the top of the work where an axis holds the tool.</summary>
+    /// <summary>Sets the work origin, at the top of the work with a tool axis.</summary>
     public async Task SetOriginAsync(int x, int y, CancellationToken limit)
     {
         await using var connection = Connection();
@@ -272,7 +271,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
         await JobPlacement.SetOriginAsync(machine, _profile, hold, (memory, _) => memory.WithOrigin("G54", x, y, HasHeight ? TopOfWork - _controller.PlaceOf(2, 0) : null), TimeProvider.System, limit);
     }
 
-    /// <summary>Lets everything that moves come to rest, with nobody connected.</summary>
+    /// <summary>Lets everything that moves come to rest, without a connection.</summary>
     public ControllerStatus Rest() => _controller.AdvanceToRest(TimeSpan.FromMinutes(20), TimeSpan.FromSeconds(30), 5_000_000).Status;
 
     public async ValueTask DisposeAsync()
@@ -337,7 +336,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
         return DxfText.WithEntities([.. part]).ToAscii();
     }
 
-    /// <summary>Passes progress on to the operator's view first, at once.</summary>
+    /// <summary>Forwards progress synchronously to the operator's view first.</summary>
     private sealed class Told(OperatorsView view, bool isJob, IProgress<JobProgress>? next = null) : IProgress<JobProgress>
     {
         public void Report(JobProgress value)
@@ -356,17 +355,17 @@ internal sealed class FaultyMachine : IAsyncDisposable
     }
 }
 
-/// <summary>How an activity ended by its own account, and what the motors did.</summary>
-/// <param name="Result">Null when the link never came up.</param>
-/// <param name="Refusal">Id of the finding that forbade it because nobody knows where the work is.</param>
-/// <param name="CutCounts">Way with the tool on, counts.</param>
+/// <summary>Reported result of an activity, and the actual motion.</summary>
+/// <param name="Result">Null if the link could not be established.</param>
+/// <param name="Refusal">Id of the finding that refused it because the work origin is unknown.</param>
+/// <param name="CutCounts">Length with the tool on, counts.</param>
 internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgement Record, double CutCounts)
 {
     public double Tolerance { get; init; }
 
     public string Sentence { get; private init; } = Result?.Sentence ?? "";
 
-    /// <summary>Axes whose positions are those that were commanded, by the report of the run.</summary>
+    /// <summary>Axes with commanded positions only, according to the report of the run.</summary>
     public string OpenLoop { get; init; } = "";
 
     /// <summary>Path of the run's journal; empty for a move.</summary>
@@ -375,7 +374,7 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
     /// <summary>The longest time for which the tool was on while nothing moved, samples.</summary>
     public long LongestBurn { get; init; }
 
-    /// <summary>Where the drawing's zero really lay, counts from the first power up; null where nothing began.</summary>
+    /// <summary>Actual position of the drawing's zero, counts since the first power-on; null if nothing started.</summary>
     public CountsPoint? Zero { get; init; }
 
     public bool IsComplete => Result is { Outcome: JobOutcome.Complete };
@@ -389,7 +388,7 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
     public override string ToString() => $"{Result?.Outcome.ToString() ?? "unconnected"} {Refusal} '{Sentence}' deviation {Record.MaxDeviationMm} missing {Record.MissingLengthMm} cut {CutCounts:0} zero {Zero} burn {LongestBurn}";
 }
 
-/// <summary>What the controller itself says.</summary>
+/// <summary>State reported by the controller.</summary>
 /// <param name="Limits">Axes on a limit switch.</param>
 /// <param name="Off">Axes without current.</param>
 /// <param name="OffByError">Those of them that were switched off because of their position error.</param>

@@ -6,8 +6,8 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>What the machine's status tells an operator while hosts come and go: told of jobs and moves as a machine session tells it, and of the
-/// controller by looks of its own.</summary>
+/// <summary>The machine's status as seen by an operator across several hosts: informed about jobs and moves like a machine session, and about the controller by
+/// polls.</summary>
 internal sealed class OperatorsView(MachineProfile profile) : IDisposable
 {
     private readonly MachineStatusModel _model = new(TimeProvider.System, static () => { }) { Profile = profile };
@@ -15,10 +15,10 @@ internal sealed class OperatorsView(MachineProfile profile) : IDisposable
 
     public MachineStatus Status => _model.Status;
 
-    /// <summary>What was told while a job or a move was under way.</summary>
+    /// <summary>States shown during a job or a move.</summary>
     public IReadOnlySet<MachineState> Meanwhile => _meanwhile;
 
-    /// <summary>The alarms since the last job or move began.</summary>
+    /// <summary>The alarms since the start of the last job or move.</summary>
     public IReadOnlyList<Alarm> Alarms => _model.Alarms.Open;
 
     public void Connected(string link, MachineIdentity identity)
@@ -26,7 +26,7 @@ internal sealed class OperatorsView(MachineProfile profile) : IDisposable
         if (Status.Link is null) _model.Connected(link, isSimulation: false, identity);
     }
 
-    /// <summary>A job begins, or a move by hand.</summary>
+    /// <summary>A job or a manual move starts.</summary>
     /// <param name="move">Null for a job.</param>
     public void Begins(string? move)
     {
@@ -43,8 +43,8 @@ internal sealed class OperatorsView(MachineProfile profile) : IDisposable
         _meanwhile.Add(Status.State);
     }
 
-    /// <summary>It has ended; nothing was looked at yet.</summary>
-    /// <param name="result">Null where the link never came up.</param>
+    /// <summary>It has ended; the controller was not polled yet.</summary>
+    /// <param name="result">Null if the link could not be established.</param>
     public void Ends(JobResult? result, bool isJob)
     {
         if (result is not null && isJob) _model.JobEnds(result);
@@ -52,7 +52,7 @@ internal sealed class OperatorsView(MachineProfile profile) : IDisposable
         _model.JobIsOver();
     }
 
-    /// <summary>The controller was looked at.</summary>
+    /// <summary>The controller was polled.</summary>
     public void Sees(MachineReading reading, MachineHold hold, ControllerPlace place)
     {
         hold.Recognise(place);

@@ -5,8 +5,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>Whole runs that are stopped, after which nobody knows where the machine is: its steppers were without current and were moved by hand, or the
-/// power failed. With the origin set anew, or homed, what is left is cut where the work lies, and until then nothing is.</summary>
+/// <summary>Stopped runs after which the machine position is unknown: its steppers were off and moved by hand, or the power failed. With the origin set again,
+/// or after homing, the rest is cut at the position of the work, and not before.</summary>
 public sealed class ResumeAfterLossTests : IDisposable
 {
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
@@ -23,8 +23,7 @@ public sealed class ResumeAfterLossTests : IDisposable
 
     public static TheoryData<JobMode> Modes => [JobMode.Stream, JobMode.Calls, JobMode.Program];
 
-    /// <summary>The counts of a motor without current stay while its shaft is turned: as if somebody had told the controller other counts for the place
-    /// where it stands (DP).</summary>
+    /// <summary>The counts of a motor without current stay while its shaft is turned: which is equivalent to a redefinition of the position (DP).</summary>
     [Theory]
     [MemberData(nameof(Remedies))]
     public async Task Steppers_that_were_off_and_moved_are_homed_or_their_origin_is_set_anew_and_the_rest_is_cut(JobMode mode, bool isHomed)
@@ -70,8 +69,8 @@ public sealed class ResumeAfterLossTests : IDisposable
         Assert.True(rest.IsComplete && rest.IsCutRight && rest.Zero == default(CountsPoint), rest.ToString());
     }
 
-    /// <summary>The link goes with the power, and the stop reaches the controller again when it counts from where it stood: that this is the place where it
-    /// had been told to stand before would be believed of an origin that nobody set.</summary>
+    /// <summary>The link is lost with the power, and the stop reaches the controller after its zero has changed: without a set origin the position would be
+    /// taken for the earlier one.</summary>
     [Theory]
     [MemberData(nameof(Modes))]
     public async Task A_power_cycle_in_the_middle_of_a_run_is_told_and_its_new_zero_is_no_origin(JobMode mode)
@@ -89,7 +88,7 @@ public sealed class ResumeAfterLossTests : IDisposable
         Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"{next.Result!.Outcome}"), "Refused", StringComparison.Ordinal);
     }
 
-    /// <summary>A pen that a third axis lifts by hand, on the whole way from journal to journal.</summary>
+    /// <summary>A pen on a third axis that is lifted manually, over the whole sequence of journals.</summary>
     [Theory]
     [MemberData(nameof(Modes))]
     public async Task A_run_stopped_with_its_pen_raised_is_resumed_at_the_height_of_the_cut(JobMode mode)

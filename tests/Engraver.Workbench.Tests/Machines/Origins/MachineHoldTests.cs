@@ -4,7 +4,7 @@ using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Tests.Machines.Origins;
 
-/// <summary>What is kept of a machine comes back as it was, is taken by one host at a time, and is given free whatever is wrong with it.</summary>
+/// <summary>The stored state of a machine is restored unchanged, is leased by one host at a time, and is released whatever fails.</summary>
 public sealed class MachineHoldTests : IDisposable
 {
     private const string Address = "tcp://10.0.0.7";
@@ -51,8 +51,7 @@ public sealed class MachineHoldTests : IDisposable
         Assert.True(free.IsKept);
     }
 
-    /// <summary>A jog that was let go before it began, or a job that was refused, is no reason to doubt where the machine is; one whose link is lost
-    /// is.</summary>
+    /// <summary>A jog that was released before its start, or a refused job, does not make the position uncertain; a lost link does.</summary>
     [Fact]
     public void A_move_that_ended_before_anything_was_sent_leaves_what_is_known_of_the_machine()
     {
@@ -84,7 +83,7 @@ public sealed class MachineHoldTests : IDisposable
         else using (var read = Take()) Assert.Equal(new WorkOrigin(1, 2), read.Memory.ActiveOrigin);
     }
 
-    /// <summary>The controller keeps why an axis stopped last: only where the machine is not where it came to rest was that since.</summary>
+    /// <summary>The controller stores the last stop reason of an axis: it is new only if the machine has moved since it came to rest.</summary>
     [Theory]
     [InlineData(3, 4, false, "")]
     [InlineData(900, 4, false, "axis X ")]
@@ -194,12 +193,12 @@ public sealed class MachineHoldTests : IDisposable
         Assert.NotNull(failure);
         Assert.False(failure.EndsWith('.'));
         Assert.True(Directory.Exists(file));
-        Assert.Equal(3, Directory.GetFileSystemEntries(_folder.FullName).Length); // the folder in the way, the lock and its holder; no temporary file
+        Assert.Equal(3, Directory.GetFileSystemEntries(_folder.FullName).Length); // The blocking folder, the lock and its owner; no temporary file.
         Assert.NotNull(hold.Set(memory => memory with { Active = "G55" }));
-        Assert.Equal("G54", hold.Memory.Active); // a decision that cannot be kept is none
+        Assert.Equal("G54", hold.Memory.Active); // A decision that cannot be stored is rejected.
 
         Directory.Delete(file);
-        Assert.Null(hold.Keep(memory => memory)); // what was learnt is written as soon as it can be
+        Assert.Null(hold.Keep(memory => memory)); // Known state is written as soon as possible.
         Assert.Contains("\"x\": 3", File.ReadAllText(file), StringComparison.Ordinal);
     }
 

@@ -11,8 +11,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Origins;
 
-/// <summary>The same job goes to the same place, whatever happened between. The simulated controller is behind a socket and keeps its position from run to
-/// run, as a real one does; each run is a host of its own.</summary>
+/// <summary>The same job cuts at the same position, whatever happened in between. The simulated controller is connected over a socket and keeps its position
+/// between runs, like a real one; each run is a separate host.</summary>
 public sealed class WorkOriginTests : IAsyncDisposable
 {
     private const int Number = 4711;
@@ -40,7 +40,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         Assert.NotEmpty(first);
         Assert.Equal(first, second);
         Assert.Equal(first, third);
-        Assert.Equal((0L, 0L), Position); // back at the drawing's start
+        Assert.Equal((0L, 0L), Position); // Back at the drawing's start.
     }
 
     [Fact]
@@ -97,7 +97,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         var file = Directory.GetFiles(_folder.FullName, "*.json").Single();
         var text = await File.ReadAllTextAsync(file);
         Assert.Contains("\"moving\": false", text, StringComparison.Ordinal);
-        var moving = System.Text.RegularExpressions.Regex.Replace(text.Replace("\"moving\": false", "\"moving\": true", StringComparison.Ordinal), ",\\s*\"sum\": \"[0-9a-f]*\"", ""); // as a host of an older version writes it before it moves
+        var moving = System.Text.RegularExpressions.Regex.Replace(text.Replace("\"moving\": false", "\"moving\": true", StringComparison.Ordinal), ",\\s*\"sum\": \"[0-9a-f]*\"", ""); // As written by a host of an older version before it moves.
         await File.WriteAllTextAsync(file, moving);
 
         Assert.NotEmpty(await CutAsync(JobMode.Stream)); // the controller was not switched off
@@ -113,7 +113,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         await ActAsync(async machine =>
         {
             await machine.Terminal.TypeAsync("confirm DPA=7000", _limit.Token);
-            await machine.SetMotorsAsync(on: true, _limit.Token); // looks at once, as the watch does ten times a second
+            await machine.SetMotorsAsync(on: true, _limit.Token); // Polls at once, like the session ten times a second.
             Assert.Equal(new CountsPoint(7000, 0), machine.Hold!.Memory.Rest);
         });
         await ReplaceAsync(Number);
@@ -128,14 +128,14 @@ public sealed class WorkOriginTests : IAsyncDisposable
     [InlineData("burned")]
     public async Task What_is_done_by_hand_after_a_power_cycle_vouches_for_no_origin(string between)
     {
-        for (var i = 0; i < 4; i++) await CutAsync(JobMode.Stream); // the controller's clock is kept as each begins
-        await CutAsync(JobMode.Stream, options => options with { Finish = FinishPlace.Stay }); // it rests away from 0
+        for (var i = 0; i < 4; i++) await CutAsync(JobMode.Stream); // The controller's clock is stored at the start of each.
+        await CutAsync(JobMode.Stream, options => options with { Finish = FinishPlace.Stay }); // It is at rest away from 0.
         var mark = System.Text.Json.JsonDocument.Parse(await File.ReadAllTextAsync(Directory.GetFiles(_folder.FullName, "*.json").Single())).RootElement.GetProperty("mark").GetInt32();
         await ReplaceAsync(Number);
 
         if (between is "look" or "burned") await ActAsync(async machine =>
         {
-            if (between == "burned") await machine.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"cncmark={mark}"), _limit.Token); // as BV brings it back; the clock began anew
+            if (between == "burned") await machine.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"cncmark={mark}"), _limit.Token); // As restored by BV; the clock restarted.
             await machine.SetMotorsAsync(on: true, _limit.Token);
         });
         if (between == "move") await ActAsync(async machine =>
@@ -148,8 +148,8 @@ public sealed class WorkOriginTests : IAsyncDisposable
         Assert.Equal("JOB0009", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
     }
 
-    /// <summary>Nothing counts how a stepper is moved while its motor is off: an origin that is set then is none, and one that was set before is lost also
-    /// when the motor is on again.</summary>
+    /// <summary>Motion of a stepper is not detected while its motor is off: an origin cannot be set then, and an earlier one is lost also after the motor is on
+    /// again.</summary>
     [Fact]
     public async Task A_stepper_whose_motor_is_off_gets_no_origin_and_loses_the_one_it_had()
     {
@@ -199,7 +199,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
 
         Assert.Contains((9000L, 5000L), here);
         Assert.Equal((9000L, 0L), Position);
-        Assert.Equal("JOB0008", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id); // a place that was taken once is no origin
+        Assert.Equal("JOB0008", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id); // A position that was used once is not an origin.
     }
 
     [Fact]
@@ -245,7 +245,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
 
     private SimulatedController NewController(int number = Number) => new(new SimulatorOptions { Speed = double.PositiveInfinity, Time = _clock, SerialNumber = number });
 
-    /// <summary>The controller is switched off and on, or exchanged: another one answers at the next address, which is not what it is known by.</summary>
+    /// <summary>The controller is switched off and on, or exchanged: the new one answers at another address, which does not identify it.</summary>
     private async Task ReplaceAsync(int number)
     {
         await _controller.DisposeAsync();
@@ -276,7 +276,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         return await MachineRun.RunAsync(job, job.Motion.Program!, with?.Invoke(options) ?? options, _clock, progress, stop).WaitAsync(_limit.Token);
     }
 
-    /// <summary>Where the tool was on, in this run alone.</summary>
+    /// <summary>Positions with the tool on in this run.</summary>
     private async Task<List<(long, long)>> CutAsync(JobMode mode, Func<MachineRunOptions, MachineRunOptions>? with = null, MachineProfile? profile = null)
     {
         var rows = _controller.Record.Snapshot().Count;

@@ -9,7 +9,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>Where the machine really was is kept beside the journal: by the record of a simulated machine, by polled positions of a real one.</summary>
+/// <summary>The trace of the machine is saved beside the journal: from the record of a simulated machine, from polled positions of a real one.</summary>
 public sealed class KeptTraceTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-trace-");
@@ -36,8 +36,8 @@ public sealed class KeptTraceTests : IDisposable
         Assert.Same(job, bench.Machine.Recorded!.Job);
     }
 
-    /// <summary>Motors that trail their command by 20 ms are behind it by feed times 20 ms, whether the controller is polled over a network or its record
-    /// is listened to.</summary>
+    /// <summary>Motors that trail their command by 20 ms are behind it by feed times 20 ms, whether the controller is polled over a network or its record is
+    /// used.</summary>
     [Fact]
     public async Task The_following_error_is_what_the_motors_trail_by_and_is_kept()
     {
@@ -82,7 +82,7 @@ public sealed class KeptTraceTests : IDisposable
         await using var bench = await MachineBench.ConnectedAsync();
         var job = MachineBench.Job();
         var journal = Path.Combine(_folder.FullName, "run.jsonl");
-        Directory.CreateDirectory(KeptTrace.PathOf(journal)); // where the file should be
+        Directory.CreateDirectory(KeptTrace.PathOf(journal)); // Where the file should be.
         var told = new List<string>();
 
         var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream) { JournalPath = journal, Told = finding => told.Add(finding.Id) }, bench.Limit);

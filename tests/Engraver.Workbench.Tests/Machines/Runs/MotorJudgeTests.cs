@@ -6,8 +6,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>What a record says of the motors: a run whose motors left the commanded path by more than healthy servos do is not right, whatever was
-/// commanded.</summary>
+/// <summary>Judging motors by the record: a run whose motors exceed the allowed following error is not correct, whatever was commanded.</summary>
 public sealed class MotorJudgeTests
 {
     private static readonly MachineProfile s_profile = MachineProfile.Default;
@@ -31,7 +30,7 @@ public sealed class MotorJudgeTests
         Assert.Equal(1.9035, RunVerdict.Tolerance(job, job.Motion.Program!, judgement), 4);
     }
 
-    /// <summary>A motor that was blocked along a line and is free again cuts the corner which was commanded meanwhile.</summary>
+    /// <summary>A motor that was blocked along a line and is released cuts off the corner that was commanded in between.</summary>
     [Fact]
     public void The_way_of_a_motor_that_is_free_again_is_judged_between_the_samples_too()
     {

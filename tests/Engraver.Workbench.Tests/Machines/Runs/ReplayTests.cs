@@ -10,8 +10,8 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>A run is replayed from its journal and moves as it did, sample for sample: what the operator did to it is part of what was said to the
-/// controller. What happened to the machine itself is not, and is where the replay parts.</summary>
+/// <summary>A run is replayed from its journal and moves identically, sample for sample: actions of the operator are part of the conversation. Events at the
+/// machine are not, and the replay differs from there on.</summary>
 public sealed class ReplayTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-replay-");
@@ -65,8 +65,8 @@ public sealed class ReplayTests : IDisposable
         Assert.Equal((report.Result.FinalPosition!.Value.X, report.Result.FinalPosition.Value.Y, true), (replay.FinalPosition!.Value.X, replay.FinalPosition.Value.Y, replay.Agrees));
     }
 
-    /// <summary>As it was found: stopped from another thread in real time, the replay ended a millimetre and more elsewhere. Commands take no time there,
-    /// and the stop has the time at which the controller took it.</summary>
+    /// <summary>Regression: after a stop from another thread in real time, the replay ended more than a millimetre away. Commands take no time there, and the
+    /// stop has the time at which the controller received it.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Program)]
@@ -85,7 +85,7 @@ public sealed class ReplayTests : IDisposable
         Assert.Equal((true, 0.0), (replay.Agrees, replay.LateSeconds));
     }
 
-    /// <summary>The switch that is hit is the machine's and not said by anybody.</summary>
+    /// <summary>An active switch is an event of the machine and not part of the conversation.</summary>
     [Fact]
     public async Task Where_the_machine_itself_failed_it_is_the_same_up_to_there()
     {
@@ -195,7 +195,7 @@ public sealed class ReplayTests : IDisposable
         return record.ToString();
     }
 
-    /// <summary>On the thread of the job, so that the same thing is done at the same moment.</summary>
+    /// <summary>On the thread of the job, so that the action occurs at the same time.</summary>
     private sealed class Heard(Action<JobProgress> told) : IProgress<JobProgress>
     {
         public void Report(JobProgress value) => told(value);

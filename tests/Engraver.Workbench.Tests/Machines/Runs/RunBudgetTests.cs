@@ -2,7 +2,7 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>The files of old runs have a budget; what may still be needed is never deleted.</summary>
+/// <summary>The files of old runs are limited; runs that may still be needed are not deleted.</summary>
 public sealed class RunBudgetTests : IDisposable
 {
     private const string Found = """{"kind":"found","address":"sim:","controller":"DMC2143","state":{"wire":{},"motion":[],"motorsOff":""}}""";

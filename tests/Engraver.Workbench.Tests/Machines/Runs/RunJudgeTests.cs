@@ -12,7 +12,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>The judge is judged: a faithful record passes, a spoiled one does not.</summary>
+/// <summary>A correct record passes the judge, a corrupted one does not.</summary>
 public class RunJudgeTests
 {
     [Fact]
@@ -47,8 +47,7 @@ public class RunJudgeTests
         Assert.InRange(RecordJudgement.Of(job, spoiled, 0, 0).MissingLengthMm!.Value, 0.95 * stroke.Length, 1.05 * stroke.Length);
     }
 
-    /// <summary>The controller goes on with what it has until its watchdog trips: what it cuts then is not missing, and nobody knows how much that
-    /// is.</summary>
+    /// <summary>The controller continues with its buffer until its watchdog trips: that part is not missing, and its length is unknown.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]

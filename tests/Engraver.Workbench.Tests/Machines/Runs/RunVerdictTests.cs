@@ -7,7 +7,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>A run whose own measure is out of tolerance is not complete.</summary>
+/// <summary>A run with a deviation beyond its tolerance is not complete.</summary>
 public class RunVerdictTests
 {
     private static readonly PreparedJob s_job = JobPreparation.Prepare(

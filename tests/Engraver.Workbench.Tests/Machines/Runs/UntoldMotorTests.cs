@@ -10,7 +10,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;
 
-/// <summary>A controller that does not know the question for the motor type (_MT), and a profile that does not name it.</summary>
+/// <summary>A controller without the operand of the motor type (_MT), and a profile without it.</summary>
 public sealed class UntoldMotorTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-test-");
@@ -41,7 +41,7 @@ public sealed class UntoldMotorTests : IDisposable
         return await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
     }
 
-    /// <summary>Asks the controller for an operand that it has not, whenever the motor type is asked for.</summary>
+    /// <summary>Replaces queries of the motor type by an unknown operand.</summary>
     private sealed class MotorQuestionLink(IControllerLink inner) : IControllerLink
     {
         public string Description => inner.Description;

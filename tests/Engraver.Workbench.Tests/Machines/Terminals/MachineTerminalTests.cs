@@ -58,12 +58,12 @@ public class MachineTerminalTests
         Assert.Equal(0.0, (await terminal.Session.Commands.ReadAsync("_BGC", CancellationToken.None)).OrNothing);
     }
 
-    /// <summary>ADR 4: the tool goes off before anything brakes.</summary>
+    /// <summary>ADR 4: the tool is switched off before any deceleration.</summary>
     [Fact]
     public async Task The_operators_stop_switches_the_tool_off_before_an_axis_brakes()
     {
         await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
-        using var clock = connection.TakeClock(); // no time passes but by commands
+        using var clock = connection.TakeClock(); // Time advances only with commands.
         await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, clock.Time, CancellationToken.None);
         foreach (var line in new[] { "SB 1", "SHC", "JGC=20000", "BGC" }) Assert.Equal(":", (await terminal.AnswerAsync(line, CancellationToken.None)).Single().Text);
         connection.Simulator!.Advance(TimeSpan.FromSeconds(1));
