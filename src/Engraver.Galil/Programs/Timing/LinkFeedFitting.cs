@@ -4,10 +4,10 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Timing;
 
-/// <summary>Lowers the speeds of a motion program where a serial line is too slow to stream it.</summary>
+/// <summary>Lowers the speeds of a motion program if a serial line is too slow to stream it.</summary>
 public static class LinkFeedFitting
 {
-    /// <param name="sourceOf">Position of an entity in the drawing's file; null when it is not known.</param>
+    /// <param name="sourceOf">Position of an entity in the drawing's file; null if it is not known.</param>
     public static LinkFeedFit Create(MotionProgram program, SerialLine line, Func<int, SourceRef>? sourceOf)
     {
         ArgumentNullException.ThrowIfNull(program);
