@@ -5,11 +5,11 @@ namespace Engraver.Workbench.Sending;
 public interface IProgramLine : IAsyncDisposable
 {
     /// <exception cref="IOException">The line is gone, or took nothing for too long.</exception>
-    ValueTask WriteAsync(ReadOnlyMemory<byte> bits, CancellationToken cancellation);
+    ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation);
 
     /// <returns>The number of bytes read; 0 when the other side has closed.</returns>
     /// <exception cref="IOException">The line is gone.</exception>
-    ValueTask<int> ReadAsync(Memory<byte> bits, CancellationToken cancellation);
+    ValueTask<int> ReadAsync(Memory<byte> bytes, CancellationToken cancellation);
 
     /// <summary>Lets what was written go out before the line is closed; without it the line drops what it still holds.</summary>
     /// <exception cref="IOException">The line is gone, or took nothing for too long.</exception>
