@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>How numbers print (galil-dmc.md E Messages, A.3 Number reply and Format commands): what was given with up to four decimals comes back, although
-/// a fraction is kept in steps of 1/65536.</summary>
+/// <summary>How numbers are printed (galil-dmc.md E Messages, A.3 Number reply and Format commands): a value set with up to four decimals is printed unchanged,
+/// although a fraction is stored in steps of 1/65536.</summary>
 public class NumberReplyTests
 {
     [Theory]

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>Faults that happen at a moment: of the controller's clock, of the cutting, of the conversation.</summary>
+/// <summary>Faults at a time of the controller's clock, at a segment, or at a byte received.</summary>
 public sealed class ScheduledFaultTests
 {
     [Fact]
@@ -128,7 +128,7 @@ public sealed class ScheduledFaultTests
         Assert.Throws<ArgumentException>(() => rig.Controller.Schedule(new ScheduledFault { Kind = FaultKind.Jam, AtByte = 1 }));
     }
 
-    /// <summary>What a place is called changes, and the machine stands where it stands.</summary>
+    /// <summary>The counted position changes, and the machine does not move.</summary>
     [Fact]
     public async Task The_real_place_of_a_motor_and_of_a_position_outlives_DP_and_a_power_cycle()
     {

@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>What ended the controller or silenced a connection once, each in its shortest form; <see cref="Fuzzing.FuzzTests"/> looks for more.</summary>
+/// <summary>Inputs that once ended the controller or blocked a connection, each in its shortest form; <see cref="Fuzzing.FuzzTests"/> searches for
+/// more.</summary>
 public class SurvivalTests
 {
     [Theory]

@@ -6,11 +6,11 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>One number inside a curve is changed (a span, a radius, a count): the curve is as long as its numbers say then, or a finding says that it is
-/// not.</summary>
+/// <summary>One number inside a curve is changed (a span, a radius, a count): the length of the curve agrees with the changed numbers, or a finding reports a
+/// difference.</summary>
 public class LengthLossTests
 {
-    /// <summary>A curve may be shorter than the estimate by this part: sums of chords are shorter themselves.</summary>
+    /// <summary>A curve may be shorter than the estimate by this fraction, because sums of chords are too short themselves.</summary>
     private const double Shorter = 1e-3;
 
     private const int Chords = 2000;
@@ -81,7 +81,7 @@ public class LengthLossTests
         _ => value * random.NextDouble(),
     };
 
-    /// <summary>From the definitions of the curves, by many chords; of a spline the way from its first control point to its last.</summary>
+    /// <summary>From the definitions of the curves, by many chords; for a spline the path from its first control point to its last.</summary>
     private static double Written((int Code, object Value)[] pairs)
     {
         double At(int code, double otherwise = 0.0) => pairs.FirstOrDefault(pair => pair.Code == code && pair.Value is double) is { Value: double value } ? value : otherwise;
@@ -110,8 +110,8 @@ public class LengthLossTests
         return (reach * Math.Cos(angle), reach * Math.Sin(angle));
     }
 
-    /// <summary>At most a turn. An end below its start is met after the angles have begun again; next to nothing is meant then only by two angles near that
-    /// place.</summary>
+    /// <summary>At most a turn. An end angle below the start angle is reached after the angles have started again; a nearly empty span is meant only by two
+    /// angles near that point.</summary>
     private static double Turn(double start, double end, double turn)
     {
         if (Math.Abs(end - start) <= 1e-9) return 0.0;

@@ -128,7 +128,7 @@ public class TagTests
         }
     }
 
-    /// <summary>A value of another length than its code has, in a binary file: 2000 is no code, so what follows it cannot be told.</summary>
+    /// <summary>A value in a binary file whose length does not match its code: 2000 is not a code, so the following data cannot be interpreted.</summary>
     [Theory]
     [InlineData("ENTITIES OBJECTS", "DXF0044")]
     [InlineData("OBJECTS ENTITIES", "DXF0005")]

@@ -3,13 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Tests.EntityTables;
 
-/// <summary>A level is no higher than the tolerance, noise ends no level, and a drawing at one level is flat.</summary>
+/// <summary>A level is at most as high as the tolerance, noise does not end a level, and a drawing at one level is flat.</summary>
 public class EndHeightsTests
 {
     private const double Tolerance = 0.05;
 
-    /// <summary>Steps of a fifth of the tolerance over forty of them: every level by itself holds no more than the tolerance, and neighbours are told
-    /// apart.</summary>
+    /// <summary>Steps of a fifth of the tolerance over forty of them: every level is at most as high as the tolerance, and neighbours are
+    /// distinguished.</summary>
     [Fact]
     public void The_small_steps_of_a_ramp_do_not_make_one_level_of_all_depths()
     {
@@ -46,7 +46,7 @@ public class EndHeightsTests
         Assert.Equal(0.0, found.HeightOf(0));
     }
 
-    /// <summary>A tolerance of 0 is meant for the plan.</summary>
+    /// <summary>A tolerance of 0 applies to the plan.</summary>
     [Theory]
     [InlineData(0.0, 0.01)]
     [InlineData(0.2, 0.2)]

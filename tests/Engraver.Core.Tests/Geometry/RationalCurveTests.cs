@@ -5,7 +5,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Geometry;
 
-/// <summary>Curves whose lengths and places are known by other means.</summary>
+/// <summary>Curves whose lengths and points are known by other means.</summary>
 public class RationalCurveTests
 {
     [Theory]

@@ -5,7 +5,7 @@ using Engraver.Core.Plots;
 
 namespace Engraver.Core.Tests.Plots;
 
-/// <summary>A picture of very many lines on a page: small, and still a picture of all of them.</summary>
+/// <summary>A picture of very many lines on a page: small, and still showing all of them.</summary>
 public partial class ThinnedPlotTests
 {
     private static readonly PlotStroke s_frame = new([Segment.FromLine(new(0.0, 0.0), new(1200.0, 0.0)), Segment.FromLine(new(1200.0, 0.0), new(1200.0, 1200.0))], false, 1);
@@ -21,7 +21,7 @@ public partial class ThinnedPlotTests
         Assert.Equal(whole.ToString(), within.ToString());
     }
 
-    /// <summary>A picture of 1200 units for 1200 mm: one is the other.</summary>
+    /// <summary>A picture of 1200 units for 1200 mm: one unit is one millimetre.</summary>
     [Theory]
     [InlineData(900_000, 0.5)]
     [InlineData(400_000, 4.0)]
@@ -65,7 +65,7 @@ public partial class ThinnedPlotTests
         return (output.ToString(), resolution);
     }
 
-    /// <summary>Short lines at random, of which many lie on each other.</summary>
+    /// <summary>Short lines at random, many of them overlapping.</summary>
     private static PlotModel Picture(int lines, int seed)
     {
         var random = new Random(seed);

@@ -9,7 +9,7 @@ public class GcodeReaderTests
 {
     private const double Round = 1e-9;
 
-    /// <summary>The samples of the published pages of G2 and G3: centre, radius and sweep that they stand for.</summary>
+    /// <summary>The samples of the published pages of G2 and G3: centre, radius and sweep of each.</summary>
     [Theory]
     [InlineData("G0 X0 Y0\nM3\nG2 X1 Y1 I1 F10", 1, 0, 1, -90)]
     [InlineData("G0 X0 Y0\nM3\nG3 X1 Y1 J1 F10", 0, 1, 1, 90)]
@@ -73,7 +73,7 @@ public class GcodeReaderTests
         Assert.Equal(most == 0.0 ? 0 : text.Split('\n').ToList().IndexOf(cut) + 1, told.Blends.Line);
     }
 
-    /// <summary>As they were found: programs that plunge, or that cut with nothing on, were called the same as the drawing.</summary>
+    /// <summary>Regression: programs that plunge, or that cut with the tool off, were reported as equal to the drawing.</summary>
     [Theory]
     [InlineData("G1 X9 Z-5")]
     [InlineData("G1 Z-5")]

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Engraver.Simulator.Tests.Clocks;
 
-/// <summary>The clock that is given to a host: time goes on only by its commands and while it waits (docs/simulator-fidelity.md, "The clock").</summary>
+/// <summary>The clock that is given to a host: time advances only through its commands and while it waits (docs/simulator-fidelity.md, "The clock").</summary>
 public class HostClockTests
 {
     private const string MovingUnderWatchdog = "VMAB;VS 20000;VP 100000,0;VE;SB1;BGS";
@@ -39,8 +39,8 @@ public class HostClockTests
         Assert.Equal(TimeSpan.FromMilliseconds(16), clock.GetElapsedTime(begun));
     }
 
-    /// <summary>As it was found: beside busy processes a host that computed for ten seconds found time gone, and its watchdog tripped. A host of this
-    /// process is late only where this process is.</summary>
+    /// <summary>Regression: beside busy processes a host that computed for ten seconds lost this time, and its watchdog tripped. A host in this process is late
+    /// only when the process is.</summary>
     [Theory]
     [InlineData(1.0)]
     [InlineData(20.0)]
@@ -171,7 +171,7 @@ public class HostClockTests
         Assert.Equal(200 * speed, controller.Status.Sample);
     }
 
-    /// <summary>As where somebody goes on before the wait that he gave up is disposed.</summary>
+    /// <summary>The case of a host that continues before its cancelled wait is disposed.</summary>
     [Fact]
     public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
     {
@@ -271,7 +271,7 @@ public class HostClockTests
         Assert.Null(await EndOfAsync(reader).WaitAsync(s_patience));
     }
 
-    /// <summary>What a connection still says; null when it is closed, with a reset too.</summary>
+    /// <summary>The remaining output of a connection; null when it is closed, also by a reset.</summary>
     private static async Task<string?> EndOfAsync(StreamReader reader)
     {
         try
@@ -284,7 +284,7 @@ public class HostClockTests
         }
     }
 
-    /// <summary>The same commands and waits, with the host held up at random between them: by the wall and by other threads.</summary>
+    /// <summary>The same commands and waits, with the host delayed at random between them: by the wall clock and by other threads.</summary>
     private static async Task<MotionSample[]> RecordAsync(int seed)
     {
         var random = new Random(seed);
@@ -311,7 +311,7 @@ public class HostClockTests
         return [.. rig.Controller.Record.Snapshot()];
     }
 
-    /// <summary>A wait of the host: a timer that is created with its time.</summary>
+    /// <summary>A wait of the host: a timer that is created with its due time.</summary>
     private static async Task WaitAsync(TimeProvider clock, TimeSpan time, CancellationToken stop = default)
     {
         var passed = new TaskCompletionSource();

@@ -4,7 +4,7 @@ using Engraver.Core.Machines.Origins;
 
 namespace Engraver.Core.Tests.Machines.Origins;
 
-/// <summary>Where a drawing's zero lies on a machine: taken from what is kept, refused where nobody knows, never guessed.</summary>
+/// <summary>The position of a drawing's zero on a machine: taken from the stored origin, refused if unknown, never guessed.</summary>
 public class WorkPlacementTests
 {
     private static readonly MachineMemory s_set = MachineMemory.Empty.WithOrigin("G54", 12500, -3000, null) with { Mark = 77, Clock = 1000, Rest = new CountsPoint(40000, 0) };
@@ -32,8 +32,8 @@ public class WorkPlacementTests
         }
     }
 
-    /// <summary>As it was found: a machine of 800 counts for a millimetre, driven with the default profile of 1000, cut its part a quarter too large, and
-    /// the run was called perfect.</summary>
+    /// <summary>Regression: a machine of 800 counts per millimetre, driven with the default profile of 1000, cut its part a quarter too large, and the run was
+    /// reported as complete.</summary>
     [Fact]
     public void A_machine_that_was_homed_is_not_driven_with_a_profile_that_knows_no_homing()
     {
@@ -41,7 +41,7 @@ public class WorkPlacementTests
         Assert.Equal("JOB0009", Work(s_set with { HomedAs = "A-Switch@0 B-Switch@0" }, At(0, 0)).Refusal!.Id);
     }
 
-    /// <summary>As it was found: a profile with other counts was taken without a word.</summary>
+    /// <summary>Regression: a profile with other counts was accepted silently.</summary>
     [Fact]
     public void An_origin_belongs_to_the_counts_by_which_it_was_set_and_to_any_where_nobody_knows_them()
     {
@@ -103,7 +103,7 @@ public class WorkPlacementTests
         Assert.True(Work(kept, At(0, 0) with { Mark = 5 }).IsAssumed);
     }
 
-    /// <summary>Whether the job itself can be counted from here, the controller's job looks up.</summary>
+    /// <summary>The job of the controller checks whether the job itself can be counted from here.</summary>
     [Fact]
     public void The_drawings_zero_may_lie_farther_from_here_than_a_controller_counts() =>
         Assert.Equal(new CountsPoint(int.MinValue + 5L - 1000, 0), WorkPlacement.Find(MachineMemory.Empty, At(int.MinValue + 5, 0), new OriginRequest.PresentPlace(), MachineProfile.Default, new CountsPoint(1000, 0)).Frame);

@@ -4,10 +4,10 @@ using Engraver.Core.Machines.Setup;
 
 namespace Engraver.Core.Tests.Machines.Setup;
 
-/// <summary>The letter F: it tells the eight ways apart in which two axes can be wired, and what it tells is put right.</summary>
+/// <summary>The letter F distinguishes the eight ways to wire two axes, and the correction makes the wiring right.</summary>
 public class LetterFTests
 {
-    /// <summary>A machine: which axis moves the tool across and which along, and whether growing counts go left or to the front.</summary>
+    /// <summary>A machine: which axis moves the tool across and which along, and whether increasing counts move it left or to the front.</summary>
     public static TheoryData<bool, bool, bool> Wirings => new() { { false, false, false }, { false, false, true }, { false, true, false }, { false, true, true }, { true, false, false }, { true, false, true }, { true, true, false }, { true, true, true } };
 
     [Theory]
