@@ -3,7 +3,7 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A controller that does not know an operand that a job needs refuses the question: that is a refusal, the link stands.</summary>
+/// <summary>A controller that does not support an operand that a job needs refuses the query: the job reports a refusal, and the link is not lost.</summary>
 public class RefusedQuestionTests
 {
     private static readonly string[] s_operands = ["_BGS", "_BGA", "_BGB", "_CSS", "seq", "_VMS", "_RPA", "_RPB", "TIME", "_SCA", "_XQ0", "_XQ1", "errcode", "wtrip", "_OP0"];

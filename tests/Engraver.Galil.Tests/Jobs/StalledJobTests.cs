@@ -3,7 +3,8 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Nothing moves and nothing is counted though it should: the job ends with the tool off and says where and why. What is only slow goes on.</summary>
+/// <summary>No motion and no progress although there should be: the job ends with the tool off and reports position and reason. A job that is only slow
+/// continues.</summary>
 public class StalledJobTests
 {
     private const int Network = 0;
@@ -105,8 +106,8 @@ public class StalledJobTests
         Assert.InRange(result.Seconds, 15.0, 60.0); // the bytes of the second sequence, far longer than a standstill may last
     }
 
-    /// <summary>Runs a job in which <paramref name="act"/> happens once; the operator stops it after <paramref name="patience"/> seconds of the controller,
-    /// so that a test of something endless ends.</summary>
+    /// <summary>Runs a job in which <paramref name="act"/> is called once; the operator stops it after <paramref name="patience"/> seconds of the controller,
+    /// so that the test of an endless job ends.</summary>
     private static async Task<JobResult> RunAsync(
         SimulatedBench bench, MotionProgram program, JobMode mode, int baud, Func<JobProgress, bool> when, Action act, Func<string, string>? harm = null, double patience = 60.0)
     {

@@ -6,8 +6,8 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The operator's stop wins over every step that a job has under way or in mind, however busy this computer is: nothing of the job is sent behind
-/// it, and its own words wait for nobody.</summary>
+/// <summary>The operator's stop has priority over every present and pending step of a job, however busy this computer is: nothing of the job is sent after it,
+/// and its own commands are sent without waiting.</summary>
 public class StopWinsTests
 {
     public static TheoryData<JobMode, string> Steps => new()
@@ -82,8 +82,8 @@ public class StopWinsTests
         Assert.Equal("CB 1;STS;ST AB;HX0\r", Assert.Single(said));
     }
 
-    /// <summary>A job that waits between two polls is woken by the stop as well: it must not unwind, by exceptions and with the stop's own registration,
-    /// before the stop is on the wire.</summary>
+    /// <summary>A job that waits between two polls is also woken by the stop: it must not unwind, by exceptions and with the stop's own registration, before
+    /// the stop is sent.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -114,7 +114,7 @@ public class StopWinsTests
         Assert.Equal("CB 1;STS;ST AB;HX0\r", said[0]);
     }
 
-    /// <summary>Time whose next pause does not end.</summary>
+    /// <summary>A clock whose next pause does not end.</summary>
     private sealed class PausingTime(TimeProvider inner) : TimeProvider
     {
         private readonly TaskCompletionSource _paused = new(TaskCreationOptions.RunContinuationsAsynchronously);

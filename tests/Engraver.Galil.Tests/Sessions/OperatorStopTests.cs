@@ -121,7 +121,7 @@ public class OperatorStopTests
         CutRecord.AssertSafeAfter(bench, pressedAt, toolSeconds: 0.01, restSeconds: 0.5);
     }
 
-    /// <summary>A job tries its stop handle from time to time. Where that answer is late or lost, the stop does not wait for it.</summary>
+    /// <summary>A job tests its stop handle from time to time. If that reply is late or lost, the stop does not wait for it.</summary>
     [Fact]
     public async Task Stop_is_on_the_wire_at_once_while_its_own_handle_waits_for_an_answer()
     {
@@ -151,7 +151,7 @@ public class OperatorStopTests
         Assert.Equal((0, true, JobOutcome.LinkLost), (atOnce, rests, (await running).Outcome));
     }
 
-    /// <summary>A serial line has one channel: the answer to a poll or a segment may be late there too.</summary>
+    /// <summary>A serial line has one channel: the reply to a poll or a segment may be late there as well.</summary>
     [Fact]
     public async Task Stop_over_a_serial_line_is_on_the_wire_at_once_while_an_answer_is_late()
     {

@@ -6,7 +6,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>Homing on the simulated controller, whose switches and index pulses lie at known counts from where it is switched on.</summary>
+/// <summary>Homing on the simulated controller, whose switches and index pulses are at known counts from the position at power-on.</summary>
 public class HomingMoveTests
 {
     private static readonly AxisSwitches s_lineA = new(0) { HomeAt = -20000, IsHomeBelow = true, ReverseLimitAt = -24000, ForwardLimitAt = 90000, IndexAt = -19300, IndexPeriod = 4000 };

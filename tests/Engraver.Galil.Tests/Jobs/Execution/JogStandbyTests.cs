@@ -5,7 +5,7 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>A controller that is kept ready for jogs, counted by the lines between a press and its BG and judged by the record of its motors.</summary>
+/// <summary>A controller that is kept ready for jogs, tested by the number of lines between a key press and its BG and by the record of its motors.</summary>
 public class JogStandbyTests
 {
     private const int Far = 20000;
@@ -138,7 +138,7 @@ public class JogStandbyTests
     private static Task<ControllerSession> OpenAsync(SimulatedBench bench, int baud, Action<string> sending) =>
         baud > 0 ? bench.OpenSerialAsync(baud, sending) : bench.OpenAsync(link => link.Sending = sending);
 
-    /// <summary>A hand that presses one key after the other, each for 20000 counts; between two of them the machine is looked at.</summary>
+    /// <summary>An operator who presses one key after the other, each for 20000 counts; between two of them the state of the machine is read.</summary>
     private sealed class Pad : IProgress<JobProgress>
     {
         private readonly Queue<JogVelocity> _ways;
@@ -156,7 +156,7 @@ public class JogStandbyTests
 
         public List<Task<JobResult>> Jogs { get; } = [];
 
-        /// <summary>Jogs that are released before <see cref="OnFar"/> is done instead.</summary>
+        /// <summary>Jogs in which <see cref="OnFar"/> is called instead of a release.</summary>
         public int FarBehind { get; set; } = int.MaxValue;
 
         public Action OnFar { get; set; } = () => { };

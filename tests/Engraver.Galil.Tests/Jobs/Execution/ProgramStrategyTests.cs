@@ -7,7 +7,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>What only the way of the downloaded job has: chunks, a memory that is too small, lines that fail in the controller.</summary>
+/// <summary>Features of the downloaded job only: chunks, a memory that is too small, lines that fail in the controller.</summary>
 public class ProgramStrategyTests
 {
     private static readonly JobOptions Job = SimulatedBench.Job with { Mode = JobMode.Program };
@@ -235,7 +235,7 @@ public class ProgramStrategyTests
         Assert.Contains("beyond the position range of the controller", result.Sentence, StringComparison.Ordinal);
     }
 
-    /// <summary>Strokes of two sequences side by side, an entity each.</summary>
+    /// <summary>Strokes of two sequences side by side, one entity each.</summary>
     private static MotionProgram Strokes(int count) => new(MachineProfile.Default, default, [.. Enumerable.Range(0, count).Select(Stroke)]);
 
     private static MotionStroke Stroke(int i)

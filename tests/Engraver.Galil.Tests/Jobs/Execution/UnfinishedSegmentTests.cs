@@ -4,7 +4,7 @@ using Engraver.Galil.Jobs.Execution;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>What was cut of the segment that was under way: as much as the controller has said, never more than was cut.</summary>
+/// <summary>The cut length of the unfinished segment: as reported by the controller, never more than was cut.</summary>
 public class UnfinishedSegmentTests
 {
     private const double Tolerance = 4.0;
@@ -74,7 +74,7 @@ public class UnfinishedSegmentTests
         }
     }
 
-    /// <summary>What the motors went with the tool on, by the record.</summary>
+    /// <summary>The path of the motors with the tool on, by the record.</summary>
     private static double LengthOf(SimulatedBench bench)
     {
         var rows = bench.Controller.Record.Snapshot();

@@ -3,13 +3,13 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>HOLD of a tool that an axis holds: it brakes on the path, the tool goes straight up, and RESUME comes back to the place, plunges and goes on.
-/// Every sample of the simulator's record counts.</summary>
+/// <summary>HOLD of a tool that is moved by an axis: it brakes on the path, the tool moves straight up, and RESUME returns to the position, plunges and
+/// continues. Every sample of the simulator's record is checked.</summary>
 public class HeightHoldTests
 {
     private const int Network = 0;
 
-    /// <summary>In the level line, in the arc, in the slope, in the upright piece of the slope, in the last line, in a rapid between, in a plunge.</summary>
+    /// <summary>In the level line, in the arc, in the slope, in the vertical piece of the slope, in the last line, in a rapid between, in a plunge.</summary>
     public static TheoryData<JobMode, string> Everywhere
     {
         get

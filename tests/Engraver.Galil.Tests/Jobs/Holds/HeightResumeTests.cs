@@ -4,13 +4,13 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>A job with a tool that an axis holds goes on behind a stop, a dead host and a power cycle, in lines, arcs, slopes, upright pieces and plunges:
-/// every place is cut in X, Y and Z, and twice only within its bound.</summary>
+/// <summary>A job with a tool that is moved by an axis is resumed after a stop, a lost host and a power cycle, in lines, arcs, slopes, vertical pieces and
+/// plunges: every point is cut in X, Y and Z, and twice only within the limit.</summary>
 public sealed class HeightResumeTests : IDisposable
 {
     private const double LeadIn = 500.0;
 
-    /// <summary>Feed times the age of the last poll, and the way to a standstill, which is cut too.</summary>
+    /// <summary>Feed times the age of the last poll, and the braking path, which is cut as well.</summary>
     private const double SinceLastPoll = (20.0 * 60.0) + 800.0;
 
     private readonly string _folder = Directory.CreateTempSubdirectory("height-resume").FullName;
@@ -94,7 +94,7 @@ public sealed class HeightResumeTests : IDisposable
         return await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
     }
 
-    /// <summary>The host dies: nothing more is said to the controller, and the watchdog trips.</summary>
+    /// <summary>The host is lost: nothing more is sent to the controller, and the watchdog trips.</summary>
     private async Task DieAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string where)
     {
         var died = new CancelWhen(HeightHoldTests.At(where), () =>

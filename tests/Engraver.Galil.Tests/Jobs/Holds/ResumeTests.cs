@@ -5,8 +5,8 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>A job that was interrupted goes on from its journal and the controller's own counters: nothing is left out, and nothing is cut twice but the
-/// lead-in and what nobody had seen cut.</summary>
+/// <summary>An interrupted job is resumed from its journal and the controller's counters: nothing is omitted, and only the lead-in and the part after the last
+/// poll are cut twice.</summary>
 public sealed class ResumeTests : IDisposable
 {
     private const double LeadIn = 500.0;
@@ -173,7 +173,7 @@ public sealed class ResumeTests : IDisposable
         return await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
     }
 
-    /// <summary>The host dies in the middle of the job: nothing more is said to the controller, and the watchdog trips.</summary>
+    /// <summary>The host is lost in the middle of the job: nothing more is sent to the controller, and the watchdog trips.</summary>
     private async Task DieAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, Func<JobProgress, bool> when)
     {
         var died = new CancelWhen(when, () =>

@@ -7,7 +7,7 @@ using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Tests.Programs.Generation;
 
-/// <summary>Drawn heights in a motion program: where an axis holds the tool they are cut, each stroke in its passes; what cannot be is refused.</summary>
+/// <summary>Drawn heights in a motion program: if an axis moves the tool, each stroke is cut in its passes; heights that cannot be cut are refused.</summary>
 public class HeightGenerationTests
 {
     private static readonly MachineProfile s_mill = MachineProfile.Default with
