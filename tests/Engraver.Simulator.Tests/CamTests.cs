@@ -97,7 +97,7 @@ public class CamTests
 
         rig.Do("PRA=2500", "BGA").RunToIdle();
         Assert.Equal((0, 0, 61), (rig.Value("_EGB"), rig.Value("_EQB"), rig.Value("_SCB")));
-        Assert.InRange(rig.Value("_RPB"), 2240, 2250); // it stands within a sample, 10 counts of the master, behind 4000
+        Assert.InRange(rig.Value("_RPB"), 2240, 2250); // it stops within a sample, 10 counts of the master, after 4000
     }
 
     [Fact]

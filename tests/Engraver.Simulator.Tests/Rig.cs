@@ -42,7 +42,7 @@ internal sealed class Rig : IAsyncDisposable
             if (!reading.IsCompleted) cancellation.Cancel();
             try
             {
-                var count = reading.GetAwaiter().GetResult(); // behind it nobody waits for bytes any more
+                var count = reading.GetAwaiter().GetResult(); // after it the read no longer waits for bytes
                 if (count == 0) return reply.ToString();
                 reply.Append(Encoding.Latin1.GetString(buffer, 0, count));
             }

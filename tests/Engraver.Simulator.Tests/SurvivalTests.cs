@@ -121,7 +121,7 @@ public class SurvivalTests
 
         Assert.Equal("?", rig.SendRaw(new string('x', 81) + ";"));
         Assert.Equal(" 5\r\n:", rig.SendRaw("TC;"));
-        Assert.Equal("?", rig.SendRaw("MG \"" + new string('x', 80) + ";")); // a quote that is never closed protects no longer
+        Assert.Equal("?", rig.SendRaw("MG \"" + new string('x', 80) + ";")); // a quote that is never closed does not protect longer text
         Assert.Equal(" 1.0000\r\n:", rig.SendRaw("MG 1;"));
     }
 }

@@ -20,7 +20,7 @@ public sealed class UnwritableFile : IDisposable
             return;
         }
 
-        File.Copy("/bin/sleep", path); // a loader does not mind what stands behind a program
+        File.Copy("/bin/sleep", path); // the loader ignores bytes after a program
         File.AppendAllLines(path, lines.Prepend(""));
         _process = Process.Start(path, "600");
     }

@@ -124,7 +124,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
             if (isWait) _isHostWaiting = true;
             if (isWait && !_isKnown) AskNow();
             timer.Due = due == Timeout.InfiniteTimeSpan ? long.MaxValue : (isWait ? Now : now) + due.Ticks;
-            if (_isLost) return; // Look ends it
+            if (_isLost) return; // Look ends the wait
             if (_isAsked && (!_isHostWaiting || NextDue < _askedFor)) Try(() => Say("stop\n"));
             else if (!_isAsked && _isHostWaiting) AskToWait();
         }
@@ -203,7 +203,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     private void AskNow()
     {
         if (_isAsked || _isLost) return;
-        _isKnown = true; // any answer from here on makes it unknown again
+        _isKnown = true; // any later reply makes it unknown again
         Try(() => Ask("now\n"));
     }
 

@@ -26,7 +26,7 @@ internal sealed class SerialDevice : IDisposable
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
-        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened")); // before another call takes the reason away
+        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened")); // before another call overwrites the error code
         var bell = EventFd(0, EventFlags);
         try
         {

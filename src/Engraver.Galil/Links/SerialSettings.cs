@@ -30,7 +30,7 @@ internal static class SerialSettings
         Local = found.Local & ~LocalProcessing,
         Control = (found.Control & ~(RateMask | InputRateMask | Framing | HardwareFlow)) | Rate(baud) | EightBits | Receiver | (flow == SerialFlow.RtsCts ? HardwareFlow : 0),
         ReadTime = 0,
-        ReadMinimum = 1, // with 0 a read without bytes would return 0, as it does after a hang-up
+        ReadMinimum = 1, // with 0 a read without bytes would return 0, like after a hang-up
         Start = 0x11,
         Stop = 0x13,
     };

@@ -80,7 +80,7 @@ public sealed partial class CommandChannel
     private async ValueTask GreetAgainAsync()
     {
         _echoesMix = true;
-        (var compares, _echo, _owed) = (_echo, null, 1); // the answer to the greeting is behind the prompts of every urgent line
+        (var compares, _echo, _owed) = (_echo, null, 1); // the reply to the greeting comes after the prompts of all urgent lines
         foreach (var (text, shape) in new[] { (SerialGreeting.Text, ReplyShape.Greeting), ("EO 1", ReplyShape.Text) })
         {
             await PutAsync(text, shape, 0, _replyTimeout).ConfigureAwait(false);
@@ -119,7 +119,7 @@ public sealed partial class CommandChannel
         await _writing.WaitAsync().ConfigureAwait(false);
         try
         {
-            (_echo, _owed) = (null, 0); // the answer to the greeting is behind the prompts of every urgent line
+            (_echo, _owed) = (null, 0); // the reply to the greeting comes after the prompts of all urgent lines
             await PutAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout).ConfigureAwait(false);
         }
         finally

@@ -127,7 +127,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
     {
         _failure ??= new ControllerLinkException(Wording.Get("CommandChannel.LinkClosed", _link.Description));
         await _link.DisposeAsync().ConfigureAwait(false);
-        _deadline.Dispose(); // the turns are left to the collector: a stop may still wait for one, and is told that the link is closed
+        _deadline.Dispose(); // the semaphores are not disposed: a stop may still wait for one, and then gets an exception that the link is closed
     }
 
     private async ValueTask<Reply> ExchangeAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)

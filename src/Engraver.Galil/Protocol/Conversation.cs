@@ -39,7 +39,7 @@ public sealed record Conversation(ConversationClock Clock, IReadOnlyList<Convers
         }
 
         var clock = Enum.GetValues<ConversationClock>().Where(one => Word(one) == first[Title.Length..]).DefaultIfEmpty(ConversationClock.Wall).First();
-        return new Conversation(clock, clock == ConversationClock.Wall ? steps : [.. steps.OrderBy(step => step.Ticks)], whole); // two threads note what they said after they said it
+        return new Conversation(clock, clock == ConversationClock.Wall ? steps : [.. steps.OrderBy(step => step.Ticks)], whole); // two threads record their bytes after sending them
     }
 
     private static string Word(ConversationClock clock) => clock switch { ConversationClock.Controller => "controller", ConversationClock.RealTime => "realtime", _ => "wall" };

@@ -79,7 +79,7 @@ internal sealed class LineEcho
         }
 
         if (_isDownload) return value is not ((byte)':' or (byte)'?');
-        if (_heard == _expected.Count - 1 && (value is (byte)':' or Feed || IsUrgentBeginning(value))) // the end of the line was not echoed as it was sent
+        if (_heard == _expected.Count - 1 && (value is (byte)':' or Feed || IsUrgentBeginning(value))) // the end of the line was echoed differently
         {
             _heard = _expected.Count + 1;
             return value == Feed || IsUrgentEcho(value);
@@ -110,8 +110,8 @@ internal sealed class LineEcho
             return true;
         }
 
-        if (_urgentHeard == 0) return false; // the answer that was overtaken, or nothing is urgent
-        if (_urgent[_urgentHeard - 1] == Return || _urgent[_urgentHeard] == Return) return false; // the answer behind the whole echo
+        if (_urgentHeard == 0) return false; // the overtaken reply, or no urgent line
+        if (_urgent[_urgentHeard - 1] == Return || _urgent[_urgentHeard] == Return) return false; // the reply after the complete echo
         UrgentHarm = Encoding.Latin1.GetString([.. _urgent.Take(_urgentHeard), value]);
         return false;
     }

@@ -99,7 +99,7 @@ internal sealed class LineFile
         var more = _lines.Reader.WaitToReadAsync().AsTask();
         if (!_flushes || more.IsCompleted) return more.GetAwaiter().GetResult();
         var rest = FlushEvery - _wall.GetElapsedTime(flushed);
-        if (!more.Wait(rest > TimeSpan.Zero ? rest : TimeSpan.Zero)) writer.Flush(); // a thread of its own, which nobody waits for
+        if (!more.Wait(rest > TimeSpan.Zero ? rest : TimeSpan.Zero)) writer.Flush(); // a separate thread that delays no other
         return more.GetAwaiter().GetResult();
     }
 

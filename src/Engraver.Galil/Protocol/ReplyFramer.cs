@@ -74,7 +74,7 @@ public sealed class ReplyFramer
         var data = _data.Count == 0 ? "" : Encoding.Latin1.GetString([.. _data]);
         _data.Clear();
         _frames.Enqueue(new ReplyFrame(accepted, data));
-        if (Shape == ReplyShape.Greeting) Shape = ReplyShape.Text; // what comes behind it belongs to a line that was said meanwhile
+        if (Shape == ReplyShape.Greeting) Shape = ReplyShape.Text; // bytes after it belong to a line that was sent meanwhile
     }
 
     private void AppendToMessage(byte character)

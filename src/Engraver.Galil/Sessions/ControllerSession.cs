@@ -241,7 +241,7 @@ public sealed class ControllerSession : IAsyncDisposable
         await _commands.SendAsync("CW 1", cancellation).ConfigureAwait(false);
         await (_second ?? _commands).SendAsync("CF I", cancellation).ConfigureAwait(false);
         await _commands.SendAsync(Line is null ? "VF 10.4" : "VF 10.0", cancellation).ConfigureAwait(false);
-        if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now, when unsolicited text is marked and cannot be taken for a wrong echo
+        if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now, because unsolicited text must be marked to be distinguished from a wrong echo
     }
 }
 

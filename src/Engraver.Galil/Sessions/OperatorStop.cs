@@ -60,7 +60,7 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
     {
         var halt = ownThreads.Take(1).Select(thread => string.Create(CultureInfo.InvariantCulture, $"HX{thread}"));
         var line = string.Join(';', [.. BrakeCommands, .. halt]);
-        await session.StopHandle.UrgeAsync(line).ConfigureAwait(false); // an answer that is late or lost holds nothing up
+        await session.StopHandle.UrgeAsync(line).ConfigureAwait(false); // a late or lost reply delays nothing
         await SendAsync(line).ConfigureAwait(false);
     }
 
@@ -112,7 +112,7 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
         foreach (var thread in ownThreads)
         {
             var halt = string.Create(CultureInfo.InvariantCulture, $"HX{thread}");
-            if (await SendAsync(halt).ConfigureAwait(false) is Rejected) await SendAsync(halt).ConfigureAwait(false); // a thread that runs on would begin the next motion
+            if (await SendAsync(halt).ConfigureAwait(false) is Rejected) await SendAsync(halt).ConfigureAwait(false); // a running thread would start the next motion
         }
 
         var wasOn = await IsAnyOnAsync().ConfigureAwait(false);

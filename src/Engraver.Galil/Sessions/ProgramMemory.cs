@@ -65,7 +65,7 @@ public sealed class ProgramMemory(ControllerSession session)
     /// <returns>The refusal that a download would get; null when no thread runs.</returns>
     private async Task<Rejected?> HaltAsync(CancellationToken cancellation)
     {
-        if (session.Line is not null) return null; // there each halt was compared with its echo, and a query takes as long as a segment
+        if (session.Line is not null) return null; // on a serial line each halt was compared with its echo, and a query takes as long as a segment
         for (var tries = 0; await RunningThreadAsync(cancellation).ConfigureAwait(false) is { } thread; tries++)
         {
             if (tries == MostHalts || thread is not (ResidentProgram.MainThread or ResidentProgram.WatchdogThread))

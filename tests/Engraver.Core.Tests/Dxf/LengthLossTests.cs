@@ -60,7 +60,7 @@ public class LengthLossTests
         var places = Enumerable.Range(0, pairs.Length).Where(i => pairs[i].Code is 41 or 42 or 50 or 51 or 71 or 72 or 73 or 74 or 90 or 91 or 93 || (pairs[i].Code == 40 && pairs[0].Value is not "SPLINE")).ToArray();
         var place = places[random.Next(places.Length)];
         var isHatch = pairs[0].Value is "HATCH";
-        if (isHatch && pairs[place].Code is 72 or 73) place = Array.FindIndex(pairs, pair => pair.Code == 51); // the kind and the direction of an edge are no numbers
+        if (isHatch && pairs[place].Code is 72 or 73) place = Array.FindIndex(pairs, pair => pair.Code == 51); // the kind and the direction of an edge are flags
         var changed = pairs[place].Value is int count ? (object)Count(count, random) : Number((double)pairs[place].Value, pairs[0].Value is "ELLIPSE" ? Math.Tau : 360.0, random);
         return [.. pairs[..place], (pairs[place].Code, changed), .. pairs[(place + 1)..]];
     }

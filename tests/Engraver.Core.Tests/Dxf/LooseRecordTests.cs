@@ -92,7 +92,7 @@ public class LooseRecordTests
 
         Assert.Equal((cut, 1 - cut), (drawing.Balance.Cut, drawing.Balance.Refused.Count));
         Assert.Equal([id], Reading.Ids(drawing));
-        Assert.Empty(Reading.Of(file).Diagnostics); // construction: nobody cuts it
+        Assert.Empty(Reading.Of(file).Diagnostics); // construction is not cut
     }
 
     [Theory]

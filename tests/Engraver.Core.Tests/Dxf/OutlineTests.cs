@@ -99,7 +99,7 @@ public class OutlineTests
 
         Assert.Equal("0,1>10,1 0,-1>10,-1", Lines(plain));
         Assert.Equal((4, 1), (capped.Entities.Count, capped.Balance.Cut));
-        Assert.Equal((0.0, 11.0), (DrawingSummary.From(capped).Bounds!.Value.MinX, DrawingSummary.From(capped).Bounds!.Value.MaxX)); // the round cap stands out at the end
+        Assert.Equal((0.0, 11.0), (DrawingSummary.From(capped).Bounds!.Value.MinX, DrawingSummary.From(capped).Bounds!.Value.MaxX)); // the round cap projects at the end
     }
 
     [Fact]

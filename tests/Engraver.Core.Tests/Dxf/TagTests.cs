@@ -109,7 +109,7 @@ public class TagTests
 
         var refused = Assert.Single(drawing.Balance.Refused);
         Assert.Equal(("LINE", "A1", "DXF0007"), (refused.Type, refused.Handle, refused.DiagnosticId));
-        Assert.Equal(24, refused.Line); // the line of the value: eleven pairs and a code stand before it
+        Assert.Equal(24, refused.Line); // the line of the value: eleven pairs and a code come before it
         Assert.Equal(1, drawing.Entities.Count);
     }
 

@@ -27,8 +27,8 @@ public class EndHeightsTests
     [InlineData(new[] { 0.0, 0.05, 0.3 }, new[] { 0, 0, 1 })] // the tolerance itself is still one level
     [InlineData(new[] { 0.0, 0.0502, 0.3 }, new[] { 0, 1, 2 })]
     [InlineData(new[] { 0.0, 0.03, 0.06, 0.3 }, new[] { 0, 0, 1, 2 })] // counted from the lowest of a level, not from neighbour to neighbour
-    [InlineData(new[] { 0.0, 0.05, 0.0500000001, 0.3 }, new[] { 0, 0, 0, 1 })] // noise ends no level
-    [InlineData(new[] { 0.3, -1.0, 0.0, -1.0000000001 }, new[] { 2, 0, 1, 0 })] // in whatever order they are drawn
+    [InlineData(new[] { 0.0, 0.05, 0.0500000001, 0.3 }, new[] { 0, 0, 0, 1 })] // noise does not end a level
+    [InlineData(new[] { 0.3, -1.0, 0.0, -1.0000000001 }, new[] { 2, 0, 1, 0 })] // in any order of drawing
     public void Heights_within_the_tolerance_are_one_level(double[] heights, int[] expected)
     {
         Assert.Equal(expected, LevelsOf(heights, out var found));

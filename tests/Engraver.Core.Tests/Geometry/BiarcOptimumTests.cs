@@ -41,7 +41,7 @@ public class BiarcOptimumTests
     {
         var corpus = RepositoryFolder.Corpus!;
         var judged = 0;
-        var every = TestExtent.Cases(perCommit: 6, full: 1, "ENGRAVER_OPTIMUM_EVERY"); // a commit takes each sixth drawing
+        var every = TestExtent.Cases(perCommit: 6, full: 1, "ENGRAVER_OPTIMUM_EVERY"); // a commit tests every sixth drawing
         foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal).Where((_, i) => i % every == 0))
         {
             var drawing = DxfReader.Read(File.ReadAllBytes(path), path, DxfReadOptions.Default, CancellationToken.None);

@@ -63,7 +63,7 @@ public class OrientedBoxTreeTests
         OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Around(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Around(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
         var found = new HashSet<int>();
 
-        OrientedBoxTree.Build(boxes).ComesNear(Segment.FromLine(new Point2D(0.5, 0.5), new Point2D(0.5, 0.6)), 0.1, item => !found.Add(item)); // none counts, so that all are asked
+        OrientedBoxTree.Build(boxes).ComesNear(Segment.FromLine(new Point2D(0.5, 0.5), new Point2D(0.5, 0.6)), 0.1, item => !found.Add(item)); // none counts, so that all are tested
 
         Assert.Equal(5000, found.Count);
     }
@@ -74,7 +74,7 @@ public class OrientedBoxTreeTests
     {
         var found = new HashSet<int>();
         var any = tree.ComesNear(path, reach);
-        tree.ComesNear(path, reach, item => !found.Add(item)); // none counts, so that all are asked
+        tree.ComesNear(path, reach, item => !found.Add(item)); // none counts, so that all are tested
         Assert.Equal(found.Count > 0, any);
         return found;
     }

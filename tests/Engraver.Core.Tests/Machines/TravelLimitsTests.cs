@@ -54,7 +54,7 @@ public class TravelLimitsTests
         Assert.Equal(new CountsRange(least, most), MotionExtents.Of(program).Heights(program.Profile, dryRun));
         Assert.Equal(700 * Math.Sign(scaleZ), DryLift.Of(program));
         var drawn = program with { Profile = program.Profile with { Height = null } };
-        Assert.Null(MotionExtents.Of(drawn).Heights(drawn.Profile, dryRun)); // an output is the tool: the height stays as it is
+        Assert.Null(MotionExtents.Of(drawn).Heights(drawn.Profile, dryRun)); // the tool is an output: the height is unchanged
         Assert.Equal(0, DryLift.Of(drawn));
         Assert.Null(MotionExtents.Of(program with { Strokes = [] }).Heights(program.Profile, dryRun));
     }

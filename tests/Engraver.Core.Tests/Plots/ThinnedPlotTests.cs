@@ -35,7 +35,7 @@ public partial class ThinnedPlotTests
         var source = new NearField([.. lines.Select(line => (Place(line.Start), Place(line.End)))], 1288.0);
 
         Assert.Equal(expected, resolution);
-        Assert.InRange(text.Length, most / 4, most + 60_000); // numbers, arrows and the caption stand beside the lines
+        Assert.InRange(text.Length, most / 4, most + 60_000); // numbers, arrows and the caption are added to the lines
         Assert.All(lines, line => Assert.True(new[] { line.Start, line.PointAt(0.5), line.End }.All(place => field.Distance(Place(place)) <= (1.5 * Math.Sqrt(2.0) * expected) + 0.1), $"{line.Start} to {line.End}"));
         Assert.All(drawn, line => Assert.True(source.Distance(line.From) <= (0.5 * expected) + 0.1 && source.Distance(line.To) <= (0.5 * expected) + 0.1, $"{line.From} to {line.To}"));
     }

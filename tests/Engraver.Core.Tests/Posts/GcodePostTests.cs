@@ -75,7 +75,7 @@ public class GcodePostTests
             G1 Z3.5 F300
             """.Split('\n')[..4], text.Split('\n')[5..9]);
         Assert.Equal(6, text.Split('\n').Count(row => row.StartsWith("G1 X3", StringComparison.Ordinal)));
-        Assert.Contains("\nG1 Z-1.5 F300\nG1 X3 Y0 Z-5.5 F375\nG0 Z5\nM5\nM2\n%\n", text, StringComparison.Ordinal); // 5 mm of way for 4 mm down
+        Assert.Contains("\nG1 Z-1.5 F300\nG1 X3 Y0 Z-5.5 F375\nG0 Z5\nM5\nM2\n%\n", text, StringComparison.Ordinal); // 5 mm of path for 4 mm down
     }
 
     [Fact]

@@ -60,7 +60,7 @@ public class GcodeReaderTests
     [InlineData("G64", "G1 X9", double.PositiveInfinity)]
     [InlineData("G64 P0", "G1 X9", double.PositiveInfinity)]
     [InlineData("G64 Q0.1", "G1 X9", double.PositiveInfinity)]
-    [InlineData("", "G1 X9", double.PositiveInfinity)] // as the controller starts
+    [InlineData("", "G1 X9", double.PositiveInfinity)] // as at the start of the controller
     [InlineData("G64\nG61", "G1 X9", 0.0)]
     [InlineData("G64", "M5 G1 X9", 0.0)] // nothing is cut
     public async Task How_far_path_control_may_leave_the_path_is_told_with_the_first_cut_under_it(string mode, string cut, double most)
@@ -220,7 +220,7 @@ public class GcodeReaderTests
     [InlineData("%\nG0 X0 Y0\nM2\n%", "PST0001@1")]
     [InlineData("N9999999 G0 X0 Y0\nM2", "")]
     [InlineData("N10000000 G0 X0 Y0\nM2", "PST0001@1")]
-    [InlineData("G0 X0 Y0\nG2 I1 F5\nM2", "PST0001@2")] // grbl wants the end of an arc, of a circle too
+    [InlineData("G0 X0 Y0\nG2 I1 F5\nM2", "PST0001@2")] // grbl requires the end of an arc, also of a circle
     [InlineData("G0 X0 Y0\nG2 X0 I1 F5\nM2", "")]
     [InlineData("G90.1\nG0 X0 Y0\nM2", "PST0001@1")]
     [InlineData("G64 P0.1\nG0 X0 Y0\nM2", "PST0001@1")]

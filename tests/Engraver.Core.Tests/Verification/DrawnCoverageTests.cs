@@ -34,7 +34,7 @@ public class DrawnCoverageTests
             if (most < whole - step) covered++;
         }
 
-        Assert.InRange(covered, Cases / 4, Cases); // runs that cover nothing would prove nothing
+        Assert.InRange(covered, Cases / 4, Cases); // without covered parts the test would prove nothing
     }
 
     /// <summary>Lines closer together than a count are cut one by one; each is complete, whichever of them the samples are nearest to.</summary>

@@ -84,7 +84,7 @@ public class AbortInputTests
         var polls = 0;
         links[0].Sending = line =>
         {
-            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7)); // less than the watchdog bears
+            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7)); // less than the limit of the watchdog
         };
 
         var result = await JobRunner.RunAsync(MotionPrograms.ShortLines(1600), session, SimulatedBench.Job, null, CancellationToken.None);

@@ -139,7 +139,7 @@ internal sealed class BusyPool : IDisposable
         _settled = new CountdownEvent(fewest);
         for (var i = 0; i < Blockers; i++) ThreadPool.UnsafeQueueUserWorkItem(_ => Hold(), null);
         ThreadPool.UnsafeQueueUserWorkItem(_ => _wasFree = true, null);
-        _settled.Wait(s_longest); // some threads may be held up by others
+        _settled.Wait(s_longest); // some threads may be delayed by others
     }
 
     /// <summary>Queued work has run.</summary>

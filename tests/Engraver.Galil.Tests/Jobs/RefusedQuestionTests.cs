@@ -20,7 +20,7 @@ public class RefusedQuestionTests
         {
             await using var bench = new SimulatedBench();
             var unknown = "_" + new string('Z', operand.Length - 1);
-            string Harm(string line) => line.StartsWith("MG ", StringComparison.Ordinal) && line.IndexOf('\r') == line.Length - 1 ? line.Replace(operand, unknown, StringComparison.Ordinal) : line; // no part of a download
+            string Harm(string line) => line.StartsWith("MG ", StringComparison.Ordinal) && line.IndexOf('\r') == line.Length - 1 ? line.Replace(operand, unknown, StringComparison.Ordinal) : line; // not part of a download
             string Mend(string heard) => heard.Replace(unknown, operand, StringComparison.Ordinal); // the echo on a serial line
             await using var session = baud == 0 ? await bench.OpenAsync(opened: link => link.Harm = Harm) : await bench.OpenSerialAsync(baud, harm: Harm, mend: Mend);
 

@@ -33,7 +33,7 @@ public class SomebodyElseTests
         Assert.Equal(JobOutcome.Refused, result.Outcome);
         Assert.Contains("off while cutting", result.Sentence, StringComparison.Ordinal);
         Assert.Contains("drawing entity 0", result.Sentence, StringComparison.Ordinal);
-        Assert.InRange(cut, at - 1000.0 - 3000.0, at - 1000.0); // up to a poll before
+        Assert.InRange(cut, at - 1000.0 - 3000.0, at - 1000.0); // at most one poll earlier
         CutRecord.AssertSafeAfter(bench, sample, toolSeconds: 0.1, restSeconds: 1.0);
     }
 

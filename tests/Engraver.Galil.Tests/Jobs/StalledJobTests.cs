@@ -41,8 +41,8 @@ public class StalledJobTests
     [Theory]
     [InlineData("go=1", "o=1", 1, JobMode.Calls, Network)] // the first is the empty call at the start, with the tool off
     [InlineData("go=1", "o=1", 0, JobMode.Calls, Network)]
-    [InlineData("go=1", "o=1", 1, JobMode.Calls, 19200)] // seen in the echo
-    [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Stream, Network)] // seen when it is read back
+    [InlineData("go=1", "o=1", 1, JobMode.Calls, 19200)] // detected by the echo
+    [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Stream, Network)] // detected when it is read back
     [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Calls, 19200)]
     public async Task A_command_that_arrived_as_another_one_does_not_keep_the_job_waiting_for_ever(string sent, string arrived, int nth, JobMode mode, int baud)
     {
@@ -50,7 +50,7 @@ public class StalledJobTests
         var seen = 0;
         string Harm(string line)
         {
-            if (!line.StartsWith(sent, StringComparison.Ordinal) || line.IndexOf('\r') != line.Length - 1 || seen++ != nth) return line; // no part of a download
+            if (!line.StartsWith(sent, StringComparison.Ordinal) || line.IndexOf('\r') != line.Length - 1 || seen++ != nth) return line; // not part of a download
             return arrived.Contains(';', StringComparison.Ordinal) ? arrived[..arrived.IndexOf(';', StringComparison.Ordinal)] + "\r" : arrived + line[sent.Length..];
         }
 
@@ -103,7 +103,7 @@ public class StalledJobTests
         var result = await RunAsync(bench, program, JobMode.Stream, 4800, _ => false, () => { });
 
         Assert.Equal((JobOutcome.Complete, 482), (result.Outcome, result.SegmentsExecuted));
-        Assert.InRange(result.Seconds, 15.0, 60.0); // the bytes of the second sequence, far longer than a standstill may last
+        Assert.InRange(result.Seconds, 15.0, 60.0); // the bytes of the second sequence take far longer than the standstill limit
     }
 
     /// <summary>Runs a job in which <paramref name="act"/> is called once; the operator stops it after <paramref name="patience"/> seconds of the controller,

@@ -6,8 +6,8 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The operator's stop has priority over every present and pending step of a job, however busy this computer is: nothing of the job is sent after it,
-/// and its own commands are sent without waiting.</summary>
+/// <summary>The operator's stop has priority over every present and pending step of a job, however busy this computer is: the job sends nothing after it, and
+/// its own commands are sent without waiting.</summary>
 public class StopWinsTests
 {
     public static TheoryData<JobMode, string> Steps => new()
@@ -64,7 +64,7 @@ public class StopWinsTests
         var press = new CancelWhen(progress => progress.X > 50000, () =>
         {
             links[1].Sending = said.Add;
-            links[1].Withhold(); // the thread that would take the answer does not come: all that is left is what is said at once
+            links[1].Withhold(); // the thread that would take the reply is blocked: only the bytes that are sent at once are sent
             links[0].Withhold();
             stop.Cancel();
             bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
@@ -74,7 +74,7 @@ public class StopWinsTests
         await links[1].SomebodyWaits;
         while (!running.IsCompleted)
         {
-            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
+            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles count as lost
             await Task.Yield();
         }
 
@@ -105,7 +105,7 @@ public class StopWinsTests
         links[1].Sending = said.Add;
 
         time.GoOn();
-        var key = new Thread(stop.Cancel); // as the desktop's: nothing keeps what waits from going on at once on it
+        var key = new Thread(stop.Cancel); // like the desktop's: continuations can run on it at once
         key.Start();
         key.Join();
         var result = await running;

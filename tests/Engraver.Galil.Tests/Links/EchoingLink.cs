@@ -101,6 +101,6 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
 
     private void Say(string text)
     {
-        if (text.Length > 0) _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // nothing would be the end of the link
+        if (text.Length > 0) _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // an empty read would be the end of the link
     }
 }

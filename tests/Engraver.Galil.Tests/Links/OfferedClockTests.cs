@@ -116,7 +116,7 @@ public sealed class OfferedClockTests : IDisposable
         await other.SendAsync("1000000\n"u8.ToArray());
 
         var heard = await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1));
-        if (heard == "stop\n") heard = await HeardAsync(other); // two of them may come one by one
+        if (heard == "stop\n") heard = await HeardAsync(other); // two of them may arrive separately
         Assert.EndsWith("wait 5000\n", heard, StringComparison.Ordinal);
         await other.SendAsync("1005000\n"u8.ToArray());
         await passed.Task;

@@ -37,8 +37,8 @@ public sealed class SimulatedLineTests : IDisposable
             await Task.Yield();
         }
 
-        var heard = await answer.WaitAsync(_limit.Token); // at once: while the wall stands still
-        var least = TimeSpan.FromSeconds(10.0 * heard.Length / Baud); // the echo goes back beside the command
+        var heard = await answer.WaitAsync(_limit.Token); // at once: the wall clock does not advance
+        var least = TimeSpan.FromSeconds(10.0 * heard.Length / Baud); // the echo is sent back at the same time as the command
         Assert.Contains("4711", heard, StringComparison.Ordinal);
         Assert.True(atOnce ? _wall.GetElapsedTime(begun) == TimeSpan.Zero : _wall.GetElapsedTime(begun) >= least, $"{_wall.GetElapsedTime(begun)} for {heard.Length} bytes");
     }

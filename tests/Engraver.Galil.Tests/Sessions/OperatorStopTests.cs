@@ -133,7 +133,7 @@ public class OperatorStopTests
         {
             links[1].Withhold();
             _ = session.CheckStopHandleAsync(CancellationToken.None);
-            links[0].Withhold(); // the feeder waits too, so that no time passes before the press
+            links[0].Withhold(); // the feeder waits as well: time must not pass before the press
         });
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, trial, stop.Token);
         await links[1].SomebodyWaits;
@@ -144,7 +144,7 @@ public class OperatorStopTests
         var rests = bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
         while (!running.IsCompleted)
         {
-            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
+            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles count as lost
             await Task.Yield();
         }
 
@@ -185,7 +185,7 @@ public class OperatorStopTests
 
         Assert.Equal("1.0000", Assert.IsType<Accepted>(await late).Data);
         Assert.Equal("4.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x+2", CancellationToken.None)).Data);
-        await session.Commands.UrgeAsync("x=7"); // nobody waits: it goes in its turn
+        await session.Commands.UrgeAsync("x=7"); // no command waits: it is sent in its turn
         Assert.Equal("2.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x", CancellationToken.None)).Data);
     }
 

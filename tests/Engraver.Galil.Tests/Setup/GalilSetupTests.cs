@@ -16,10 +16,10 @@ public class GalilSetupTests
         { "_MTB 2.5", new SetupValue.Motor('B', new MotorType(MotorSignal.LowPulses, true)) },
         { "_MTA -2", new SetupValue.Motor('A', new MotorType(MotorSignal.HighPulses, false)) },
         { "_MTA -2.5", new SetupValue.Motor('A', new MotorType(MotorSignal.HighPulses, true)) },
-        { "_CEA 6", new SetupValue.Encoder('A', new EncoderType(EncoderSignal.Quadrature, true)) }, // the auxiliary encoder's 4 stays
+        { "_CEA 6", new SetupValue.Encoder('A', new EncoderType(EncoderSignal.Quadrature, true)) }, // the 4 of the auxiliary encoder is kept
         { "_CEB 1", new SetupValue.Encoder('B', new EncoderType(EncoderSignal.PulseAndDirection, false)) },
         { "_ERB 250", new SetupValue.ErrorLimit('B', 250) },
-        { "_OEA 3", new SetupValue.OffOnError('A', true) }, // limit switches' 2 stays
+        { "_OEA 3", new SetupValue.OffOnError('A', true) }, // the 2 of the limit switches is kept
         { "_OEA 2", new SetupValue.OffOnError('A', false) },
         { "_CN0 1", new SetupValue.LimitSense(SwitchSense.High) },
         { "_CN1 1", new SetupValue.HomeSense(SwitchSense.High) },
@@ -115,7 +115,7 @@ public class GalilSetupTests
             var setup = new GalilSetup(session);
             Assert.Null(await setup.SetAsync(new SetupValue.ErrorLimit('A', 777), CancellationToken.None));
             Assert.Null(await setup.BurnAsync(CancellationToken.None));
-            Assert.Equal("_CW 1", await HasAsync(bench, "_CW")); // the session goes on as it had agreed
+            Assert.Equal("_CW 1", await HasAsync(bench, "_CW")); // the session continues with its settings
         }
 
         await bench.SendAsync("ERA=5", "CW 1", "RS");

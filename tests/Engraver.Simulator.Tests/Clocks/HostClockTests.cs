@@ -112,7 +112,7 @@ public class HostClockTests
         Assert.Equal((false, 0), (early.IsCompleted, rig.Controller.Status.Sample));
         var late = WaitAsync(second, TimeSpan.FromMilliseconds(50));
         await early;
-        Assert.Equal((false, 30), (late.IsCompleted, rig.Controller.Status.Sample)); // the first is at work again
+        Assert.Equal((false, 30), (late.IsCompleted, rig.Controller.Status.Sample)); // the first is active again
         var again = WaitAsync(first, TimeSpan.FromMilliseconds(100));
         await late;
         Assert.Equal((false, 50), (again.IsCompleted, rig.Controller.Status.Sample));
@@ -164,7 +164,7 @@ public class HostClockTests
 
         var wait = WaitAsync(clock, TimeSpan.FromSeconds(0.2 * speed));
         wall.Advance(TimeSpan.FromSeconds(0.1));
-        Assert.InRange(controller.Status.Sample, 99 * speed, 161 * speed); // twice the leeway of 20 ms: the host was at work, and waits are run ahead of
+        Assert.InRange(controller.Status.Sample, 99 * speed, 161 * speed); // twice the leeway of 20 ms: the host was active, and waits may run ahead
         Assert.False(wait.IsCompleted);
         wall.Advance(TimeSpan.FromSeconds(0.1));
         await wait;
@@ -198,7 +198,7 @@ public class HostClockTests
         rig.Do("x=1");
         Assert.Equal("", rig.Ask("x=2"));
         for (var step = 0; step < 40; step++) rig.Time.Advance(TimeSpan.FromMilliseconds(100));
-        Assert.False(fired.Task.IsCompleted); // it may be late and read in a moment
+        Assert.False(fired.Task.IsCompleted); // it may be late and read soon
 
         var reading = rig.Stream.ReadAsync(new byte[1]);
         for (var step = 0; step < 40; step++) rig.Time.Advance(TimeSpan.FromMilliseconds(100));
@@ -233,7 +233,7 @@ public class HostClockTests
             Assert.Equal("200", await AskAsync("wait 200")); // less than a sample
             Assert.Equal("1500000", await AskAsync("wait 1499800"));
             rig.Time.Advance(TimeSpan.FromSeconds(1));
-            Assert.Equal("1500000", await AskAsync("stop\nnow")); // nothing was to be stopped
+            Assert.Equal("1500000", await AskAsync("stop\nnow")); // there was no wait to stop
             rig.Download("WT 60000\nn=1\nEN").Do("n=0", "XQ");
             Assert.Equal(0, rig.Value("n"));
             Assert.Null(await AskAsync("later"));
@@ -248,7 +248,7 @@ public class HostClockTests
     {
         var rig = new Rig();
         var place = await rig.Controller.ListenClockAsync(CancellationToken.None);
-        var other = rig.Controller.JoinClock(); // a second host that is at work: no time passes
+        var other = rig.Controller.JoinClock(); // a second host that is active: no time passes
         using var client = new TcpClient();
         await client.ConnectAsync(place);
         using var reader = new StreamReader(client.GetStream(), Encoding.ASCII);
@@ -262,7 +262,7 @@ public class HostClockTests
         }
 
         other.Dispose();
-        await SayAsync("wait 5000\n"); // behind it: the rest of a wait that is under way passes by the wall, which stands here
+        await SayAsync("wait 5000\n"); // after it: the rest of a running wait passes by the wall clock, which does not advance here
         Assert.Equal("5000", await HearAsync());
         using var third = rig.Controller.JoinClock();
         await SayAsync("wait 1000000\n");

@@ -71,7 +71,7 @@ public sealed class DmcLines
 
     private bool Do(string text)
     {
-        if (text.Length > 2 && text[..2] is "VP" or "CR" or "VS" or "VA" or "VD" or "WT" && text[2] is not (' ' or '=')) text = text.Insert(2, " "); // the blank means nothing
+        if (text.Length > 2 && text[..2] is "VP" or "CR" or "VS" or "VA" or "VD" or "WT" && text[2] is not (' ' or '=')) text = text.Insert(2, " "); // the blank is ignored
         if (text is "SB1" or "CB1") _isOn = text == "SB1";
         else if (text == "VMAB") (_from, _vector) = (_place, default);
         else if (text.StartsWith("VP ", StringComparison.Ordinal) && Values(text[3..]) is [var x, var y]) Add(Segment.FromLine(_vector, new Point2D(x, y)));
@@ -101,7 +101,7 @@ public sealed class DmcLines
 
     private void Move(double seconds)
     {
-        if (!(seconds > Twitch)) return; // within what a place may be off
+        if (!(seconds > Twitch)) return; // within the tolerance of a position
         _acts.Add(("rest", _waited));
         _acts.Add(("move", seconds));
         _waited = 0.0;

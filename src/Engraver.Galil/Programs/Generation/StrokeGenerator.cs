@@ -66,7 +66,7 @@ internal sealed class StrokeGenerator
         }
 
         _entity = move.EntityIndex;
-        if (IsBentUpOrDown(move) | _corners.IsCornerBefore(segment)) _builder.EndSequence(); // both take note of the move
+        if (IsBentUpOrDown(move) | _corners.IsCornerBefore(segment)) _builder.EndSequence(); // no short circuit: both calls record the move
         BridgeGapTo(from);
         Cut(segment, from.Z, to);
         _reached = to;

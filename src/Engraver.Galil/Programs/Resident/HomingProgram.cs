@@ -95,7 +95,7 @@ internal static class HomingProgram
         {
             var zero = Counts(_homing.Zero * axis.CountsPerMillimetre);
             var rest = Counts((_homing.Zero + ((_homing.Plus ? -1.0 : 1.0) * _homing.BackOff)) * axis.CountsPerMillimetre);
-            lines.Line("WT 100") // pulses of a stepper come out behind the profile (galil-dmc.md C, KS)
+            lines.Line("WT 100") // pulses of a stepper lag the profile (galil-dmc.md C, KS)
                 .Line(Text($"DP{_letter}=_RP{_letter}-hp+{zero}"))
                 .Line(Text($"{Shift(place)}={zero}-hp"))
                 .Line(Text($"SP{_letter}={_fast};PA{_letter}={rest}"))

@@ -27,7 +27,7 @@ public static class LinkFeedFitting
     private static Diagnostic Warning(MotionProgram program, SerialLine line, int lowered, VectorSequence worst, int speed, Func<int, SourceRef>? sourceOf)
     {
         var (needed, carried) = LinkFeedLimit.Rates(worst, line);
-        var countsPerMillimetre = program.Profile.Scale.Smallest; // as a feed becomes a vector speed
+        var countsPerMillimetre = program.Profile.Scale.Smallest; // as in the conversion of a feed to a vector speed
         string Number(double value) => value.ToString("0", CultureInfo.InvariantCulture);
         string Feed(int countsPerSecond) => (60.0 * countsPerSecond / countsPerMillimetre).ToString("0.#", CultureInfo.InvariantCulture);
         return MotionRules.WireTooSlow.At(

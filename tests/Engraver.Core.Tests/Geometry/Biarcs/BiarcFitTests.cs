@@ -113,7 +113,7 @@ public class BiarcFitTests
         for (var i = 0; i <= Samples; i++)
         {
             var place = curve.PointAt((double)i / Samples);
-            while (near < pieces.Count && !(pieces[near].DistanceTo(place) <= error)) near++; // in order: the path follows the curve, it does not only pass
+            while (near < pieces.Count && !(pieces[near].DistanceTo(place) <= error)) near++; // in order: the path follows the curve along its whole length
         }
 
         return near < pieces.Count;

@@ -31,7 +31,7 @@ public class LetterFTests
         Assert.NotNull(corrected);
         Assert.Equal((TableDirection.Back, TableDirection.Right), (Way(Seen(corrected, 0)), Way(Seen(corrected, 1))));
         Assert.Equal(isSwapped ? "BA" : "AB", corrected.Letters);
-        Assert.Equal(corrected, LetterF.Corrected(corrected, TableDirection.Back, TableDirection.Right)); // nothing is left to put right
+        Assert.Equal(corrected, LetterF.Corrected(corrected, TableDirection.Back, TableDirection.Right)); // nothing more to correct
     }
 
     [Theory]

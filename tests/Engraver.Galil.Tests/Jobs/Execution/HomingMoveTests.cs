@@ -27,7 +27,7 @@ public class HomingMoveTests
 
         Assert.Equal((JobOutcome.Complete, "The machine is homed."), (homed.Result.Outcome, homed.Result.Sentence));
         Assert.Equal(new CountsPoint(7000, 0), homed.Result.FinalPosition); // 5 mm, and 2 mm back
-        Assert.InRange(homed.Shift![0], 5000 - at - 3, 5000 - at + 3); // the edge is seen within two program lines at 1000 counts/s
+        Assert.InRange(homed.Shift![0], 5000 - at - 3, 5000 - at + 3); // the edge is detected within two program lines at 1000 counts/s
         Assert.Equal(0, homed.Shift[1]);
         Assert.Equal(before, await FingerprintAsync(bench));
     }

@@ -49,7 +49,7 @@ public class JogStandbyTests
 
         await JobRunner.StandByAsync(s_program, pad.Standby, session, SimulatedBench.Job, pad, CancellationToken.None);
 
-        var results = await Task.WhenAll(pad.Jogs).WaitAsync(TimeSpan.FromSeconds(60)); // a result is told on another thread
+        var results = await Task.WhenAll(pad.Jogs).WaitAsync(TimeSpan.FromSeconds(60)); // a result is reported on another thread
         Assert.All(results, result => Assert.Equal((JobOutcome.Complete, "The machine is at rest."), (result.Outcome, result.Sentence)));
         Assert.InRange(results[0].FinalPosition!.Value.X, Far, Far + 2000);
         Assert.InRange(results[1].FinalPosition!.Value.X, -2000, 2000);

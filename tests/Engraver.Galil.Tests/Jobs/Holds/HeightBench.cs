@@ -140,7 +140,7 @@ internal static class HeightBench
         {
             var plan = ((ToX - X) * (ToX - X)) + ((ToY - Y) * (ToY - Y));
             var foot = plan == 0.0 ? 0.0 : Math.Clamp((((sample.A - X) * (ToX - X)) + ((sample.B - Y) * (ToY - Y))) / plan, 0.0, 1.0);
-            var about = plan == 0.0 ? 1.0 : 2.5 / Math.Sqrt(plan); // of a steep piece, the lowest height so near
+            var about = plan == 0.0 ? 1.0 : 2.5 / Math.Sqrt(plan); // for a steep piece the lowest height within this distance
             var lowest = Math.Min(Z + (Math.Max(0.0, foot - about) * (ToZ - Z)), Z + (Math.Min(1.0, foot + about) * (ToZ - Z)));
             return double.Hypot(sample.A - X - (foot * (ToX - X)), sample.B - Y - (foot * (ToY - Y))) <= 2.5 && sample.C >= lowest - 2.5;
         }

@@ -91,11 +91,11 @@ public class HeightHoldTests
 
         Assert.Equal(("Done: 9 segments.", 1), (result.Sentence, result.Holds));
         HeightBench.AssertCut(bench, program);
-        HeightBench.AssertGentle(bench, program); // it turned wherever the tool was in the work
+        HeightBench.AssertGentle(bench, program); // it turned whenever the tool was in the work
         var record = bench.Controller.Record.Snapshot();
         var (from, to) = Assert.Single(operators.Held);
         Assert.Equal(0, record.Last(sample => sample.Sample <= to).Outputs);
-        Assert.InRange(record.First(sample => sample.Sample > to && sample.C < HeightBench.Clearance).Sample - to, 500, 5000); // its time before it plunges
+        Assert.InRange(record.First(sample => sample.Sample > to && sample.C < HeightBench.Clearance).Sample - to, 500, 5000); // the spin-up time before the plunge
     }
 
     [Theory]

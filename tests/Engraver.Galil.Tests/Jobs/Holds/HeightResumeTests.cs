@@ -60,7 +60,7 @@ public sealed class HeightResumeTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Program(mode);
         await DieAsync(bench, program, mode, "slope");
-        await using var fresh = new SimulatedBench(); // switched on again; it stands where the drawing's zero is
+        await using var fresh = new SimulatedBench(); // switched on again; it is at the drawing's zero
 
         var found = await FindAsync(fresh, program, mode, "a");
         var second = await RunAsync(fresh, program, mode, "b", found, null, CancellationToken.None);
@@ -105,6 +105,6 @@ public sealed class HeightResumeTests : IDisposable
         Assert.Equal(JobOutcome.LinkLost, (await RunAsync(bench, program, mode, "a", null, died, CancellationToken.None)).Outcome);
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(20));
         var lines = await File.ReadAllLinesAsync(PathOf("a"));
-        await File.WriteAllLinesAsync(PathOf("a"), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a dead host writes no end
+        await File.WriteAllLinesAsync(PathOf("a"), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a lost host does not write the end
     }
 }

@@ -186,7 +186,7 @@ public sealed class HeldMoveTests : IDisposable
         var record = bench.Controller.Record.Snapshot();
         var back = record.SkipWhile(sample => sample.C != up).Where(sample => sample.C != up && sample.C != 0).ToList();
         Assert.NotEmpty(back);
-        Assert.All(back, sample => Assert.Equal(up > 0 ? 0 : -2000, sample.B)); // up before the way, down behind it
+        Assert.All(back, sample => Assert.Equal(up > 0 ? 0 : -2000, sample.B)); // up before the move, down after it
     }
 
     [Theory]
@@ -262,7 +262,7 @@ public sealed class HeldMoveTests : IDisposable
             Assert.Equal((JobOutcome.LinkLost, true), (lost.Outcome, isEnded));
         }
 
-        bench.Controller.Advance(TimeSpan.FromSeconds(6)); // the watchdog trips, and a tool that an axis holds is raised
+        bench.Controller.Advance(TimeSpan.FromSeconds(6)); // the watchdog trips, and a tool that is moved by an axis is raised
         var result = await ResumeAsync(bench, program, mode, "cut", "rest");
 
         Assert.Equal((JobOutcome.Complete, program.SegmentCount), (result.Outcome, result.SegmentsExecuted));

@@ -81,7 +81,7 @@ public sealed class InterruptionTests : IDisposable
             resumes++;
             kills += outcome == JobOutcome.LinkLost ? 1 : 0;
             var found = await FindAsync(bench, program, mode, journal);
-            if (found.Refusal is null) from = found; // else it ended before it began, and goes on from where it would have
+            if (found.Refusal is null) from = found; // otherwise it ended before it started, and the next one starts from the same position
         }
 
         return (resumes, kills);

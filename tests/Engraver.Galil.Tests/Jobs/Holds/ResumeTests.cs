@@ -52,7 +52,7 @@ public sealed class ResumeTests : IDisposable
         var second = await RunAsync(bench, program, mode, "b", found, null, CancellationToken.None);
 
         Assert.True(found.IsSameZero);
-        Assert.InRange(tripped, 55000, 75000); // it went on for a second
+        Assert.InRange(tripped, 55000, 75000); // it continued for a second
         Assert.Equal(tripped - 1000, found.Place.Along, 120.0);
         Assert.Equal(JobOutcome.Complete, second.Outcome);
         HoldRecord.AssertEverythingWasCut(bench, program);
@@ -185,6 +185,6 @@ public sealed class ResumeTests : IDisposable
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
         var lines = await File.ReadAllLinesAsync(PathOf(journal));
-        await File.WriteAllLinesAsync(PathOf(journal), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a dead host writes no end
+        await File.WriteAllLinesAsync(PathOf(journal), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a lost host does not write the end
     }
 }

@@ -23,7 +23,7 @@ public sealed class CrashRecoveryTests : IDisposable
         await using var bench = new SimulatedBench();
         var before = await OwnedAsync(bench);
         await DieAsync(bench, First with { Mode = died });
-        Assert.Contains("M\u00E4rz", before, StringComparison.Ordinal); // byte for byte, whatever language the owner writes
+        Assert.Contains("M\u00E4rz", before, StringComparison.Ordinal); // byte for byte, in any encoding
         Assert.NotEqual(before, await bench.FingerprintAsync());
 
         var result = await bench.RunAsync(MotionPrograms.Paper, Second with { Mode = next });

@@ -81,7 +81,7 @@ public class JobTimeTests
 
     private static async Task<(double Planned, double Took)> PlannedAndRunAsync(JobMode mode, int baud, string part)
     {
-        await using var bench = new SimulatedBench(clock: new ManualTimeProvider()); // only bytes move the time, however busy this computer is
+        await using var bench = new SimulatedBench(clock: new ManualTimeProvider()); // only bytes advance the time, however busy this computer is
         var made = Part(part, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous);
         var program = mode == JobMode.Stream ? LinkFeedFitting.Create(made, new SerialLine(baud), null).Program : made;
         var planned = JobTime.Estimate(program, new SerialLine(baud), mode).Total;
