@@ -12,7 +12,7 @@ namespace Engraver.Benchmarks.Desktop;
 internal static class DesktopBenchmark
 {
     /// <summary>Runs a benchmark that needs no window on a display.</summary>
-    /// <returns>The sentence of what failed; null when all went well.</returns>
+    /// <returns>The sentence about the failure; null when everything succeeded.</returns>
     public static string? Run(DesktopOptions options, TextWriter output)
     {
         if (options.Benchmark == BenchmarkName.Canvas)
@@ -54,7 +54,7 @@ internal static class DesktopBenchmark
         }
     }
 
-    /// <summary>Closes the window once its first frame is drawn, and says how long that took.</summary>
+    /// <summary>Closes the window once its first frame is drawn, and reports how long that took.</summary>
     public static void EndAfterFirstFrame(Window window) =>
         window.Opened += (_, _) => window.RequestAnimationFrame(_ => window.RequestAnimationFrame(_ =>
         {

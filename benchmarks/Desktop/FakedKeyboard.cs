@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Sends keys to an X server over a connection of its own (XTEST): they reach the window in front as those of a real keyboard do.</summary>
+/// <summary>Sends keys to an X server over a separate connection (XTEST): they reach the window in front like those of a real keyboard.</summary>
 internal sealed partial class FakedKeyboard : IDisposable
 {
     private readonly nint _display;

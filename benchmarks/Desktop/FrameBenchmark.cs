@@ -6,8 +6,8 @@ using Engraver.App.Shell;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures the time from frame to frame of a window on a display while its view moves before each: what the hand sees, the pace of the window
-/// system included.</summary>
+/// <summary>Measures the time from frame to frame of a window on a display while its view moves before each: the rate seen by the operator, including the
+/// window system.</summary>
 internal sealed class FrameBenchmark(DesktopModel desk, ShellWindow window, TextWriter output)
 {
     private const int Frames = 300;
@@ -28,7 +28,7 @@ internal sealed class FrameBenchmark(DesktopModel desk, ShellWindow window, Text
     /// <summary>Waits for the whole picture of the present view.</summary>
     private async Task PictureAsync()
     {
-        // Not by frames: one that changes nothing follows the other at once, and the picture that waits behind them would never be taken.
+        // Not by frames: a frame without changes follows the previous one at once, and the picture that waits after them would never be taken.
         while (!window.CanvasSource.IsCurrent || !window.Canvas.IsFresh) await Dispatcher.UIThread.InvokeAsync(() => { }, DispatcherPriority.ApplicationIdle);
     }
 

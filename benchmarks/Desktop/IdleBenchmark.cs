@@ -5,7 +5,7 @@ using Avalonia.Threading;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures the processor time of a window on a display while nobody touches it.</summary>
+/// <summary>Measures the processor time of a window on a display without input.</summary>
 internal static class IdleBenchmark
 {
     private static readonly TimeSpan s_settling = TimeSpan.FromSeconds(5);

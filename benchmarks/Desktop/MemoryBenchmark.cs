@@ -6,12 +6,12 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>The benchmarks of a window in memory, by the name that <c>--benchmark</c> was given: how soon a stop is on the wire, how long painting and
-/// opening take.</summary>
+/// <summary>The benchmarks of a window in memory, by the name given to <c>--benchmark</c>: the time until a stop is on the wire, the time of painting and
+/// opening.</summary>
 /// <remarks>One of two files of the same class; the project takes the one of its back end.</remarks>
 internal static class MemoryBenchmark
 {
-    /// <returns>The sentence of what failed; null when all went well.</returns>
+    /// <returns>The sentence about the failure; null when everything succeeded.</returns>
     public static string? Run(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output)
     {
         var desktop = new HeadlessDesktop();

@@ -58,7 +58,7 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         output.WriteLine(StopEar.Row(StopPresses.RunsJob, times));
     }
 
-    /// <summary>Arms the job, again where the watch has disarmed it because it saw a machine that had just come to rest.</summary>
+    /// <summary>Arms the job, and again if the watch has disarmed it because of a machine that had just come to rest.</summary>
     private void Arm()
     {
         while (session.Desk.Session.Machine.Armed is null)

@@ -16,8 +16,8 @@ internal static class StopPresses
     public const string Redraws = "draws 1,000,000 segments again and again";
     public const string RunsJob = "runs a job";
 
-    /// <summary>Runs the presses on a thread of their own, because an operator presses independently of the window's thread.</summary>
-    /// <param name="press">Presses once and returns the milliseconds until the stop was heard.</param>
+    /// <summary>Runs the presses on a separate thread, because an operator presses independently of the window's thread.</summary>
+    /// <param name="press">Presses once and returns the milliseconds until the stop was received.</param>
     public static Task<double[]> TimesAsync(int count, Func<double> press) =>
         Task.Factory.StartNew(() => Times(count, press), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Moves of the view, one before each frame, as the hand makes them: to and fro by a hundredth of the height, in and out by a twentieth.</summary>
+/// <summary>Moves of the view, one before each frame, like those of an operator: to and fro by a hundredth of the height, in and out by a twentieth.</summary>
 internal sealed class ViewMoves(DesktopModel desk)
 {
     private const double ZoomedIn = 16.0;
@@ -19,6 +19,6 @@ internal sealed class ViewMoves(DesktopModel desk)
 
     public void Zoom(int frame) => desk.Session.View.ZoomAbout(desk.Session.View.Current.Centre, frame / 10 % 2 == 0 ? 1.05 : 1.0 / 1.05);
 
-    /// <summary>Goes near enough to see single lines of a large drawing.</summary>
+    /// <summary>Zooms in until single lines of a large drawing are visible.</summary>
     public void GoNear() => desk.Session.View.SetCentre(desk.Session.View.Current.Centre, desk.Session.View.Current.Height / ZoomedIn);
 }

@@ -81,8 +81,7 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
         AwaitPicture();
     }
 
-    /// <summary>What the process holds of the computer's memory once the desktop has given back what it has no use for; nothing is collected for the
-    /// figure.</summary>
+    /// <summary>Memory of the process after the desktop has returned unused memory; no collection is forced for the figure.</summary>
     private void TellMemory(string when)
     {
         desktop.StepUntil(() => session.Desk.IsMemoryReleased, s_patience);

@@ -8,7 +8,7 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>Measures how long a window in memory takes to paint everything anew and to open a drawing.</summary>
+/// <summary>Measures how long a window in memory takes to repaint everything and to open a drawing.</summary>
 internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
 {
     private const int Frames = 200;

@@ -8,14 +8,14 @@ internal static class OffsetBenchmark
 {
     private const double Distance = 1.0;
 
-    /// <summary>Runs of which the median is taken; more where one run is too short for a clock of milliseconds.</summary>
+    /// <summary>Number of runs for the median; more if one run is too short for a clock of milliseconds.</summary>
     private const int Runs = 5;
 
     private const int MoreRuns = 31;
 
     private const int ShortRun = 50_000;
 
-    /// <summary>With fewer vertices no time can be told anyway.</summary>
+    /// <summary>With fewer vertices the time is too short to be measured.</summary>
     private const int NoRun = 5_000;
 
     /// <summary>The two lines above the rows.</summary>

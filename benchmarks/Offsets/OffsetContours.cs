@@ -3,13 +3,13 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Benchmarks.Offsets;
 
-/// <summary>Closed contours of as many vertices as wanted, millimetres, on which offsets are measured. The more vertices, the finer: at 100,000 the teeth
-/// of a comb are far narrower than the distance.</summary>
+/// <summary>Closed contours with a given number of vertices, millimetres, for measuring offsets. More vertices make them finer: at 100,000 the teeth of a comb
+/// are far narrower than the distance.</summary>
 internal static class OffsetContours
 {
     private const double WholeTurn = 2.0 * Math.PI;
 
-    /// <summary>Each by its name in the table.</summary>
+    /// <summary>The contours by their names in the table.</summary>
     public static IReadOnlyList<(string Name, Func<int, OffsetContour> Create)> All { get; } =
     [
         ("circle of chords", Chords), ("wavy", Wavy), ("random", Noise), ("star", count => Rings(count, 100.0, 90.0, 1)), ("comb", count => Rings(count, 1000.0, 990.0, 2)), ("straight comb", StraightComb), ("gear", Gear), ("spiral", Spiral),
@@ -28,7 +28,7 @@ internal static class OffsetContours
         return Round(count, (_, _) => 100.0 + random.NextDouble());
     }
 
-    /// <summary>So many vertices on one radius, as many on the other, in turn.</summary>
+    /// <summary>The same number of vertices on two radii, alternating.</summary>
     private static OffsetContour Rings(int count, double outer, double inner, int each) => Round(count, (i, _) => i / each % 2 == 0 ? outer : inner);
 
     /// <summary>Upright teeth of 10 mm on a bar 1000 long and 20 high.</summary>

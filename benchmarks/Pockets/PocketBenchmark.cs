@@ -5,7 +5,8 @@ using Engraver.Core.Pockets;
 
 namespace Engraver.Benchmarks.Pockets;
 
-/// <summary>Processor time of a square pocket of 100 mm with 20 round islands, for several tools: the passes grow with one over the stepover.</summary>
+/// <summary>Processor time of a square pocket of 100 mm with 20 round islands, for several tools: the number of passes grows with one over the
+/// stepover.</summary>
 internal static class PocketBenchmark
 {
     /// <summary>Head of the table, Markdown.</summary>

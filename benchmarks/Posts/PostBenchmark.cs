@@ -7,14 +7,14 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Posts;
 
-/// <summary>Every target of a set of drawings, posted, read back and certified: lines, bytes, deviation, whether it is verified and its certificate stands,
-/// processor time. A row for each target, and a line for each program without a certificate that stands.</summary>
+/// <summary>Every target of a set of drawings, posted, read back and certified: lines, bytes, deviation, whether it is verified and its certificate is valid,
+/// processor time. A row for each target, and a line for each program without a valid certificate.</summary>
 internal static class PostBenchmark
 {
     /// <summary>Head of the table, Markdown.</summary>
     public static string Head => "| target | programs | not written | lines | bytes | worst deviation mm | verified | certificate stands | post CPU s | verify CPU s |\n|---|---|---|---|---|---|---|---|---|---|";
 
-    /// <summary>All drawings of the folders, and those named, that are no larger, or so many of them spread over the list by a seed.</summary>
+    /// <summary>All drawings of the folders, and the named ones, up to a size, or a number of them chosen from the list by a seed.</summary>
     public static IReadOnlyList<string> Choose(IEnumerable<string> places, int most, long largestBytes, int seed)
     {
         var files = places.SelectMany(place => Directory.Exists(place) ? Directory.EnumerateFiles(place, "*.dxf", SearchOption.AllDirectories) : [place]).Where(file => new FileInfo(file).Length <= largestBytes).Order(StringComparer.Ordinal).ToArray();
@@ -22,10 +22,10 @@ internal static class PostBenchmark
         return [.. files.Take(most)];
     }
 
-    /// <summary>The rows, one after the other, each followed by the programs without a certificate that stands and by the one that took most processor
+    /// <summary>The rows, one after the other, each followed by the programs without a valid certificate and by the one with the longest processor
     /// time.</summary>
     /// <param name="target">Name of the only target; null: all.</param>
-    /// <param name="each">A row for each program too, before that of its target.</param>
+    /// <param name="each">Whether to add a row for each program, before that of its target.</param>
     public static async IAsyncEnumerable<string> RowsAsync(IReadOnlyList<string> files, string? target, bool each, [EnumeratorCancellation] CancellationToken stop)
     {
         foreach (var choice in PostTable.Choices.Where(choice => target is null || choice.Entry.Post.Name == target))
@@ -45,7 +45,7 @@ internal static class PostBenchmark
         }
     }
 
-    /// <summary>The program is posted, read back once for its certificate, and posted once more to see whether the certificate stands.</summary>
+    /// <summary>The program is posted, read back once for its certificate, and posted again to test whether the certificate is valid.</summary>
     private static async Task MeasureAsync(PostFigure row, string file, PostChoice choice, CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();

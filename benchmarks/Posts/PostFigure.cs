@@ -3,7 +3,7 @@ using Engraver.Workbench.Certificates;
 
 namespace Engraver.Benchmarks.Posts;
 
-/// <summary>What is known of one program, or of all programs of one target.</summary>
+/// <summary>The measured values of one program, or of all programs of one target.</summary>
 /// <param name="target">With its dialect.</param>
 /// <param name="drawing">Name of the drawing's file; null for all.</param>
 internal sealed class PostFigure(string target, string? drawing = null)
@@ -21,10 +21,10 @@ internal sealed class PostFigure(string target, string? drawing = null)
     private double _verifying;
     private double _longest;
 
-    /// <summary>A line for each program that was written and has no certificate that stands.</summary>
+    /// <summary>A line for each program that was written and has no valid certificate.</summary>
     public IReadOnlyList<string> Failures => _failures;
 
-    /// <summary>The program that took most processor time to post or to verify; a line.</summary>
+    /// <summary>The program with the longest processor time for posting or verifying; a line.</summary>
     public string Slowest { get; private set; } = "";
 
     public void AddPosted(string? text, double seconds)
@@ -45,7 +45,7 @@ internal sealed class PostFigure(string target, string? drawing = null)
         else _failures.Add($"  {_name}: {(certificate.Ok ? $"certificate does not stand ({string.Join(", ", standing.Differs)})" : $"no certificate; {Reason(certificate, isDamaged)}")}");
     }
 
-    /// <summary>Takes in what is known of one program.</summary>
+    /// <summary>Adds the values of one program.</summary>
     public void Add(PostFigure one)
     {
         (_programs, _unwritten, _lines, _bytes) = (_programs + one._programs, _unwritten + one._unwritten, _lines + one._lines, _bytes + one._bytes);

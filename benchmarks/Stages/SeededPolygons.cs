@@ -1,6 +1,6 @@
 namespace Engraver.Benchmarks.Stages;
 
-/// <summary>The benchmark drawing: exactly so many lines that form closed polygons of 10 to 50 sides on a grid, apart from each other, on three
+/// <summary>The benchmark drawing: an exact number of lines that form closed polygons of 10 to 50 sides on a grid, apart from each other, on three
 /// layers.</summary>
 /// <remarks>The last polygon takes up the remainder, up to 59 sides; fewer than three lines make an open stroke instead. The generator of the samples
 /// compiles this

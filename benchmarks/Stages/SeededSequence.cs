@@ -1,7 +1,7 @@
 namespace Engraver.Benchmarks.Stages;
 
 /// <summary>Random-looking numbers that are the same on every platform and runtime for the same seed (SplitMix64, Steele, Lea and Flood 2014).</summary>
-/// <remarks><see cref="Random"/> does not promise its sequence across versions of the runtime, and the samples must not change with it.</remarks>
+/// <remarks><see cref="Random"/> does not guarantee its sequence across versions of the runtime, and the samples must not change with it.</remarks>
 internal sealed class SeededSequence(ulong seed)
 {
     private ulong _state = seed;
@@ -14,7 +14,7 @@ internal sealed class SeededSequence(ulong seed)
 
     public bool Coin() => Below(2) == 1;
 
-    /// <summary>Puts the items into a random order, which the seed decides.</summary>
+    /// <summary>Puts the items into a random order, determined by the seed.</summary>
     public void Shuffle<T>(Span<T> items)
     {
         for (var i = items.Length - 1; i > 0; i--)

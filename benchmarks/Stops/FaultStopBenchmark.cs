@@ -11,7 +11,7 @@ namespace Engraver.Benchmarks.Stops;
 /// speed 1 to which a fault of a faults file has just happened.</summary>
 internal sealed class FaultStopBenchmark
 {
-    /// <summary>So many jobs in a row that never move are no accident.</summary>
+    /// <summary>Number of consecutive jobs without motion that counts as an error.</summary>
     private const int MostUnbegun = 50;
 
     private readonly FaultStopPress _press;
@@ -24,7 +24,7 @@ internal sealed class FaultStopBenchmark
         _press = new FaultStopPress(folder, baud, job);
     }
 
-    /// <summary>The faults of <c>simulate --faults</c>, each with what stands in the file beside its moment; none first.</summary>
+    /// <summary>The faults of <c>simulate --faults</c>, each with its fields other than the time; the first is no fault.</summary>
     public static IReadOnlyList<(string Name, string? Fault)> Faults { get; } =
     [
         ("none", null),
@@ -40,7 +40,7 @@ internal sealed class FaultStopBenchmark
         ("powerCycle", ""),
     ];
 
-    /// <summary>So many presses under one fault.</summary>
+    /// <summary>A number of presses under one fault.</summary>
     /// <param name="fault">Null for none.</param>
     /// <exception cref="ControllerException">The simulated controller could not be reached.</exception>
     public async Task<FaultStopFigure> RunAsync(string name, string? fault, int presses, CancellationToken stop)

@@ -7,18 +7,18 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>One press of STOP after the other, each in a job of its own on a controller of its own: the job begins to move, a little later the fault
-/// happens, and at most 60 ms behind it STOP is pressed.</summary>
+/// <summary>Presses STOP repeatedly, each time in a new job on a new controller: the job starts to move, a little later the fault happens, and at most 60 ms
+/// after it STOP is pressed.</summary>
 internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
 {
-    /// <summary>The fault happens within this time after the first motion, so that it meets the job between any two commands; seconds.</summary>
+    /// <summary>The fault happens within this time after the first motion, so that it can come between any two commands of the job; seconds.</summary>
     private const double EarliestFault = 0.1;
     private const double LatestFault = 0.5;
 
-    /// <summary>STOP comes within so many seconds behind the fault.</summary>
+    /// <summary>Largest time from the fault to STOP, seconds.</summary>
     private const double PressWithin = 0.06;
 
-    /// <summary>A stop that is not on the wire after this never comes there: the link is gone.</summary>
+    /// <summary>A stop that is not on the wire after this time never arrives there: the link is lost.</summary>
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(2);
 
     private readonly Random _random = new(1);
@@ -26,7 +26,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
     public bool IsSerial => baud is not null;
 
     /// <param name="fault">A faults file with a moment that is past; null for none.</param>
-    /// <returns>Null when the job ended before it moved, because this computer was held up: it does not count.</returns>
+    /// <returns>Null when the job ended before it moved, because this computer was delayed: it does not count.</returns>
     /// <exception cref="ControllerException">The simulated controller could not be reached.</exception>
     public async Task<PressedStop?> RunAsync(string? fault, CancellationToken stop)
     {
@@ -66,14 +66,14 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         return new PressedStop(time, ear.IsBraked, pause, wire.UnderWayMilliseconds);
     }
 
-    /// <summary>Completes when the job has ended and no link stands any more; never otherwise.</summary>
+    /// <summary>Completes when the job has ended and all links are closed; never otherwise.</summary>
     private static async Task GoneAsync(MachineSession machine, Task run)
     {
         await run.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
         if (machine.Description is not null) await Task.Delay(Timeout.Infinite, CancellationToken.None).ConfigureAwait(false);
     }
 
-    /// <summary>However the job ends.</summary>
+    /// <summary>For any end of the job.</summary>
     private static async Task EndAsync(Task run)
     {
         try
@@ -82,7 +82,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         }
         catch (ControllerException)
         {
-            // The link is gone, as the fault wanted it.
+            // The link is lost, as intended by the fault.
         }
         catch (OperationCanceledException)
         {
@@ -90,7 +90,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         }
     }
 
-    /// <summary>Hears on the wire that the path begins, and that it is braked.</summary>
+    /// <summary>Detects on the wire the start and the braking of the path.</summary>
     private sealed class Ear
     {
         private static readonly char[] s_ends = ['\r', ';'];
@@ -102,10 +102,10 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
 
         public Ear(FaultStopWire wire) => wire.Heard += Hear;
 
-        /// <summary>The path begins.</summary>
+        /// <summary>The path starts.</summary>
         public Task Moves => _moves.Task;
 
-        /// <summary>The time stamp of the first braking at or behind the press.</summary>
+        /// <summary>The time stamp of the first braking at or after the press.</summary>
         public Task<long> Stop => _stop.Task;
 
         /// <summary>The path was braked between the fault and the press.</summary>
@@ -123,7 +123,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
 
         private void Hear(string text, long at)
         {
-            if (Array.Exists(text.Split(s_ends), command => command == "BGS")) _moves.TrySetResult(); // a question of _BGS is none
+            if (Array.Exists(text.Split(s_ends), command => command == "BGS")) _moves.TrySetResult(); // a query of _BGS is not counted
             if (!FaultStopWire.IsStop(text)) return;
             if (at >= Volatile.Read(ref _pressedAt)) _stop.TrySetResult(at);
             else if (at >= Volatile.Read(ref _faultAt)) _isBraked = true;
@@ -131,10 +131,10 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
     }
 }
 
-/// <summary>What became of one press.</summary>
-/// <param name="Milliseconds">From STOP to the wire; null when it was not heard there, or was there before: what a job that ends says again behind its own
-/// stop is no answer to the press.</param>
+/// <summary>The result of one press.</summary>
+/// <param name="Milliseconds">From STOP to the wire; null when it did not arrive there, or had arrived before: the repetition by a job that ends after its own
+/// stop is not caused by the press.</param>
 /// <param name="IsBraked">The fault had ended the job, whose own stop was on the wire before the press.</param>
 /// <param name="Pause">Garbage collection between the press and the wire, milliseconds.</param>
-/// <param name="UnderWay">How long a serial line was still busy at the press, milliseconds.</param>
+/// <param name="UnderWay">Time for which a serial line was still busy at the press, milliseconds.</param>
 internal readonly record struct PressedStop(double? Milliseconds, bool IsBraked, double Pause, double UnderWay);

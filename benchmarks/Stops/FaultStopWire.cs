@@ -2,19 +2,19 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>The link between a host and a simulated controller, on which the commands are heard that pass.</summary>
+/// <summary>The link between a host and a simulated controller, with the commands that pass over it.</summary>
 internal abstract class FaultStopWire : IAsyncDisposable
 {
     /// <summary>Raised with each command and the time stamp at which it was on the wire, on any thread.</summary>
     public event Action<string, long>? Heard;
 
-    /// <summary>Where the host finds the controller.</summary>
+    /// <summary>The address of the controller for the host.</summary>
     public abstract string Address { get; }
 
-    /// <summary>How long the wire was still busy at <see cref="Press"/> with bytes that the host had given it, and with the one line that it was just
-    /// giving it, milliseconds. 0 where a stop does not wait for them.</summary>
-    /// <remarks>A line of the poll has 48 bytes, which take 25 ms at 19,200 baud. Where the host gave it to the device half a millisecond behind the press,
-    /// nothing could take it back; a second line behind the press would be the host's fault and does not count.</remarks>
+    /// <summary>Time for which the wire was still busy at <see cref="Press"/> with bytes from the host, including the line that it was just writing,
+    /// milliseconds. 0 if a stop does not wait for them.</summary>
+    /// <remarks>A line of the poll has 48 bytes, which take 25 ms at 19,200 baud. If the host gave it to the device half a millisecond after the press, it
+    /// could not be withdrawn; a second line after the press would be an error of the host and does not count.</remarks>
     public virtual double UnderWayMilliseconds => 0.0;
 
     /// <summary>STOP is pressed at this time stamp.</summary>
@@ -22,7 +22,7 @@ internal abstract class FaultStopWire : IAsyncDisposable
     {
     }
 
-    /// <summary>What is said from here on is not measured any more.</summary>
+    /// <summary>From now on commands are not measured.</summary>
     public virtual void Rest()
     {
     }

@@ -3,10 +3,10 @@ using System.Globalization;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>Notices a stop on its way to the controller: its first command switches the tool off, its last one brakes the axes.</summary>
+/// <summary>Detects a stop on its way to the controller: its first command switches the tool off, its last one brakes the axes.</summary>
 internal sealed class StopEar : IDisposable
 {
-    /// <summary>The head of the table that <see cref="Row"/> makes lines of.</summary>
+    /// <summary>The head of the table for the lines of <see cref="Row"/>.</summary>
     public const string Head = "| The window | presses | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|";
 
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
@@ -25,7 +25,7 @@ internal sealed class StopEar : IDisposable
         return string.Create(CultureInfo.InvariantCulture, $"| {what} | {count} | {milliseconds[count / 2]:0.00} | {milliseconds[count * 99 / 100]:0.00} | {milliseconds[^1]:0.00} |");
     }
 
-    /// <summary>Forgets the commands heard so far.</summary>
+    /// <summary>Forgets the commands received so far.</summary>
     public void Forget()
     {
         _toolOff.Reset();
@@ -34,7 +34,7 @@ internal sealed class StopEar : IDisposable
 
     /// <summary>Waits for a whole stop of a machine at rest.</summary>
     /// <returns>Milliseconds from a time stamp to its first command.</returns>
-    /// <exception cref="TimeoutException">It never came.</exception>
+    /// <exception cref="TimeoutException">It did not arrive.</exception>
     public double AwaitStop(long since)
     {
         Await(_toolOff);
@@ -42,9 +42,9 @@ internal sealed class StopEar : IDisposable
         return Stopwatch.GetElapsedTime(since, Volatile.Read(ref _toolOffAt)).TotalMilliseconds;
     }
 
-    /// <summary>Waits for the stop of a job. A job switches the tool off by itself too, so the command that counts is the braking.</summary>
+    /// <summary>Waits for the stop of a job. A job also switches the tool off, so the command that counts is the braking.</summary>
     /// <returns>Milliseconds from a time stamp to that command.</returns>
-    /// <exception cref="TimeoutException">It never came.</exception>
+    /// <exception cref="TimeoutException">It did not arrive.</exception>
     public double AwaitBrake(long since)
     {
         Await(_brake);

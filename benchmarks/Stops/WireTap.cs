@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>A TCP relay that listens on a port of its own: it passes commands on to the controller and reports each with the time at which it came.</summary>
+/// <summary>A TCP relay that listens on a separate port: it passes commands on to the controller and reports each with the time of its arrival.</summary>
 internal sealed class WireTap : IAsyncDisposable
 {
     private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -13,7 +13,7 @@ internal sealed class WireTap : IAsyncDisposable
     private readonly IPEndPoint _controller;
     private readonly Task _accepting;
 
-    /// <param name="controller">Where the controller listens.</param>
+    /// <param name="controller">The address of the controller.</param>
     public WireTap(IPEndPoint controller)
     {
         _controller = controller;

@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>What the SACETraj plug-in makes of a curve: its generator after the notes on its code (sace-xps-agie.md 1.2 and 1.3), defects included. Lines
-/// as they stand in its file. Millimetres.</summary>
+/// <summary>The lines that the SACETraj plug-in generates for a curve, after the notes on its code (sace-xps-agie.md 1.2 and 1.3), including its defects. Lines
+/// as in its file. Millimetres.</summary>
 internal sealed class PlugInGenerator
 {
     private readonly IReadOnlyList<Segment> _segments;
@@ -19,14 +19,14 @@ internal sealed class PlugInGenerator
 
     private double Length => _ends[^1];
 
-    /// <summary>Samples that were looked at in search of the next points.</summary>
+    /// <summary>Number of samples that were tested in the search for the next points.</summary>
     private long _scanned;
 
     /// <summary>Dynamic density; empty for a curve shorter than the error.</summary>
     /// <exception cref="OverflowException">The error is 0: the number of samples is without limit.</exception>
     public static List<Point2D> Dynamic(IReadOnlyList<Segment> segments, double error) => Dynamic(segments, error, out _);
 
-    /// <param name="scanned">Samples that were looked at in search of the next points, again for every point.</param>
+    /// <param name="scanned">Number of samples that were tested in the search for the next points, again for every point.</param>
     public static List<Point2D> Dynamic(IReadOnlyList<Segment> segments, double error, out long scanned)
     {
         scanned = 0;

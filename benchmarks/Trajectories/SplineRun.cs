@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Trajectories;
 
-/// <summary>What a controller makes of the lines of a spline file, evaluated here from the definition of the uniform Catmull-Rom spline, and how far it is
-/// from what was drawn. Shares no code with the generator.</summary>
+/// <summary>The path of a controller for the lines of a spline file, evaluated here from the definition of the uniform Catmull-Rom spline, and its distance
+/// from the source. Shares no code with the generator.</summary>
 internal sealed class SplineRun
 {
     private readonly List<(double X, double Y)> _places = [];
@@ -41,7 +41,7 @@ internal sealed class SplineRun
         return largest;
     }
 
-    /// <summary>The nearest of the places, then the nearest of the curve around it; beside the end of a closed curve that may lie before its start.</summary>
+    /// <summary>The nearest of the points, then the nearest of the curve around it; near the end of a closed curve this can be before its start.</summary>
     private double Nearest(double x, double y)
     {
         double From((double X, double Y) place) => double.Hypot(place.X - x, place.Y - y);

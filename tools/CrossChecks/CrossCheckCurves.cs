@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Turns a record into smooth pieces of curves; null when it is no curve.</summary>
+/// <summary>Turns a record into smooth pieces of curves; null when it is not a curve.</summary>
 internal static class CrossCheckCurves
 {
     public static List<CrossCheckPiece>? Read(CrossCheckRecord record) => record.Type switch
@@ -101,7 +101,7 @@ internal static class CrossCheckCurves
         return pieces;
     }
 
-    /// <summary>The arc of a bulge b: its centre lies on the perpendicular bisector of the chord, (1/b - b)/2 half chords to the left.</summary>
+    /// <summary>The arc of a bulge b: its centre is on the perpendicular bisector of the chord, (1/b - b)/2 half chords to the left.</summary>
     private static List<CrossCheckPiece> Bulge(CrossCheckFrame frame, CrossCheckPoint a, CrossCheckPoint b, double bulge)
     {
         var (half, lift) = (0.5 * (b - a), ((1.0 / bulge) - bulge) / 2.0);

@@ -20,12 +20,12 @@ internal sealed class CrossCheckFile
         _bytes = wide is null ? file : Encoding.Latin1.GetBytes(wide.GetString(file).TrimStart('\uFEFF'));
     }
 
-    /// <summary>Code of the tag that stands for a line which should be a group code and is none.</summary>
+    /// <summary>Code of the tag for a line that should be a group code but is not.</summary>
     public const int Damaged = int.MinValue;
 
     public IEnumerable<CrossCheckTag> Tags => TagsAndDamage.Where(tag => tag.Code != Damaged);
 
-    /// <summary>The tags, and between them the lines that are skipped because they are no group codes (<see cref="Damaged"/>).</summary>
+    /// <summary>The tags, and between them the lines that are skipped because they are not group codes (<see cref="Damaged"/>).</summary>
     public IEnumerable<CrossCheckTag> TagsAndDamage => _binary ? CrossCheckBinary.Tags(_bytes, BinaryMark.Length) : Ascii();
 
     /// <summary>True when a line of text has zero bytes in it: that part of the file was never written.</summary>
@@ -46,14 +46,14 @@ internal sealed class CrossCheckFile
 
     public string Text(CrossCheckTag tag) => Encoding.Latin1.GetString(_bytes, tag.Start, tag.Length).Trim();
 
-    /// <summary>The value as a number, NaN when it is none: nothing is repaired, so that every repair of the reader shows as a difference.</summary>
+    /// <summary>The value as a number, NaN when it is not one: nothing is repaired, so that every repair of the reader shows as a difference.</summary>
     public double Number(CrossCheckTag tag)
     {
         if (_binary && CrossCheckBinary.SizeOf(tag.Code) > 0) return CrossCheckBinary.Number(_bytes, tag);
         return double.TryParse(_bytes.AsSpan(tag.Start, tag.Length), NumberStyles.Float, CultureInfo.InvariantCulture, out var number) ? number : double.NaN;
     }
 
-    /// <summary>The tags of a text file. A line that should be a code and is none is skipped alone, because the next may be one.</summary>
+    /// <summary>The tags of a text file. A line that should be a code but is not is skipped alone, because the next may be one.</summary>
     private IEnumerable<CrossCheckTag> Ascii()
     {
         for (var at = 0; at < _bytes.Length;)
@@ -95,5 +95,5 @@ internal sealed class CrossCheckFile
     }
 }
 
-/// <summary>A group code, and where in the file its value stands.</summary>
+/// <summary>A group code, and the position of its value in the file.</summary>
 internal readonly record struct CrossCheckTag(int Code, int Start, int Length);

@@ -92,7 +92,7 @@ internal sealed class CrossCheckReading
     }
 }
 
-/// <summary>A block as it stands in the file.</summary>
+/// <summary>A block as in the file.</summary>
 internal sealed class CrossCheckBlock(CrossCheckPoint origin)
 {
     public CrossCheckPoint Base { get; } = origin;

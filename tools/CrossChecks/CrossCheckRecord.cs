@@ -14,7 +14,7 @@ internal sealed class CrossCheckRecord(CrossCheckFile file, string type)
 
     public bool InPaperSpace => Number(67, 0.0) == 1.0;
 
-    /// <summary>Its smooth pieces; null when it is no curve or one of its numbers is not a number.</summary>
+    /// <summary>Its smooth pieces; null when it is not a curve or one of its numbers is not a number.</summary>
     public IReadOnlyList<CrossCheckPiece>? Pieces
     {
         get

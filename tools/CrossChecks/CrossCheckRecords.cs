@@ -1,7 +1,7 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>The records of a file's BLOCKS and ENTITIES sections, one after the other; only the one under way is in memory. What stands outside of every
-/// section goes with ENTITIES.</summary>
+/// <summary>The records of a file's BLOCKS and ENTITIES sections, one after the other; only the present one is in memory. Records outside of every section are
+/// treated like those of ENTITIES.</summary>
 internal static class CrossCheckRecords
 {
     /// <param name="file">Gone through once for each enumeration.</param>
@@ -10,7 +10,7 @@ internal static class CrossCheckRecords
     {
         var record = new CrossCheckRecord(file, "");
         var inside = false;
-        var loose = wanted == "ENTITIES"; // no section has begun, or the last one has ended
+        var loose = wanted == "ENTITIES"; // before the first section, or after the last one
         foreach (var tag in file.Tags)
         {
             if (tag.Code != 0)

@@ -46,7 +46,7 @@ internal static class CrossCheckSplines
         return pieces;
     }
 
-    /// <summary>Lifts a knot that lies below the one before it by at most 1e-9 of their range: it was rounded.</summary>
+    /// <summary>Raises a knot that is below the previous one by at most 1e-9 of their range: it was rounded.</summary>
     private static void Climb(double[] knots)
     {
         for (var i = 1; i < knots.Length; i++)
