@@ -69,7 +69,7 @@ internal static partial class LinkResolver
 
     internal static string At(SitePage page, int line, string what) => string.Create(CultureInfo.InvariantCulture, $"{page.Path}({line + 1}): {what}");
 
-    /// <returns>Null for a folder of sources, which is no part of the site.</returns>
+    /// <returns>Null for a folder of sources, which is not part of the site.</returns>
     private static string? Target(SiteSource source, SitePage page, string url, bool isImage, int line, List<string> errors)
     {
         if (IsElsewhere(url))

@@ -2,7 +2,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Galil;
 
-/// <summary>Every text of this project that people read, from its <c>Texts.resx</c>, in the language of now.</summary>
+/// <summary>Every text of this project for people, from its <c>Texts.resx</c>, in the current language.</summary>
 internal static class Wording
 {
     private static readonly TextCatalogue s_texts = new(typeof(Wording).Assembly, "Engraver.Galil.Texts");

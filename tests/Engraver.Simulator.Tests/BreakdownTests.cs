@@ -2,8 +2,8 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>A bug of the simulator, wherever it happens: no client is left waiting, no thread of the pool takes the process with it, and the owner learns
-/// of it.</summary>
+/// <summary>An internal error of the simulator, at any point: clients do not wait indefinitely, a thread of the pool does not end the process, and the owner is
+/// notified.</summary>
 public class BreakdownTests
 {
     private static readonly FaultPlan AtTheThird = new() { BreakDownAtCommand = 3 };

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>BN, BV and what RS brings back (galil-dmc.md A.6).</summary>
+/// <summary>BN, BV and the state that RS restores (galil-dmc.md A.6).</summary>
 public class BurnTests
 {
     [Fact]

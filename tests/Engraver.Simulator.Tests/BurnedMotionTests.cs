@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>What the owner burned before the simulation begins (simulate --machine).</summary>
+/// <summary>Parameters burned by the owner before the simulation starts (simulate --machine).</summary>
 public class BurnedMotionTests
 {
     [Fact]

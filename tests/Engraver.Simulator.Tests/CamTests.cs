@@ -68,7 +68,7 @@ public class CamTests
 
         var steps = rig.Controller.Record.Snapshot().Zip(rig.Controller.Record.Snapshot().Skip(1), (a, b) => b.B - a.B).ToList();
 
-        // 20 counts of the master a sample are 30 of the slave on the steepest line; where it is told anew it drops by its cycle.
+        // 20 counts of the master a sample are 30 of the slave on the steepest line; when its cycle starts again it drops by one cycle.
         Assert.All(steps, s => Assert.True(s is >= -31 and <= 31 or >= -1531 and <= -1469, $"{s}"));
         Assert.Equal(3, steps.Count(s => s < -1000));
     }
@@ -97,7 +97,7 @@ public class CamTests
 
         rig.Do("PRA=2500", "BGA").RunToIdle();
         Assert.Equal((0, 0, 61), (rig.Value("_EGB"), rig.Value("_EQB"), rig.Value("_SCB")));
-        Assert.InRange(rig.Value("_RPB"), 2240, 2250); // it stands within a sample, 10 counts of the master, behind 4000
+        Assert.InRange(rig.Value("_RPB"), 2240, 2250); // it stops within a sample, 10 counts of the master, after 4000
     }
 
     [Fact]

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>The golden numbers of galil-dmc.md section H. Instruction time (0.5 ms a command) comes on top of the ideal durations.</summary>
+/// <summary>The golden numbers of galil-dmc.md section H. Instruction time (0.5 ms a command) is added to the ideal durations.</summary>
 public class ExampleProgramTests
 {
     private const double InstructionTime = 0.02;

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>The example programs of galil-dmc.md section H, letter by letter.</summary>
+/// <summary>The example programs of galil-dmc.md section H, verbatim.</summary>
 internal static class ExamplePrograms
 {
     public const string Line = """

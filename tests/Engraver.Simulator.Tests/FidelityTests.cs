@@ -4,10 +4,10 @@ using Engraver.Simulator.Language.Commands;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>docs/simulator-fidelity.md keeps step with the dispatch table.</summary>
+/// <summary>docs/simulator-fidelity.md agrees with the dispatch table.</summary>
 public class FidelityTests
 {
-    /// <summary>galil-dmc.md 0.4, first row; TIME is an operand and left out.</summary>
+    /// <summary>galil-dmc.md 0.4, first row, without TIME, which is an operand.</summary>
     private const string CommandsOfTheDmc21X3 =
         "AB AC AD AF AG AI AL AM AO AP AQ AR AS AT AU AV BA BC BD BG BI BK BL BM BN BP BR BV BZ CA CB CD CE CF CI CM CN CR CS CW DA DC DE DL DM DP DR DT DV "
         + "EA EB EC ED EG ELSE EM EN ENDIF EO EP EQ ER ES ET EW FA FE FI FL FV GA GD GM GR HM HS HX IA IF IH II IK IL IP IT JG JP JS KD KI KP KS LA LC LE LI "

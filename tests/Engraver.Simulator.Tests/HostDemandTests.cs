@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>galil-dmc.md L.2: what real host programs need. Points 1, 3, 4 and 10 are in ProtocolTests too, 6 in LinkTests and UdpTests.</summary>
+/// <summary>galil-dmc.md L.2: needs of real host programs. Points 1, 3, 4 and 10 are also in ProtocolTests, 6 in LinkTests and UdpTests.</summary>
 public class HostDemandTests
 {
     [Theory] // point 1

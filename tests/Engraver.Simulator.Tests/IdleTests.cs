@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>A controller in which nothing happens takes no processor time, and misses nothing.</summary>
+/// <summary>An idle controller takes no processor time, and misses no event.</summary>
 public class IdleTests
 {
     [Theory]

@@ -70,7 +70,7 @@ public class LimitTests
         rig.Do("OEA=2", "JGA=20000", "BGA").RunToIdle();
 
         Assert.Equal((1, 2), (rig.Value("_MOA"), rig.Value("_SCA")));
-        Assert.InRange(rig.Value("_RPA"), 1000, 1040); // seen one sample later, 20 counts each
+        Assert.InRange(rig.Value("_RPA"), 1000, 1040); // detected one sample later, 20 counts each
     }
 
     [Fact]

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>Handles and their troubles (galil-dmc.md A.1, I.1, I.15).</summary>
+/// <summary>Handles and their failures (galil-dmc.md A.1, I.1, I.15).</summary>
 public class LinkTests
 {
     private static readonly SimulatorOptions Virtual = new() { Speed = double.PositiveInfinity };

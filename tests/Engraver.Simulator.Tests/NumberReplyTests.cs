@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>How numbers print (galil-dmc.md E Messages, A.3 Number reply and Format commands): what was given with up to four decimals comes back, although
-/// a fraction is kept in steps of 1/65536.</summary>
+/// <summary>How numbers are printed (galil-dmc.md E Messages, A.3 Number reply and Format commands): a value set with up to four decimals is printed unchanged,
+/// although a fraction is stored in steps of 1/65536.</summary>
 public class NumberReplyTests
 {
     [Theory]
@@ -10,12 +10,12 @@ public class NumberReplyTests
     [InlineData("MG 42.42", " 42.4200\r\n:")]
     [InlineData("MG 0.6", " 0.6000\r\n:")]
     [InlineData("MG 0.99999", " 1.0000\r\n:")]
-    [InlineData("MG 2000/360", " 5.5555\r\n:")] // a division cuts off (E, fixed-point traps)
-    [InlineData("MG @INT[5*0.6]", " 2.0000\r\n:")] // and 0.6 is kept as 0.59999
+    [InlineData("MG 2000/360", " 5.5555\r\n:")] // a division truncates (E, fixed-point traps)
+    [InlineData("MG @INT[5*0.6]", " 2.0000\r\n:")] // and 0.6 is stored as 0.59999
     [InlineData("MG _VF,_PF", " 10.4000 10.0000\r\n:")]
     [InlineData("x=42.42;x=?", ": 42.4200\r\n:")]
     [InlineData("MG 1234.5322{F4.2}", " 1234.53\r\n:")]
-    [InlineData("MG 99999.99999{F5.4}", " 99999.9999\r\n:")] // what does not fit is clipped
+    [InlineData("MG 99999.99999{F5.4}", " 99999.9999\r\n:")] // a number that does not fit is clipped
     [InlineData("DM px[1];px[0]=0.1;QU px[]", ":: 0.1000\r\n\x1A:")]
     public async Task Numbers_come_back_as_given(string sent, string reply)
     {

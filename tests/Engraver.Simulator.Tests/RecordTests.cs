@@ -68,8 +68,8 @@ public class RecordTests
         Assert.Equal(2, samples[^1].Outputs);
     }
 
-    /// <summary>As it was found: whoever closed the file before the controller ended lost the last rows, and a tick of the controller then wrote to a
-    /// closed file.</summary>
+    /// <summary>Regression: when the file was closed before the controller ended, the last rows were lost, and a tick of the controller then wrote to a closed
+    /// file.</summary>
     [Fact]
     public async Task The_end_of_the_controller_completes_and_closes_the_file_while_something_moves_and_nothing_is_written_later()
     {
@@ -103,7 +103,7 @@ public class RecordTests
         Assert.Equal((true, "No space left on device"), (file.IsClosed, rig.Controller.RecordFailure?.Message));
     }
 
-    /// <summary>A file that refuses what is written after its end, as a real one does.</summary>
+    /// <summary>A file that rejects writes after it was closed, like a real one.</summary>
     private sealed class OwnedFile : StringWriter
     {
         public OwnedFile()

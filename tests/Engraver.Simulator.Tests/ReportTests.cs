@@ -2,7 +2,7 @@ using static System.FormattableString;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>Questions about axes, and the abort input (galil-dmc.md A.3, A.10, D, I.12).</summary>
+/// <summary>Queries about axes, and the abort input (galil-dmc.md A.3, A.10, D, I.12).</summary>
 public class ReportTests
 {
     [Fact]

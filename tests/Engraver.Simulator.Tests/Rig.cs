@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>A controller in virtual time with one client; the wall clock stands, so that every run is the same.</summary>
+/// <summary>A controller in virtual time with one client; the wall clock does not advance, so that every run is the same.</summary>
 internal sealed class Rig : IAsyncDisposable
 {
     private readonly Stream _stream;
@@ -20,7 +20,7 @@ internal sealed class Rig : IAsyncDisposable
 
     public Stream Stream => _stream;
 
-    /// <summary>Sends a line with its CR and returns everything that is then there to read.</summary>
+    /// <summary>Sends a line with its CR and returns the available output.</summary>
     public string Ask(string line) => SendRaw(line + "\r");
 
     public string SendRaw(string bytes) => Exchange(_stream, bytes);
@@ -42,7 +42,7 @@ internal sealed class Rig : IAsyncDisposable
             if (!reading.IsCompleted) cancellation.Cancel();
             try
             {
-                var count = reading.GetAwaiter().GetResult(); // behind it nobody waits for bytes any more
+                var count = reading.GetAwaiter().GetResult(); // after it the read no longer waits for bytes
                 if (count == 0) return reply.ToString();
                 reply.Append(Encoding.Latin1.GetString(buffer, 0, count));
             }
@@ -73,7 +73,7 @@ internal sealed class Rig : IAsyncDisposable
         return double.Parse(reply[..^3], System.Globalization.CultureInfo.InvariantCulture);
     }
 
-    /// <summary>The code of the refusal that the command must meet.</summary>
+    /// <summary>The code of the expected refusal of the command.</summary>
     public int Refusal(string command)
     {
         Assert.Equal("?", Ask(command));
@@ -94,7 +94,7 @@ internal sealed class Rig : IAsyncDisposable
         return this;
     }
 
-    /// <summary>Lets controller time pass until nothing moves; threads may run on.</summary>
+    /// <summary>Lets controller time pass until nothing moves; threads may continue to run.</summary>
     public Rig RunUntilStill()
     {
         Assert.True(Controller.AdvanceUntil(s => !s.IsMoving, TimeSpan.FromSeconds(60)), "not still in time");
@@ -107,7 +107,7 @@ internal sealed class Rig : IAsyncDisposable
         return this;
     }
 
-    /// <summary>Downloads, runs from the first line in thread 0 and returns the controller time it took in seconds.</summary>
+    /// <summary>Downloads a program, runs it from the first line in thread 0 and returns its controller time in seconds.</summary>
     public double Run(string program, double seconds = 60)
     {
         Download(program).Do("XQ");

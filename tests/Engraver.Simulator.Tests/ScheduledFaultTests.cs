@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Engraver.Simulator.Tests;
 
-/// <summary>Faults that happen at a moment: of the controller's clock, of the cutting, of the conversation.</summary>
+/// <summary>Faults at a time of the controller's clock, at a segment, or at a byte received.</summary>
 public sealed class ScheduledFaultTests
 {
     [Fact]
@@ -14,7 +14,7 @@ public sealed class ScheduledFaultTests
         rig.Controller.Advance(TimeSpan.FromSeconds(0.6));
         Assert.Equal((0, 2), (rig.Value("_LFA"), rig.Value("_SCA"))); // hit; stopped by the forward limit switch
         var braked = rig.Controller.Record.Snapshot()[^1];
-        Assert.InRange(braked.A, 480, 505); // half a second at 1000 counts/s, and the brake's way
+        Assert.InRange(braked.A, 480, 505); // half a second at 1000 counts/s, and the braking path
         rig.Controller.Advance(TimeSpan.FromSeconds(0.25));
         Assert.Equal(1, rig.Value("_LFA"));
     }
@@ -28,7 +28,7 @@ public sealed class ScheduledFaultTests
         rig.RunToIdle();
         var last = rig.Controller.Record.Snapshot()[^1];
         Assert.Equal(1000, last.B);
-        Assert.InRange(last.A, 900, 1000); // at the corner behind the second segment, without a ramp
+        Assert.InRange(last.A, 900, 1000); // at the corner after the second segment, without a ramp
         Assert.Equal((1, 8), (rig.Value("_MOB"), rig.Value("_SCB")));
     }
 
@@ -69,7 +69,7 @@ public sealed class ScheduledFaultTests
         time.Advance(TimeSpan.FromSeconds(0.29));
         Assert.Equal("", Rig.ReadAvailable(stream));
         time.Advance(TimeSpan.FromSeconds(0.02));
-        Assert.Equal("::", Rig.ReadAvailable(stream)); // nothing overtakes
+        Assert.Equal("::", Rig.ReadAvailable(stream)); // the order is kept
     }
 
     [Fact]
@@ -128,7 +128,7 @@ public sealed class ScheduledFaultTests
         Assert.Throws<ArgumentException>(() => rig.Controller.Schedule(new ScheduledFault { Kind = FaultKind.Jam, AtByte = 1 }));
     }
 
-    /// <summary>What a place is called changes, and the machine stands where it stands.</summary>
+    /// <summary>The counted position changes, and the machine does not move.</summary>
     [Fact]
     public async Task The_real_place_of_a_motor_and_of_a_position_outlives_DP_and_a_power_cycle()
     {
@@ -145,7 +145,7 @@ public sealed class ScheduledFaultTests
         rig.RunToIdle();
         rig.Controller.Schedule(new ScheduledFault { Kind = FaultKind.PowerCycle, AtByte = 0 });
         rig.Controller.Advance(TimeSpan.FromMilliseconds(5));
-        Assert.Equal((5000, 5000), (rig.Controller.MotorPlace(0), rig.Controller.PlaceOf(0, 0))); // the motor that could not follow is where it was, and is called 0
+        Assert.Equal((5000, 5000), (rig.Controller.MotorPlace(0), rig.Controller.PlaceOf(0, 0))); // the motor that could not follow has not moved, and its position is defined as 0
     }
 
     [Fact]

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>CI, #COMINT and what the program reads of the serial port (galil-dmc.md C.3).</summary>
+/// <summary>CI, #COMINT and the input of the program from the serial port (galil-dmc.md C.3).</summary>
 public class SerialInterruptTests
 {
     private const string Reader = """

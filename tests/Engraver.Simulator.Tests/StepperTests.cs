@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>A stepper has no encoder in its loop: it does the steps that it is sent, and nobody counts those that its shaft did not make (galil-dmc.md C,
+/// <summary>A stepper has no encoder in its loop: it counts the steps that it is sent, including those that its shaft did not make (galil-dmc.md C,
 /// MT).</summary>
 public class StepperTests
 {

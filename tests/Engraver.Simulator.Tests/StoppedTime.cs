@@ -1,20 +1,20 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>A wall clock that stands until a test moves it; its timers fire inside <see cref="Advance"/>.</summary>
+/// <summary>A wall clock that advances only in <see cref="Advance"/>, where its timers fire.</summary>
 internal sealed class StoppedTime : TimeProvider
 {
     private readonly List<ManualTimer> _timers = [];
     private long _now;
 
-    /// <summary>Callbacks of timers so far.</summary>
+    /// <summary>Number of timer callbacks so far.</summary>
     public int Ticks { get; private set; }
 
-    /// <summary>Thrown by the next look at the clock: a bug where no test can put one otherwise.</summary>
+    /// <summary>Thrown by the next reading of the clock: an internal error at a point that a test cannot reach otherwise.</summary>
     public Exception? Bug { get; set; }
 
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
 
-    /// <summary>So long does the next look at the clock take, and then none any more.</summary>
+    /// <summary>Duration of the next reading of the clock; later readings take no time.</summary>
     public Queue<TimeSpan> Delays { get; } = [];
 
     public override long GetTimestamp() => Bug is { } bug ? throw bug : _now += Delays.TryDequeue(out var delay) ? delay.Ticks : 0;

@@ -1,6 +1,7 @@
 namespace Engraver.Simulator.Tests;
 
-/// <summary>What ended the controller or silenced a connection once, each in its shortest form; <see cref="Fuzzing.FuzzTests"/> looks for more.</summary>
+/// <summary>Inputs that once ended the controller or blocked a connection, each in its shortest form; <see cref="Fuzzing.FuzzTests"/> searches for
+/// more.</summary>
 public class SurvivalTests
 {
     [Theory]
@@ -120,7 +121,7 @@ public class SurvivalTests
 
         Assert.Equal("?", rig.SendRaw(new string('x', 81) + ";"));
         Assert.Equal(" 5\r\n:", rig.SendRaw("TC;"));
-        Assert.Equal("?", rig.SendRaw("MG \"" + new string('x', 80) + ";")); // a quote that is never closed protects no longer
+        Assert.Equal("?", rig.SendRaw("MG \"" + new string('x', 80) + ";")); // a quote that is never closed does not protect longer text
         Assert.Equal(" 1.0000\r\n:", rig.SendRaw("MG 1;"));
     }
 }

@@ -18,7 +18,7 @@ internal sealed class TcpClientEnd : IDisposable
         return client;
     }
 
-    /// <summary>Sends a line and reads until as many prompts as commands have come: they may come in several parts.</summary>
+    /// <summary>Sends a line and reads until it has received one prompt for each command: they may arrive in several parts.</summary>
     public async Task<string> AskAsync(string line, CancellationToken cancellation)
     {
         var commands = 1 + line.Count(c => c == ';');
@@ -34,7 +34,7 @@ internal sealed class TcpClientEnd : IDisposable
         return reply.ToString();
     }
 
-    /// <summary>Prompts stand where a line begins, or behind another prompt.</summary>
+    /// <summary>Prompts are at the start of a line or after another prompt.</summary>
     private static int Prompts(string reply)
     {
         var count = 0;
@@ -49,7 +49,7 @@ internal sealed class TcpClientEnd : IDisposable
         return count;
     }
 
-    /// <summary>What comes next; empty when the controller closed the line.</summary>
+    /// <summary>The next bytes; empty when the controller closed the connection.</summary>
     public async Task<string> ReadAsync(CancellationToken cancellation)
     {
         var buffer = new byte[4096];

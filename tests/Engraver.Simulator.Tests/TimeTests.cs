@@ -47,8 +47,8 @@ public class TimeTests
     }
 
     [Theory]
-    [InlineData("EN", "_RPA", 300000)] // nothing but a motion
-    [InlineData("n=0\nWT 5000\nn=7\nEN", "n", 7)] // a program that nobody winds up
+    [InlineData("EN", "_RPA", 300000)] // only a motion
+    [InlineData("n=0\nWT 5000\nn=7\nEN", "n", 7)] // a program that runs without a host
     public async Task At_max_whoever_sends_many_commands_and_waits_for_their_end_waits_five_milliseconds(string program, string what, double end)
     {
         await using var rig = new Rig();

@@ -7,7 +7,7 @@ namespace Engraver.Simulator.Tests;
 /// <summary>Commands and data records by datagram (galil-dmc.md A.1, A.9, L.2 point 6).</summary>
 public sealed class UdpTests : IDisposable
 {
-    /// <summary>Of one test: those of a busy machine may begin long after the class.</summary>
+    /// <summary>Created for each test: on a busy machine a test may start long after the class.</summary>
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
 
     private CancellationToken Soon => _limit.Token;

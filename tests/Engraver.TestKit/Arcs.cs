@@ -4,8 +4,8 @@ using FsCheck.Fluent;
 
 namespace Engraver.TestKit;
 
-/// <summary>Arcs for properties: every quadrant, both directions, radii from a micrometre to ten metres, quadrant angles more often than chance gives
-/// them.</summary>
+/// <summary>Arcs for properties: every quadrant, both directions, radii from a micrometre to ten metres, and quadrant angles more often than by
+/// chance.</summary>
 public static class Arcs
 {
     private static readonly Gen<double> Coordinate = Gen.Choose(-1_000_000, 1_000_000).Select(micrometres => micrometres / 1000.0);

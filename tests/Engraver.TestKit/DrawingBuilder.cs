@@ -15,7 +15,7 @@ public sealed class DrawingBuilder
 
     public LengthUnit Unit { get; init; } = LengthUnit.AssumedMillimetres;
 
-    /// <summary>Entities that follow stand on this layer.</summary>
+    /// <summary>Sets the layer of the following entities.</summary>
     public DrawingBuilder OnLayer(Layer layer)
     {
         if (!_layers.Contains(layer)) _layers.Add(layer);
@@ -23,7 +23,7 @@ public sealed class DrawingBuilder
         return this;
     }
 
-    /// <summary>Entities that follow are invisible themselves.</summary>
+    /// <summary>Makes the following entities invisible.</summary>
     public DrawingBuilder Hidden()
     {
         _hidden = true;
@@ -47,7 +47,7 @@ public sealed class DrawingBuilder
 
     public DrawingBuilder Circle(double x, double y, double radius) => Curve(CurveType.Circle, ArcOf(x, y, radius, 0.0, 360.0));
 
-    /// <summary>A curve of the type given, made of lines and arcs.</summary>
+    /// <summary>A curve of the given type, made of lines and arcs.</summary>
     public DrawingBuilder Curve(CurveType type, params Segment[] segments)
     {
         var entity = Add(type, segments.Length, segments[0].Start == segments[^1].End);
@@ -61,7 +61,7 @@ public sealed class DrawingBuilder
         return this;
     }
 
-    /// <summary>An ellipse or spline as a curve of its own.</summary>
+    /// <summary>An ellipse or spline as one curve.</summary>
     public DrawingBuilder Free(RationalCurve curve)
     {
         var entity = Add(curve.Kind == SegmentKind.Ellipse ? CurveType.Ellipse : CurveType.Spline, 1, curve.IsClosed);

@@ -3,8 +3,8 @@ using System.Text;
 
 namespace Engraver.TestKit;
 
-/// <summary>Damages drawings in ways that happen and ways that hardly do: bytes, lines, pairs and whole records, weights, knots and numbers, and sectors of
-/// zeros. The same seed gives the same file.</summary>
+/// <summary>Damages drawings in frequent and rare ways: bytes, lines, pairs and whole records, weights, knots and numbers, and sectors of zeros. The same seed
+/// gives the same file.</summary>
 public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
 {
     private static readonly string[] OddValues =
@@ -15,7 +15,7 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
 
     private static readonly string[] OddCodes = ["0", "2", "5", "8", "10", "20", "11", "40", "41", "42", "50", "51", "66", "70", "71", "72", "73", "74", "90", "91", "92", "93", "97", "100", "101", "210", "230", "999", "1071", "x", ""];
 
-    /// <summary>The case of a number, and which original it came from.</summary>
+    /// <summary>The case of a number, and the original that it was made from.</summary>
     public byte[] Case(int seed)
     {
         var random = new Random(seed);
@@ -40,7 +40,7 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
         file.AsSpan(Math.Min(at, file.Length), Math.Min(size, file.Length - Math.Min(at, file.Length))).Clear();
     }
 
-    /// <summary>Changes what means something: weights, knots, digits of numbers, and the lines that make records and sections of the rest.</summary>
+    /// <summary>Changes significant parts: weights, knots, digits of numbers, and the lines that divide the file into records and sections.</summary>
     private static byte[] OfMeaning(byte[] original, Random random)
     {
         var pairs = Pairs(original);
@@ -57,7 +57,7 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
         return Bytes(pairs);
     }
 
-    /// <summary>0 weights and scales, 1 knots, 2 any number, 3 beginnings of records, 4 names of sections and blocks.</summary>
+    /// <summary>0 weights and scales, 1 knots, 2 any number, 3 starts of records, 4 names of sections and blocks.</summary>
     private static bool IsOf(int kind, (string Code, string Value) pair) => (kind, pair.Code.Trim()) switch
     {
         (0, "41" or "42" or "43") or (1, "40") or (3, "0") or (4, "2") => true,
@@ -150,7 +150,7 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
         return Bytes(pairs);
     }
 
-    /// <summary>Cuts a run of pairs out, or copies it, and puts it anywhere.</summary>
+    /// <summary>Cuts or copies a run of pairs, and inserts it anywhere.</summary>
     private static void MoveRecord(List<(string Code, string Value)> pairs, int at, Random random)
     {
         var run = pairs.GetRange(at, Math.Min(random.Next(1, 30), pairs.Count - at));

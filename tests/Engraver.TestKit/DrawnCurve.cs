@@ -2,16 +2,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit;
 
-/// <summary>A curve as it is drawn, with an evaluation of its own (de Boor on the knots, cosine and sine of the ellipse) that shares nothing with the
-/// product. Knows the product's curve of the same numbers.</summary>
-/// <param name="Name">What a failing test prints.</param>
-/// <param name="Curve">The product's own.</param>
-/// <param name="Breaks">Parameters between which the curve is smooth, rising.</param>
-/// <param name="At">The place at a parameter between the first break and the last.</param>
-/// <param name="Size">Width and height of the numbers it was drawn with, together.</param>
+/// <summary>A curve as drawn, with an independent evaluation (de Boor on the knots, cosine and sine of the ellipse) that shares no code with the product. Also
+/// contains the product's curve of the same numbers.</summary>
+/// <param name="Name">Printed by a failing test.</param>
+/// <param name="Curve">The curve of the product.</param>
+/// <param name="Breaks">Parameters between which the curve is smooth, ascending.</param>
+/// <param name="At">The point at a parameter between the first break and the last.</param>
+/// <param name="Size">Width and height of the defining numbers, together.</param>
 public sealed record DrawnCurve(string Name, RationalCurve Curve, IReadOnlyList<double> Breaks, Func<double, Point2D> At, double Size)
 {
-    /// <summary>Places of the coarse search between two breaks.</summary>
+    /// <summary>Number of places of the coarse search between two breaks.</summary>
     private const int CoarseSteps = 200;
 
     private static readonly double s_golden = (Math.Sqrt(5.0) - 1.0) / 2.0;
@@ -32,11 +32,11 @@ public sealed record DrawnCurve(string Name, RationalCurve Curve, IReadOnlyList<
         return new DrawnCurve(name, arc.ToCurve(), breaks, at => OnEllipse(arc, start + (sweep * at)), 2.0 * (arc.First.Length + arc.Second.Length));
     }
 
-    /// <summary>Knots 0 and 1, each as often as a curve without inner knots has them.</summary>
+    /// <summary>Knots 0 and 1 with the multiplicity of a curve without inner knots.</summary>
     public static DrawnCurve Bezier(string name, Point2D[] points, double[]? weights = null) =>
         Spline(name, points.Length - 1, [.. Enumerable.Repeat(0.0, points.Length), .. Enumerable.Repeat(1.0, points.Length)], points, weights);
 
-    /// <summary>Places along the curve, evenly by the parameter between each two breaks.</summary>
+    /// <summary>Points along the curve, evenly by the parameter between two breaks.</summary>
     public IEnumerable<double> Parameters(int perSmoothPiece)
     {
         for (var i = 0; i + 1 < Breaks.Count; i++)
@@ -45,7 +45,7 @@ public sealed record DrawnCurve(string Name, RationalCurve Curve, IReadOnlyList<
         }
     }
 
-    /// <summary>Direction of travel (length 1) by differences; not a number where the curve stands still.</summary>
+    /// <summary>Direction of travel (length 1) by differences; NaN where the curve has zero speed.</summary>
     public Vector2D Direction(double parameter)
     {
         var step = (Breaks[^1] - Breaks[0]) * 1e-6;
@@ -53,7 +53,7 @@ public sealed record DrawnCurve(string Name, RationalCurve Curve, IReadOnlyList<
         return way * (1.0 / way.Length);
     }
 
-    /// <summary>Distance from a place, by looking everywhere and then finely around every place that is nearer than its neighbours.</summary>
+    /// <summary>Distance from a point, by a coarse search and then a fine one around every local minimum.</summary>
     public double DistanceFrom(Point2D place)
     {
         var nearest = double.PositiveInfinity;
@@ -71,7 +71,7 @@ public sealed record DrawnCurve(string Name, RationalCurve Curve, IReadOnlyList<
         return nearest;
     }
 
-    /// <summary>A chain of places along the curve, none farther apart than a step and no chord farther from the curve than a thousandth of it.</summary>
+    /// <summary>A chain of points along the curve, at most a step apart, with chords at most a thousandth of the step from the curve.</summary>
     public List<Point2D> Trace(double from, double to, double step)
     {
         var places = new List<Point2D> { At(from) };

@@ -2,11 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit;
 
-/// <summary>Curves as CAD programs and accidents write them: coincident, collinear and reversing control points, weights, cusps, ellipses of every
-/// flatness, tiny and huge ones. The same for the same seed.</summary>
+/// <summary>Curves as CAD programs write them, intended or not: coincident, collinear and reversing control points, weights, cusps, ellipses of every flatness,
+/// tiny and huge ones. The same for the same seed.</summary>
 public static class DrawnCurves
 {
-    /// <summary>Shapes that have been wrong, or are at the edge of what a curve can be.</summary>
+    /// <summary>Shapes that have failed before, or are limiting cases of curves.</summary>
     public static IReadOnlyList<DrawnCurve> Known { get; } =
     [
         DrawnCurve.Bezier("a line with both ends doubled", [new(0, 0), new(0, 0), new(10, 0), new(10, 0)]),
@@ -27,10 +27,10 @@ public static class DrawnCurves
         DrawnCurve.Ellipse("a hair of an ellipse", Flat(1e-6, 10.0, 300.0)),
     ];
 
-    /// <summary>Curves of a seed, all kinds in turn, ten millimetres large.</summary>
+    /// <summary>Curves of a seed, all kinds in turn, ten millimetres in size.</summary>
     public static IEnumerable<DrawnCurve> Random(int seed, int count) => Random(seed, count, 10.0);
 
-    /// <param name="size">About how large they are.</param>
+    /// <param name="size">Approximate size.</param>
     public static IEnumerable<DrawnCurve> Random(int seed, int count, double size)
     {
         var random = new Random(seed);
@@ -54,7 +54,7 @@ public static class DrawnCurves
         return DrawnCurve.Spline(name, degree, Knots(random, degree, points.Length), points, weights);
     }
 
-    /// <summary>Each point anew, or equal to the one before, or on the line of the last two (onwards or back).</summary>
+    /// <summary>Each point is new, or equal to the previous one, or on the line of the last two (forwards or back).</summary>
     private static Point2D[] Points(Random random, int count, double size)
     {
         var points = new Point2D[count];
@@ -71,7 +71,7 @@ public static class DrawnCurves
         return points;
     }
 
-    /// <summary>Clamped at both ends; inner knots single, double or as often as the degree.</summary>
+    /// <summary>Clamped at both ends; inner knots single, double or with the multiplicity of the degree.</summary>
     private static double[] Knots(Random random, int degree, int points)
     {
         var knots = new double[points + degree + 1];

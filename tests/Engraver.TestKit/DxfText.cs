@@ -12,7 +12,7 @@ public sealed class DxfText
 
     public IReadOnlyList<(int Code, object Value)> Pairs => _pairs;
 
-    /// <summary>A drawing in millimetres (so that no unit is assumed) with these pairs as its ENTITIES.</summary>
+    /// <summary>A drawing in millimetres (so that the unit is not assumed) with these pairs as its ENTITIES.</summary>
     public static DxfText WithEntities(params ReadOnlySpan<(int Code, object Value)> entities) =>
         new DxfText().Header("AC1015", 4).Section("ENTITIES", entities).End();
 
@@ -30,7 +30,7 @@ public sealed class DxfText
         return this;
     }
 
-    /// <summary>The text form; every pair takes two lines, so pair n (from 0) begins at line 2n + 1.</summary>
+    /// <summary>The text form; every pair takes two lines, so pair n (from 0) starts at line 2n + 1.</summary>
     public byte[] ToAscii(string lineEnd = "\n")
     {
         var text = new StringBuilder();
@@ -43,7 +43,7 @@ public sealed class DxfText
         return Encoding.UTF8.GetBytes(text.ToString());
     }
 
-    /// <summary>The binary form: codes as one byte (R12; 255 announces two more) or as two (R13 and later).</summary>
+    /// <summary>The binary form: codes as one byte (R12; 255 is followed by two more) or as two (R13 and later).</summary>
     public byte[] ToBinary(bool oneByteCodes)
     {
         var bytes = new List<byte>("AutoCAD Binary DXF\r\n\u001A\0"u8.ToArray());

@@ -28,7 +28,7 @@ public static class FreeCurves
         from weight in Gen.Choose(3, 30).ArrayOf(count)
         select Spline(degree, [.. x.Zip(y, (a, b) => new Point2D(a, b))], [.. weight.Select(tenths => tenths / 10.0)]);
 
-    /// <summary>Whole ellipses and arcs of them, thin ones too, either direction.</summary>
+    /// <summary>Whole ellipses and arcs of them, including thin ones, in either direction.</summary>
     public static Arbitrary<RationalCurve> Ellipses { get; } = EllipseArcs.ToArbitrary();
 
     /// <summary>Rational splines of degree 2 to 5 through random places: loops, sharp bends, near cusps.</summary>
@@ -45,7 +45,7 @@ public static class FreeCurves
             Angle.FromDegrees(sweepDegrees));
     }
 
-    /// <summary>A spline with uniform knots that begins and ends at its outer control points.</summary>
+    /// <summary>A spline with uniform knots that starts and ends at its outer control points.</summary>
     public static RationalCurve Spline(int degree, Point2D[] controls, double[] weights) =>
         Spline(degree, NurbsCurve.UniformKnots(degree, controls.Length), controls, weights);
 

@@ -4,8 +4,8 @@ using Xunit.Sdk;
 
 namespace Engraver.TestKit;
 
-/// <summary>A test of <c>./test --full</c> that is not among a commit's: it takes long, and tests of a commit try the same parts one by one. What it is
-/// must be said where it is used.</summary>
+/// <summary>A test of <c>./test --full</c> that a commit does not run: it takes long, and tests of a commit cover its parts one by one. State at the test which
+/// tests these are.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 [XunitTestCaseDiscoverer("Engraver.TestKit.FullRunFactDiscoverer", "Engraver.TestKit")]
 public class FullRunFactAttribute : FactAttribute;

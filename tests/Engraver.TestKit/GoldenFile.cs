@@ -1,13 +1,13 @@
 namespace Engraver.TestKit;
 
-/// <summary>Compares a text with the file expected of it. With ENGRAVER_UPDATE_GOLDEN=1 the file is written instead (`./test --update-golden`).</summary>
+/// <summary>Compares a text with its expected file. With ENGRAVER_UPDATE_GOLDEN=1 the file is written instead (`./test --update-golden`).</summary>
 public static class GoldenFile
 {
     private static bool Updating => Environment.GetEnvironmentVariable("ENGRAVER_UPDATE_GOLDEN") == "1";
 
     /// <summary>Throws with the first differing line when <paramref name="actual"/> is not the content of the file, or when the file is missing.</summary>
     /// <param name="path">Full path of the expected file.</param>
-    /// <param name="actual">What the program made; line ends are compared as LF.</param>
+    /// <param name="actual">The output of the program; line ends are compared as LF.</param>
     public static void Check(string path, string actual)
     {
         var text = actual.ReplaceLineEndings("\n");

@@ -4,8 +4,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.TestKit;
 
-/// <summary>Polylines of lines and arcs, each in a field of its own, and the same segments as a drawing gives them: shuffled, each in either
-/// direction.</summary>
+/// <summary>Polylines of lines and arcs, each in a separate field, and the same segments as in a drawing: shuffled, each in either direction.</summary>
 public sealed record LoosePolylines(IReadOnlyList<IReadOnlyList<Segment>> Polylines, Segment[] Shuffled)
 {
     private const double Field = 100.0;
@@ -21,7 +20,7 @@ public sealed record LoosePolylines(IReadOnlyList<IReadOnlyList<Segment>> Polyli
         return new LoosePolylines(polylines, shuffled);
     }
 
-    /// <summary>Vertices go round the middle of the field, so that no two are near; a third are closed.</summary>
+    /// <summary>Vertices are placed around the middle of the field, so that they are far apart; a third of the polylines are closed.</summary>
     private static List<Segment> Polyline(Random random, int index)
     {
         var middle = new Point2D(Field * (index % 4), Field * (index / 4));

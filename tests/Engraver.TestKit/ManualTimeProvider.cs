@@ -1,6 +1,6 @@
 namespace Engraver.TestKit;
 
-/// <summary>A clock that moves only when a test says so; timers fire inside <see cref="Advance"/>, in order of their due time.</summary>
+/// <summary>A clock that advances only when a test advances it; timers fire inside <see cref="Advance"/>, in order of their due time.</summary>
 public sealed class ManualTimeProvider : TimeProvider
 {
     private readonly Lock _gate = new();
@@ -27,7 +27,7 @@ public sealed class ManualTimeProvider : TimeProvider
         return timer;
     }
 
-    /// <summary>Moves the clock forward and fires what falls due on the way, each at its own time.</summary>
+    /// <summary>Advances the clock and fires the timers that become due, each at its own time.</summary>
     public void Advance(TimeSpan by)
     {
         DateTimeOffset end;
@@ -40,7 +40,7 @@ public sealed class ManualTimeProvider : TimeProvider
         }
     }
 
-    /// <summary>Completes when a timer falls due within a span from now: whoever waits for time is ready for it.</summary>
+    /// <summary>Completes when a timer is set that is due within a span from now: the code under test then waits for the time.</summary>
     public async Task FallsDueAsync(TimeSpan within)
     {
         while (true)
@@ -56,7 +56,7 @@ public sealed class ManualTimeProvider : TimeProvider
         }
     }
 
-    /// <summary>Under the lock: whoever waits for a timer looks again.</summary>
+    /// <summary>Under the lock: wakes the tasks that wait for a timer to be set.</summary>
     private void TellTimerSet()
     {
         _timerSet.SetResult();

@@ -3,22 +3,22 @@ using System.Text;
 
 namespace Engraver.TestKit;
 
-/// <summary>A pipe with a name in a folder (FIFO). Whoever opens one end waits for the other end.</summary>
+/// <summary>A named pipe in a folder (FIFO). Opening one end waits for the other end.</summary>
 public static class NamedPipe
 {
     private const uint OwnerReadsAndWrites = 0b110_000_000;
 
-    /// <exception cref="IOException">It could not be made.</exception>
+    /// <exception cref="IOException">It could not be created.</exception>
     public static string Make(string path)
     {
         if (NativeMethods.MakeFifo(Encoding.UTF8.GetBytes(path + '\0'), OwnerReadsAndWrites) != 0) throw new IOException($"{path}: {Marshal.GetLastPInvokeErrorMessage()}");
         return path;
     }
 
-    /// <summary>Everything that one writer says, read on a thread of its own.</summary>
+    /// <summary>Everything that one writer sends, read on a separate thread.</summary>
     public static Task<string> ReadAsync(string path) => Task.Factory.StartNew(() => File.ReadAllText(path), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
-    /// <summary>Opens the writing end as soon as somebody reads.</summary>
+    /// <summary>Opens the writing end as soon as a reader has opened the other.</summary>
     public static Task<FileStream> WriterAsync(string path) => Task.Factory.StartNew(
         () => new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 

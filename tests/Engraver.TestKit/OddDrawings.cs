@@ -1,6 +1,6 @@
 namespace Engraver.TestKit;
 
-/// <summary>Small drawings that hold one of everything the reader knows, to be damaged or read in many forms.</summary>
+/// <summary>Small drawings that contain one of every supported kind, to be damaged or read in many forms.</summary>
 public static class OddDrawings
 {
     /// <summary>Every curve, blocks in blocks, an array, texts and every outline.</summary>
@@ -47,7 +47,7 @@ public static class OddDrawings
 
     public static (int Code, object Value)[] Leader => [(0, "LEADER"), (71, 1), (72, 0), (73, 3), (76, 3), (10, 0.0), (20, 0.0), (10, 3.0), (20, 4.0), (10, 8.0), (20, 4.0)];
 
-    /// <summary>A square, as SOLID counts its corners: 1-2-4-3.</summary>
+    /// <summary>A square in the corner order of SOLID: 1-2-4-3.</summary>
     public static (int Code, object Value)[] Solid => [(0, "SOLID"), (10, 0.0), (20, 0.0), (11, 5.0), (21, 0.0), (12, 0.0), (22, 5.0), (13, 5.0), (23, 5.0)];
 
     /// <summary>A square whose second edge is invisible.</summary>

@@ -4,7 +4,7 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.TestKit;
 
-/// <summary>A serial cable without a controller: the test sits at the other end.</summary>
+/// <summary>A serial cable without a controller: the test uses the other end.</summary>
 public sealed class PseudoTerminalPair : IDisposable
 {
     private readonly SafeFileHandle _master = Native.OpenMaster(0x2 | 0x100); // O_RDWR O_NOCTTY
@@ -25,7 +25,7 @@ public sealed class PseudoTerminalPair : IDisposable
         if (Native.Write(_master, bytes, (nuint)bytes.Length) != bytes.Length) throw new InvalidOperationException("The terminal did not take what was said.");
     }
 
-    /// <summary>Waits for so many bytes of the link.</summary>
+    /// <summary>Waits for the given number of bytes from the link.</summary>
     public string Hear(int count)
     {
         var heard = new StringBuilder();
@@ -37,7 +37,7 @@ public sealed class PseudoTerminalPair : IDisposable
         return heard.ToString();
     }
 
-    /// <summary>Waits for bytes of the other side and takes at most so many; empty when the other side has left.</summary>
+    /// <summary>Waits for bytes from the other side and returns at most the given number; empty when the other side is closed.</summary>
     public string HearSome(int most)
     {
         var bytes = new byte[most];
@@ -45,7 +45,7 @@ public sealed class PseudoTerminalPair : IDisposable
         return read > 0 ? Encoding.Latin1.GetString(bytes, 0, read) : "";
     }
 
-    /// <summary>Pulls the cable, or the adapter.</summary>
+    /// <summary>Unplugs the cable or the adapter.</summary>
     public void Dispose() => _master.Dispose();
 
     private static class Native

@@ -1,15 +1,15 @@
 namespace Engraver.TestKit;
 
-/// <summary>Finds the project's own folders from where a test runs.</summary>
+/// <summary>Finds the project's folders from the folder in which a test runs.</summary>
 public static class RepositoryFolder
 {
-    /// <summary>The folder that holds CncEngraver.sln.</summary>
+    /// <summary>The folder that contains CncEngraver.sln.</summary>
     public static string Root { get; } = Find();
 
     public static string Samples => Path.Combine(Root, "samples");
 
-    /// <summary>The corpus of real drawings beside the project, or null where it is not laid out: tests that need it are then skipped, and in CI a skip is
-    /// a failure.</summary>
+    /// <summary>The corpus of real drawings beside the project, or null if it is missing: tests that need it are then skipped, and in CI a skip is a
+    /// failure.</summary>
     public static string? Corpus => Path.GetFullPath(Path.Combine(Root, "..", "shared", "corpus")) is var folder && Directory.Exists(folder) ? folder : null;
 
     private static string Find()

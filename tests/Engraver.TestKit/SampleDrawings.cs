@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.TestKit;
 
-/// <summary>Drawings that several tests know by name.</summary>
+/// <summary>Drawings that several tests use by name.</summary>
 public static class SampleDrawings
 {
     /// <summary>Paper 001, figure 5: three lines and an arc (paper-001-readings.md, golden tables).</summary>

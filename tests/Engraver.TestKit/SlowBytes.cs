@@ -2,18 +2,19 @@ using Engraver.Core.Dxf;
 
 namespace Engraver.TestKit;
 
-/// <summary>A file that arrives no sooner than it is waited for. What has not arrived holds digits, so that who reads it reads another drawing.</summary>
-/// <param name="more">Bytes that come beyond those waited for.</param>
+/// <summary>A file whose bytes arrive only when they are waited for. Bytes that have not arrived are digits, so that reading them too early gives another
+/// drawing.</summary>
+/// <param name="more">Number of bytes that arrive in addition to those waited for.</param>
 public sealed class SlowBytes(byte[] file, Func<int> more) : IArrivingBytes
 {
     private int _arrived;
 
     public byte[] Bytes { get; } = [.. Enumerable.Repeat((byte)'7', file.Length)];
 
-    /// <summary>So many bytes can be read, then the disk fails.</summary>
+    /// <summary>Number of bytes that can be read before the disk fails.</summary>
     public int Readable { get; init; } = file.Length;
 
-    /// <summary>Most bytes beyond those there that were waited for at a time.</summary>
+    /// <summary>Largest number of bytes, in addition to the arrived ones, that were waited for at a time.</summary>
     public int LongestWait { get; private set; }
 
     public int WaitFor(int count)

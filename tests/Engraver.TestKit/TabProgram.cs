@@ -3,10 +3,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit;
 
-/// <summary>A tab-sequential program as a test reads it: any text gives as much as can be read, nothing is checked, and the path is computed by hand.</summary>
+/// <summary>A simple reader of tab-separated sequential programs for tests: everything that can be read is followed, without checks, and the path is computed
+/// separately.</summary>
 public static class TabProgram
 {
-    /// <summary>The path of every block from a place on, millimetres, and whether it cuts; null when a number cannot be read.</summary>
+    /// <summary>The path of every block from a start point, millimetres, and whether it cuts; null when a number cannot be read.</summary>
     public static IReadOnlyList<(Segment Path, bool Cutting)>? Paths(string text, Point2D start)
     {
         var (paths, place) = (new List<(Segment, bool)>(), start);
@@ -23,7 +24,7 @@ public static class TabProgram
         return paths;
     }
 
-    /// <summary>The largest distance of places on some segments from others, millimetres.</summary>
+    /// <summary>The largest distance of points on some segments from others, millimetres.</summary>
     public static double Farthest(IReadOnlyList<Segment> from, IReadOnlyList<Segment> to, double step)
     {
         var largest = 0.0;

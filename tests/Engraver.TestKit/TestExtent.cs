@@ -2,26 +2,25 @@ using System.Globalization;
 
 namespace Engraver.TestKit;
 
-/// <summary>How much one run of the tests tries: what every commit is tried with, or everything. <c>./test --full</c> sets ENGRAVER_FULL=1; nothing else
-/// reads it.</summary>
-/// <remarks>The smaller run takes fewer seeds, or each subject with one pair of choices instead of every combination. Only the tests of
-/// <see cref="FullRunFactAttribute"/> and <see cref="FullRunTheoryAttribute"/> are left out of it whole.</remarks>
+/// <summary>The extent of a test run: the subset for each commit, or everything. <c>./test --full</c> sets ENGRAVER_FULL=1; only this class reads it.</summary>
+/// <remarks>The subset uses fewer seeds, or each subject with one pair of choices instead of every combination. Only the tests with
+/// <see cref="FullRunFactAttribute"/> and <see cref="FullRunTheoryAttribute"/> are omitted completely.</remarks>
 public static class TestExtent
 {
-    /// <summary>Whether everything is tried: every combination and the large numbers of seeds.</summary>
+    /// <summary>True for the full run: every combination and the large numbers of seeds.</summary>
     public static bool IsFull { get; } = Environment.GetEnvironmentVariable("ENGRAVER_FULL") == "1";
 
-    /// <summary>How many cases a test takes.</summary>
+    /// <summary>The number of cases of a test.</summary>
     /// <param name="perCommit">In <c>./test</c>.</param>
     /// <param name="full">In <c>./test --full</c>.</param>
-    /// <param name="variable">The environment variable that names another number, in either run.</param>
+    /// <param name="variable">The environment variable that sets another number, in either run.</param>
     public static int Cases(int perCommit, int full, string variable) => Number(variable, IsFull ? full : perCommit);
 
-    /// <summary>The number in an environment variable, or <paramref name="otherwise"/> where it is not set. Text that is no number throws: a run of a
-    /// million seeds must not shrink in silence.</summary>
+    /// <summary>The number in an environment variable, or <paramref name="otherwise"/> if it is not set. Text that is not a number throws: a run of a million
+    /// seeds must not shrink silently.</summary>
     public static int Number(string variable, int otherwise) => Parse(variable, Environment.GetEnvironmentVariable(variable), otherwise);
 
-    /// <summary>The same of a text that was already read.</summary>
+    /// <summary>The same for a text that was already read.</summary>
     public static int Parse(string variable, string? text, int otherwise)
     {
         if (string.IsNullOrEmpty(text)) return otherwise;
@@ -33,7 +32,7 @@ public static class TestExtent
     public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> InTurn<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second) =>
         IsFull ? Crossed(subjects, first, second) : Rotated(subjects, first, second);
 
-    /// <summary>The combinations of <see cref="InTurn{TSubject, TFirst, TSecond}"/> in the smaller run.</summary>
+    /// <summary>The combinations of <see cref="InTurn{TSubject, TFirst, TSecond}"/> in the subset.</summary>
     public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Rotated<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second)
     {
         for (var i = 0; i < subjects.Count; i++) yield return (subjects[i], first[i % first.Count], second[((i % first.Count) + (i / first.Count)) % second.Count]);

@@ -2,14 +2,14 @@ using System.Diagnostics;
 
 namespace Engraver.TestKit;
 
-/// <summary>A file that can be read and cannot be written, as on a medium that is read-only, also by the superuser, whom permissions do not stop: on Linux
-/// the image of a process that runs.</summary>
+/// <summary>A file that can be read but not written, as on a read-only medium, also by the superuser, to whom permissions do not apply: on Linux the executable
+/// file of a running process.</summary>
 public sealed class UnwritableFile : IDisposable
 {
     private readonly Process? _process;
 
     /// <param name="path">Must not exist.</param>
-    /// <param name="lines">Its last lines; what stands before them is no text.</param>
+    /// <param name="lines">Its last lines; the content before them is not text.</param>
     public UnwritableFile(string path, IEnumerable<string> lines)
     {
         Path = path;
@@ -20,7 +20,7 @@ public sealed class UnwritableFile : IDisposable
             return;
         }
 
-        File.Copy("/bin/sleep", path); // a loader does not mind what stands behind a program
+        File.Copy("/bin/sleep", path); // the loader ignores bytes after a program
         File.AppendAllLines(path, lines.Prepend(""));
         _process = Process.Start(path, "600");
     }

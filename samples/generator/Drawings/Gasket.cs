@@ -73,7 +73,7 @@ internal static class Gasket
         return new InsertEntity(Inside, Bolt, Point.Polar(BoltCircle, angle)) { Rotation = angle };
     }
 
-    /// <summary>Two rows of five vents between bore and bolts, turned with the ear they stand under.</summary>
+    /// <summary>Two rows of five vents between bore and bolts, turned with the ear above them.</summary>
     private static InsertEntity VentGrid(double earAngle)
     {
         var turn = earAngle - 90;

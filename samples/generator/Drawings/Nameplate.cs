@@ -40,7 +40,7 @@ internal static class Nameplate
         Shapes.RoundedRectangle(2, 2, 76, 26, 2).AsPolyline(Border),
     ];
 
-    /// <summary>Letters stand on layer 0 of their block, so that they come out on the layer of the insert.</summary>
+    /// <summary>Letters are on layer 0 of their block, so that they are drawn on the layer of the insert.</summary>
     private static DxfBlock LetterBlock(char letter) =>
         new(BlockName(letter), [.. OutlineGlyphs.All[letter].Contours.SelectMany(contour => contour.AsLinesAndArcs("0"))]);
 

@@ -45,7 +45,7 @@ internal static class NestedLogo
         ],
     };
 
-    /// <summary>From the middle of the root arc at the bottom, counter-clockwise to the one at the top; both ends lie on the mirror line.</summary>
+    /// <summary>From the middle of the root arc at the bottom, counter-clockwise to the one at the top; both ends are on the mirror line.</summary>
     private static Contour RightGearHalf()
     {
         const double pitch = 360.0 / Teeth;

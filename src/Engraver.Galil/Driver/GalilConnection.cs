@@ -42,7 +42,7 @@ public sealed class GalilConnection : IMachineConnection
     /// <summary>Opens a session and identifies the controller.</summary>
     /// <param name="openLink">Opens one more link to the same controller.</param>
     /// <param name="trace">Receives every line on the wire; null for none.</param>
-    /// <exception cref="ControllerException">No answer, or not a controller of the family.</exception>
+    /// <exception cref="ControllerException">No reply, or not a controller of the family.</exception>
     public static async Task<GalilConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, WireTrace? trace, TimeProvider time, CancellationToken cancellation)
     {
         var messages = new ConcurrentQueue<string>();

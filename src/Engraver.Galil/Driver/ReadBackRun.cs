@@ -8,10 +8,10 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Driver;
 
-/// <summary>Runs one program of a posted file in a controller: loads and starts it, and asks afterwards which line was refused.</summary>
+/// <summary>Runs one program of a posted file in a controller: downloads and starts it, and afterwards queries which line was refused.</summary>
 public static class ReadBackRun
 {
-    /// <summary>Gives the controller the motor types of the profile, which a program tests and does not set. Once, before the first chunk.</summary>
+    /// <summary>Sets the motor types of the profile in the controller, because a program only tests them. Call once, before the first chunk.</summary>
     public static async Task SetMotorsAsync(MachineProfile profile, CommandChannel channel, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(profile);
@@ -24,7 +24,7 @@ public static class ReadBackRun
     }
 
     /// <summary>Downloads the chunk and starts it at #JOB.</summary>
-    /// <returns>Why it was not started; null when it was.</returns>
+    /// <returns>The reason why it was not started; null when it was.</returns>
     public static async Task<Diagnostic?> StartAsync(ReadBackChunk chunk, CommandChannel channel, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(chunk);

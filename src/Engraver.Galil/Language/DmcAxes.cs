@@ -2,18 +2,18 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
 
-/// <summary>The controller's letters of its axes (galil-dmc.md B.1). Which of them a job moves is the profile's business (<see cref="MachineAxes"/>).</summary>
+/// <summary>The controller's letters of its axes (galil-dmc.md B.1). The profile states which of them a job moves (<see cref="MachineAxes"/>).</summary>
 internal static class DmcAxes
 {
-    /// <summary>Every letter there is; a controller of four axes has the first four.</summary>
+    /// <summary>All axis letters; a controller with four axes has the first four.</summary>
     public const string All = "ABCDEFGH";
 
-    /// <summary>Whether the fields of a list from axis A on are those of the job's axes, as LI has them (galil-dmc.md B.1: <c>LI a,b,c,d</c>); VP has them
-    /// in the order of VM.</summary>
+    /// <summary>True when the first fields of a list from axis A are the job's axes in their order, as LI needs (galil-dmc.md B.1: <c>LI a,b,c,d</c>). VP uses
+    /// the order of VM.</summary>
     public static bool AreFirst(MachineAxes axes) => All.StartsWith(axes.PlaneLetters, StringComparison.Ordinal);
 
-    /// <summary>Values of the job's axes in the fields of a list from axis A on (<c>1,2,,3</c>): what LI takes, whatever the order of LM (galil-dmc.md B.1,
-    /// L.2 8).</summary>
+    /// <summary>Values of the job's axes in the fields of a list from axis A (<c>1,2,,3</c>), as LI needs them independent of the order of LM (galil-dmc.md
+    /// B.1, L.2 8).</summary>
     public static string Fields(MachineAxes axes, ReadOnlySpan<string> values)
     {
         var fields = new string[axes.All.Max(axis => All.IndexOf(axis.Letter)) + 1];
@@ -21,7 +21,7 @@ internal static class DmcAxes
         return string.Join(',', fields);
     }
 
-    /// <summary>An operand of each axis, divided by commas: <c>_RPA,_RPB</c>.</summary>
-    /// <param name="operand">Without its letter.</param>
+    /// <summary>An operand for each axis, separated by commas: <c>_RPA,_RPB</c>.</summary>
+    /// <param name="operand">Operand without the axis letter.</param>
     public static string Operands(string letters, string operand) => string.Join(',', letters.Select(letter => operand + letter));
 }

@@ -3,13 +3,13 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
 
-/// <summary>Writes numbers and vector segments for the controller: invariant point, no exponent, at most four decimals (galil-dmc.md F.5).</summary>
+/// <summary>Writes numbers and vector segments for the controller: decimal point, no exponent, at most four decimals (galil-dmc.md F.5).</summary>
 public static class DmcFormat
 {
-    /// <summary>A number with at most four decimals; how the controller then rounds it is the caller's concern (angle quantum).</summary>
+    /// <summary>A number with at most four decimals. The caller takes into account how the controller rounds it (angle quantum).</summary>
     public static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
 
-    /// <summary>VP or CR for one segment; VP is written relative to the start of its sequence, as the controller understands it (galil-dmc.md B.2).</summary>
+    /// <summary>VP or CR for one segment; VP is written relative to the start of its sequence, as the controller expects it (galil-dmc.md B.2).</summary>
     public static string Command(in VectorSegment segment, CountsPoint sequenceStart) => segment.Kind switch
     {
         VectorSegmentKind.Line => string.Create(CultureInfo.InvariantCulture, $"VP {(long)segment.End.X - sequenceStart.X},{(long)segment.End.Y - sequenceStart.Y}"),
@@ -17,7 +17,7 @@ public static class DmcFormat
         _ => throw new ArgumentOutOfRangeException(nameof(segment)),
     };
 
-    /// <summary>The segments of a sequence as commands, in order: VP and CR, or LI where it rises or falls.</summary>
+    /// <summary>The segments of a sequence as commands, in order: VP and CR, or LI if the sequence changes height.</summary>
     public static IEnumerable<string> Commands(VectorSequence sequence, MachineAxes axes)
     {
         var from = sequence.Start;
@@ -28,11 +28,11 @@ public static class DmcFormat
         }
     }
 
-    /// <summary>LI of a line in three axes.</summary>
+    /// <summary>LI for a line in three axes.</summary>
     public static string Increment(MachineAxes axes, CountsPoint from, CountsPoint to) => "LI " + DmcAxes.Fields(axes, [Difference(from.X, to.X), Difference(from.Y, to.Y), Difference(from.Z, to.Z)]);
 
     private static string Difference(long from, long to) => (to - from).ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>LI: a line by its increments, for a sequence in LM (galil-dmc.md B.1).</summary>
+    /// <summary>LI: a line by its increments, for a sequence started with LM (galil-dmc.md B.1).</summary>
     public static string Increment(CountsPoint from, CountsPoint to) => string.Create(CultureInfo.InvariantCulture, $"LI {to.X - from.X},{to.Y - from.Y}");
 }

@@ -2,12 +2,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
 
-/// <summary>The settings of a machine as the controller takes them.</summary>
+/// <summary>Converts settings of a machine profile to values of controller commands.</summary>
 public static class DmcProfile
 {
-    /// <summary>VS for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000. With unequal axes the finer one only sets the pace of its own
-    /// direction,
-    /// so the coarser one decides: no direction is cut faster than the feed.</summary>
+    /// <summary>VS for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000. With unequal axes the scale of the coarser axis is used: a cut is never
+    /// faster than the feed.</summary>
     public static int VectorSpeed(this MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
@@ -21,7 +20,7 @@ public static class DmcProfile
         return EvenCountsPerSecond(profile.RapidMmPerMinute, Math.Abs(axis.CountsPerMillimetre));
     }
 
-    /// <summary>SP or JG of one axis for a speed of its own, even counts/s, as fast as the controller goes.</summary>
+    /// <summary>SP or JG of one axis for a speed given separately, even counts/s, limited to the controller's maximum.</summary>
     /// <param name="mmPerMinute">At least 0.</param>
     public static int AxisSpeed(this MachineAxis axis, double mmPerMinute) => Math.Min(DmcLimits.FastestSpeed, EvenCountsPerSecond(mmPerMinute, Math.Abs(axis.CountsPerMillimetre)));
 
@@ -32,15 +31,15 @@ public static class DmcProfile
         return EvenCountsPerSecond(profile.Height?.PlungeMmPerMinute ?? 0.0, Math.Abs(profile.Scale.Z));
     }
 
-    /// <summary>The settle time as WT takes it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
-    /// <param name="on">After the tool is switched on; otherwise after it is switched off.</param>
+    /// <summary>The settle time as WT needs it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
+    /// <param name="on">True for the time after the tool is switched on, false for the time after it is switched off.</param>
     public static int SettleMilliseconds(this MachineProfile profile, bool on = true)
     {
         ArgumentNullException.ThrowIfNull(profile);
         return EvenMilliseconds(on ? profile.ToolSettleSeconds : profile.OffSettleSeconds);
     }
 
-    /// <summary>A time as WT takes it: an even number of milliseconds, not shorter.</summary>
+    /// <summary>A time as WT needs it: an even number of milliseconds, rounded up.</summary>
     public static int EvenMilliseconds(double seconds) => 2 * (int)Math.Ceiling(Math.Round(seconds * 1000.0, 6) / 2.0);
 
     private static int EvenCountsPerSecond(double mmPerMinute, double countsPerMillimetre) =>

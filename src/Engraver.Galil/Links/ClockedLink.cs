@@ -2,9 +2,9 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>A link to a controller whose clock is offered: every answer over it shows that the clock may have advanced.</summary>
+/// <summary>A link to a controller that shares its clock: every reply over it means that the clock may have advanced.</summary>
 /// <param name="link">Owned by this link.</param>
-/// <param name="heard">Called with each answer.</param>
+/// <param name="heard">Called with each reply.</param>
 public sealed class ClockedLink(IControllerLink link, Action heard) : IControllerLink
 {
     public string Description => link.Description;

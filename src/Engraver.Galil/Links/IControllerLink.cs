@@ -6,16 +6,17 @@ namespace Engraver.Galil.Links;
 /// <remarks>Failures are <see cref="IOException"/>; the protocol above turns them into the three link exceptions.</remarks>
 public interface IControllerLink : IAsyncDisposable
 {
-    /// <summary>The link as the operator names it, for example <c>tcp://10.0.0.5:23</c>.</summary>
+    /// <summary>The link as an address for the operator, for example <c>tcp://10.0.0.5:23</c>.</summary>
     string Description { get; }
 
-    /// <summary>The serial line under the link; null where the link is fast and can be opened twice.</summary>
+    /// <summary>The serial line under the link; null for a fast link that can be opened twice.</summary>
     SerialLine? Line => null;
 
-    /// <summary>When the controller took what was written last, by its own clock: ticks of 100 ns since it was switched on. Null where nobody knows.</summary>
+    /// <summary>Time at which the controller received the last written bytes, by its own clock: ticks of 100 ns since it was switched on. Null if
+    /// unknown.</summary>
     long? TakenTicks => null;
 
-    /// <summary>The controller's own clock now, in the same ticks; null where nobody knows.</summary>
+    /// <summary>The present time of the controller's own clock, in the same ticks; null if unknown.</summary>
     long? NowTicks => null;
 
     ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation);

@@ -7,22 +7,19 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>): while this object exists, the controller's
-/// time passes only by our commands and while we wait.</summary>
-/// <remarks>
-/// <para>Over the wire, in lines: <c>now</c> is answered with the controller's time; <c>wait N</c> too, when N have passed; <c>stop</c> ends a wait. Whole
-/// microseconds.</para>
-/// <para>A timer that is created with a due time (<c>Task.Delay</c>) is a wait; one that is created without and set later is a deadline, which fires when
-/// time reaches it and does not let time pass.</para>
-/// <para>When the other end is gone or does not answer, the clock is given back and time continues with the wall clock from its last value, so that every
-/// wait and every deadline still ends.</para>
-/// </remarks>
+/// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>). While this object exists, the controller's time
+/// advances only through commands of this host and while this host waits.</summary>
+/// <remarks> <para>The protocol consists of lines: <c>now</c> is answered with the controller's time, <c>wait N</c> with the time after N have passed, and
+/// <c>stop</c> ends a wait. Times are whole microseconds.</para> <para>A timer that is created with a due time (<c>Task.Delay</c>) is a wait. A timer that is
+/// created without one and set later is a deadline: it fires when the time is reached, and does not make time advance.</para> <para>When the other end is
+/// closed or does not reply, the clock is released, and time continues with the wall clock from its last value, so that every wait and every deadline still
+/// ends.</para> </remarks>
 public sealed class OfferedClock : TimeProvider, IDisposable
 {
-    /// <summary>Wall time after which an answer of the other end is overdue.</summary>
+    /// <summary>Wall time after which a reply of the other end is overdue.</summary>
     private const int AnswerMilliseconds = 10_000;
 
-    /// <summary>While a reply is awaited nobody reads the time; deadlines are then tested at this interval of wall time.</summary>
+    /// <summary>While a reply is awaited the time is not read; deadlines are then tested at this interval of wall time.</summary>
     private static readonly TimeSpan LookAtDeadlines = TimeSpan.FromMilliseconds(250);
 
     private readonly Lock _gate = new();
@@ -48,8 +45,8 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     /// <summary>Ticks of 100 ns since the controller was switched on.</summary>
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
 
-    /// <summary>Takes the clock at this port of loopback.</summary>
-    /// <exception cref="ControllerLinkException">No clock is offered there.</exception>
+    /// <summary>Acquires the clock at this port of loopback.</summary>
+    /// <exception cref="ControllerLinkException">No clock is offered at this port.</exception>
     public static OfferedClock Take(int port)
     {
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true, ReceiveTimeout = AnswerMilliseconds, SendTimeout = AnswerMilliseconds };
@@ -91,11 +88,11 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         return timer;
     }
 
-    /// <summary>The controller answered something: its clock may have advanced. Without commands and waits it does not, and need not be queried
+    /// <summary>Called when the controller has replied: its clock may have advanced. Without commands and waits it does not advance and need not be queried
     /// again.</summary>
     public void Heard() => _isKnown = false;
 
-    /// <summary>Gives the clock back and ends all waits.</summary>
+    /// <summary>Releases the clock and ends all waits.</summary>
     public void Dispose()
     {
         _looking.Dispose();
@@ -118,7 +115,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         var now = due == Timeout.InfiniteTimeSpan || isWait ? 0 : GetTimestamp();
         lock (_gate)
         {
-            // Ended early, by a cancellation: the host is at work, unless it has begun another wait meanwhile.
+            // Ended early by a cancellation: the host is active, unless it has started another wait in the meantime.
             if (timer.IsWait && !isWait && _set.Contains(timer)) _isHostWaiting = _set.Exists(other => other.IsWait && other.Begun > timer.Begun);
             if (isWait) timer.Begun = ++_begun;
             timer.IsWait = isWait;
@@ -127,7 +124,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
             if (isWait) _isHostWaiting = true;
             if (isWait && !_isKnown) AskNow();
             timer.Due = due == Timeout.InfiniteTimeSpan ? long.MaxValue : (isWait ? Now : now) + due.Ticks;
-            if (_isLost) return; // Look ends it
+            if (_isLost) return; // Look ends the wait
             if (_isAsked && (!_isHostWaiting || NextDue < _askedFor)) Try(() => Say("stop\n"));
             else if (!_isAsked && _isHostWaiting) AskToWait();
         }
@@ -135,7 +132,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
     private long NextDue => _set.Count == 0 ? long.MaxValue : _set.Min(timer => timer.Due);
 
-    /// <summary>Under the lock: sends a wait up to the first timer.</summary>
+    /// <summary>Under the lock: requests a wait up to the first timer.</summary>
     private void AskToWait()
     {
         _askedFor = NextDue;
@@ -188,7 +185,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         foreach (var timer in due) ThreadPool.UnsafeQueueUserWorkItem(static fired => fired.Fire(), timer, preferLocal: false);
     }
 
-    /// <summary>Tests the deadlines for a host that awaits a reply and does not read the clock itself; and all timers when the other end is gone.</summary>
+    /// <summary>Tests the deadlines while the host awaits a reply and does not read the clock; tests all timers when the other end is closed.</summary>
     private void Look()
     {
         bool isDeadlineSet;
@@ -202,11 +199,11 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         GetTimestamp();
     }
 
-    /// <summary>Under the lock. While a wait is under way its answer will give the time.</summary>
+    /// <summary>Under the lock. During a wait the time comes with its reply.</summary>
     private void AskNow()
     {
         if (_isAsked || _isLost) return;
-        _isKnown = true; // any answer from here on makes it unknown again
+        _isKnown = true; // any later reply makes it unknown again
         Try(() => Ask("now\n"));
     }
 
@@ -245,7 +242,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         }
     }
 
-    /// <summary>Gives the clock back: a controller that still counted us as a host would let no time pass, and never come to rest.</summary>
+    /// <summary>Releases the clock: with a host that no longer waits, the controller would let no time pass and never come to rest.</summary>
     private void Lose()
     {
         if (_isLost) return;
@@ -259,12 +256,12 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
         public bool IsWait { get; set; }
 
-        /// <summary>Waits in the order in which they began.</summary>
+        /// <summary>Waits are ordered by their start.</summary>
         public long Begun { get; set; }
 
         public void Fire() => callback(state);
 
-        /// <remarks>The period is ignored, because no caller uses it: a timer fires once.</remarks>
+        /// <remarks>The period is ignored because no caller uses it: a timer fires once.</remarks>
         public bool Change(TimeSpan dueTime, TimeSpan period)
         {
             clock.Set(this, dueTime, isWait: false);

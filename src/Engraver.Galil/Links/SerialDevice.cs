@@ -6,7 +6,7 @@ using static Engraver.Galil.Links.SerialNative;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>An open serial device, with an event that wakes the thread that waits for it. No method blocks except <see cref="Wait"/>.</summary>
+/// <summary>An open serial device, with an event that wakes the waiting thread. No method blocks except <see cref="Wait"/>.</summary>
 internal sealed class SerialDevice : IDisposable
 {
     private readonly SafeFileHandle _device;
@@ -21,12 +21,12 @@ internal sealed class SerialDevice : IDisposable
     }
 
     /// <summary>Opens the device exclusively and sets the line. Bytes that another program left unread are dropped.</summary>
-    /// <exception cref="ControllerLinkException">There is no such device, it may not be opened, another program has it, or it does not support the
+    /// <exception cref="ControllerLinkException">The device does not exist, permission is denied, another program uses it, or it does not support the
     /// rate.</exception>
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
-        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened")); // before another call takes the reason away
+        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotBeOpened")); // before another call overwrites the error code
         var bell = EventFd(0, EventFlags);
         try
         {
@@ -43,7 +43,7 @@ internal sealed class SerialDevice : IDisposable
         }
     }
 
-    /// <summary>Waits until bytes are there, until bytes can be sent (when <paramref name="toSend"/>), or until <see cref="Ring"/>.</summary>
+    /// <summary>Waits until bytes can be read, until bytes can be sent (when <paramref name="toSend"/>), or until <see cref="Ring"/>.</summary>
     /// <returns>The events of the device, as flags of poll.</returns>
     public short Wait(bool toSend)
     {
@@ -64,8 +64,8 @@ internal sealed class SerialDevice : IDisposable
         _ = SerialNative.Write(_bell, ref MemoryMarshal.AsBytes(new Span<ulong>(ref one))[0], sizeof(ulong));
     }
 
-    /// <summary>Bytes read; 0 when none are there.</summary>
-    /// <exception cref="IOException">The device is gone.</exception>
+    /// <summary>Number of bytes read; 0 when there are none.</summary>
+    /// <exception cref="IOException">The device was removed.</exception>
     public int Read(Span<byte> bytes)
     {
         var count = SerialNative.Read(_device, ref MemoryMarshal.GetReference(bytes), (nuint)bytes.Length);
@@ -77,15 +77,15 @@ internal sealed class SerialDevice : IDisposable
         };
     }
 
-    /// <summary>Writes bytes; returns how many were taken, 0 when the buffer is full.</summary>
-    /// <exception cref="IOException">The device is gone.</exception>
+    /// <summary>Writes bytes; returns how many were accepted, 0 when the buffer is full.</summary>
+    /// <exception cref="IOException">The device was removed.</exception>
     public int Write(ReadOnlySpan<byte> bytes)
     {
         var count = SerialNative.Write(_device, ref MemoryMarshal.GetReference(bytes), (nuint)bytes.Length);
         return count >= 0 ? (int)count : NothingOr(Marshal.GetLastPInvokeError());
     }
 
-    /// <summary>Bytes that were taken and are not sent yet; 0 where the device does not say.</summary>
+    /// <summary>Number of accepted bytes that are not sent yet; 0 if the device does not report it.</summary>
     public int Unsent
     {
         get
@@ -95,11 +95,11 @@ internal sealed class SerialDevice : IDisposable
         }
     }
 
-    /// <summary>Closing sends what is left instead of dropping it; for a line that has just taken everything.</summary>
+    /// <summary>True when closing sends the remaining bytes instead of dropping them; only for a line that has just accepted everything.</summary>
     public bool KeepsUnsent { get; set; }
 
-    /// <summary>Closes the device. Unsent bytes are dropped first unless they are to be kept: closing would wait for them, for long while the other side
-    /// stops the flow.</summary>
+    /// <summary>Closes the device. Unsent bytes are dropped first unless they are to be kept, because closing would wait for them, for a long time if the other
+    /// side has stopped the flow.</summary>
     public void Dispose()
     {
         if (!KeepsUnsent) _ = Control(_device, Flush, FlushBoth);

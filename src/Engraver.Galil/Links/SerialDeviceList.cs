@@ -1,13 +1,13 @@
 namespace Engraver.Galil.Links;
 
-/// <summary>The serial devices of this computer, as the system lists them: whether anything is plugged in is not known before one is opened.</summary>
+/// <summary>The serial devices of this computer as listed by the system. Whether anything is connected to a device is not known before it is opened.</summary>
 public static class SerialDeviceList
 {
     private static readonly string[] s_patterns = ["ttyUSB*", "ttyACM*"];
 
-    /// <summary>Device paths, in order of name; empty where serial links are not built.</summary>
+    /// <summary>Device paths, ordered by name; empty on systems without serial links.</summary>
     /// <param name="devices">The folder of devices.</param>
-    /// <param name="classes">The folder in which the system tells the kind of each built-in port: 0 is a name without a port behind it.</param>
+    /// <param name="classes">The folder in which the system lists the type of each built-in port: 0 is a name without a port.</param>
     public static IReadOnlyList<string> Find(string devices = "/dev", string classes = "/sys/class/tty")
     {
         if (!Directory.Exists(devices)) return [];

@@ -5,10 +5,9 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>A link over an RS-232 line on Linux; a pseudo-terminal is one too (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit).</summary>
-/// <remarks>One thread waits for the device in both directions, without a time limit and without polling. An adapter that is unplugged ends that wait, and
-/// so every read and write, with an
-/// <see cref="IOException"/>. Closing wakes the thread, so that it never waits for a byte.</remarks>
+/// <summary>A link over an RS-232 line on Linux, or over a pseudo-terminal (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit).</summary>
+/// <remarks>One thread waits for the device in both directions, without a time limit and without polling. When an adapter is unplugged, this wait and all reads
+/// and writes end with an <see cref="IOException"/>. Closing wakes the thread, so that it never waits for a byte.</remarks>
 public sealed class SerialLink : IControllerLink
 {
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(10);
@@ -34,7 +33,7 @@ public sealed class SerialLink : IControllerLink
         new Thread(Watch) { IsBackground = true, Name = Description }.Start();
     }
 
-    /// <summary>Why serial links cannot be opened on this computer, a sentence; null where they can.</summary>
+    /// <summary>A sentence that states why serial links cannot be opened on this computer; null if they can.</summary>
     public static string? WhyUnsupported => OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture != Architecture.Ppc64le
         ? null
         : Wording.Get("SerialLink.LinuxOnly");
@@ -44,9 +43,9 @@ public sealed class SerialLink : IControllerLink
     public SerialLine? Line { get; }
 
     /// <summary>Opens the device exclusively.</summary>
-    /// <param name="writeTimeout">Time in which the device takes no byte at all after which the link counts as lost.</param>
-    /// <exception cref="ControllerLinkException">There is no such device, it is not a serial line, or another program has it.</exception>
-    /// <exception cref="PlatformNotSupportedException"><see cref="WhyUnsupported"/> says why.</exception>
+    /// <param name="writeTimeout">Time without an accepted byte after which the link counts as lost.</param>
+    /// <exception cref="ControllerLinkException">The device does not exist, it is not a serial line, or another program uses it.</exception>
+    /// <exception cref="PlatformNotSupportedException">See <see cref="WhyUnsupported"/>.</exception>
     public static SerialLink Open(SerialAddress address, TimeSpan writeTimeout, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(address);
@@ -69,8 +68,9 @@ public sealed class SerialLink : IControllerLink
 
     public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => _incoming.ReadAsync(buffer, cancellation);
 
-    /// <summary>Waits until the device has sent what it took. Closing then drops nothing: the system sends what is still in the adapter.</summary>
-    /// <exception cref="IOException">The device is gone, or sent nothing within the time-out.</exception>
+    /// <summary>Waits until the device has sent the accepted bytes. Closing then drops nothing: the system sends the bytes that are still in the
+    /// adapter.</summary>
+    /// <exception cref="IOException">The device was removed, or sent nothing within the time-out.</exception>
     public async ValueTask DrainAsync(CancellationToken cancellation)
     {
         var (least, since) = (int.MaxValue, _time.GetTimestamp());
@@ -154,7 +154,7 @@ public sealed class SerialLink : IControllerLink
         {
             _received.Writer.Advance(count);
 
-            // Without a threshold the flush completes at once; the reader runs on a thread of its own.
+            // Without a threshold the flush completes at once; the reader runs on a separate thread.
             _received.Writer.FlushAsync(CancellationToken.None).AsTask().GetAwaiter().GetResult();
         }
 

@@ -5,14 +5,14 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>The system calls of a serial line on Linux. The line settings use ioctl with the kernel's own structure: libc's termios differs between its
+/// <summary>The system calls for a serial line on Linux. The line settings use ioctl with the kernel's own structure, because termios of libc differs between
 /// versions.</summary>
 internal static class SerialNative
 {
     public const short PollIn = 0x0001;
     public const short PollOut = 0x0004;
 
-    /// <summary>POLLERR, POLLHUP and POLLNVAL: the device is gone.</summary>
+    /// <summary>POLLERR, POLLHUP and POLLNVAL: the device was removed.</summary>
     public const short PollGone = 0x0008 | 0x0010 | 0x0020;
 
     public const int Interrupted = 4;
@@ -73,8 +73,7 @@ internal static class SerialNative
         public short Happened;
     }
 
-    /// <summary>struct termios of the kernel (asm-generic, TCGETS): 36 bytes. Three words hold the control characters, of which the first seven are
-    /// used.</summary>
+    /// <summary>struct termios of the kernel (asm-generic, TCGETS): 36 bytes. Three words hold the control characters; the first seven are used.</summary>
     [StructLayout(LayoutKind.Sequential, Size = 36)]
     public struct LineSettings
     {

@@ -7,7 +7,7 @@ namespace Engraver.Galil.Links;
 /// <summary>Line settings of the kernel: eight data bits, no parity, one stop bit, every byte unchanged (cfmakeraw), a rate and a flow control.</summary>
 internal static class SerialSettings
 {
-    // Names of termios.h behind each value.
+    // Names of termios.h for the values.
     private const uint InputTransforms = 0x1 | 0x2 | 0x8 | 0x10 | 0x20 | 0x40 | 0x80 | 0x100; // IGNBRK BRKINT PARMRK INPCK ISTRIP INLCR IGNCR ICRNL
     private const uint InputFlow = 0x400 | 0x800 | 0x1000; // IXON IXANY IXOFF
     private const uint InputXonXoff = 0x400 | 0x1000; // IXON IXOFF
@@ -20,7 +20,7 @@ internal static class SerialSettings
     private const uint Receiver = 0x80 | 0x800; // CREAD CLOCAL: the controller drives no carrier line
     private const uint HardwareFlow = 0x80000000; // CRTSCTS
 
-    /// <summary>The rates that a line can be set to: those of a controller, and slower ones for controls that take programs as plain text.</summary>
+    /// <summary>The supported rates: those of a controller, and lower ones for controls that receive programs as plain text.</summary>
     public static bool Knows(int baud) => baud is 110 or 300 or 600 or 2400 or 4800 || SerialLine.Rates.Contains(baud);
 
     public static LineSettings Apply(LineSettings found, int baud, SerialFlow flow) => found with
@@ -30,7 +30,7 @@ internal static class SerialSettings
         Local = found.Local & ~LocalProcessing,
         Control = (found.Control & ~(RateMask | InputRateMask | Framing | HardwareFlow)) | Rate(baud) | EightBits | Receiver | (flow == SerialFlow.RtsCts ? HardwareFlow : 0),
         ReadTime = 0,
-        ReadMinimum = 1, // with 0 a read without bytes would return 0, as it does after a hang-up
+        ReadMinimum = 1, // with 0 a read without bytes would return 0, like after a hang-up
         Start = 0x11,
         Stop = 0x13,
     };

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>A link over any stream, which it owns: the in-process simulator's bytes, or a test's.</summary>
+/// <summary>A link over any stream, which it owns: the bytes of the in-process simulator, or of a test.</summary>
 public sealed class StreamLink(Stream stream, string description) : IControllerLink
 {
     public string Description => description;
@@ -10,10 +10,10 @@ public sealed class StreamLink(Stream stream, string description) : IControllerL
     /// <summary>The serial line that the stream represents; null for none.</summary>
     public SerialLine? Line { get; init; }
 
-    /// <summary>As <see cref="IControllerLink.TakenTicks"/>; null where nobody knows.</summary>
+    /// <summary>See <see cref="IControllerLink.TakenTicks"/>; null if unknown.</summary>
     public Func<long>? Taken { get; init; }
 
-    /// <summary>As <see cref="IControllerLink.NowTicks"/>; null where nobody knows.</summary>
+    /// <summary>See <see cref="IControllerLink.NowTicks"/>; null if unknown.</summary>
     public Func<long>? Now { get; init; }
 
     public long? TakenTicks => Taken?.Invoke();

@@ -5,10 +5,10 @@ using Engraver.Core.Machines;
 namespace Engraver.Galil.Links;
 
 /// <summary>A link over one TCP connection, which is one handle of the controller (galil-dmc.md A.1).</summary>
-/// <remarks>Without delay (TCP_NODELAY): one command is one packet, and the next packet carries the acknowledgement (galil-dmc.md A.4).</remarks>
+/// <remarks>TCP_NODELAY: one command is one packet, and the next packet carries the acknowledgement (galil-dmc.md A.4).</remarks>
 public sealed class TcpLink : IControllerLink
 {
-    /// <summary>What a connection that is dropped as soon as it stands means (galil-dmc.md A.1).</summary>
+    /// <summary>The message for a connection that is closed immediately after it was accepted (galil-dmc.md A.1).</summary>
     internal static string HandlesTaken => Wording.Get("TcpLink.HandlesTaken");
 
     private readonly Socket _socket;
@@ -22,8 +22,8 @@ public sealed class TcpLink : IControllerLink
     public string Description { get; }
 
     /// <summary>Connects within <paramref name="timeout"/>.</summary>
-    /// <exception cref="ControllerLinkException">No listener, an unknown name, or every handle is taken (the controller then answers with RST).</exception>
-    /// <exception cref="ControllerTimeoutException">No answer in time.</exception>
+    /// <exception cref="ControllerLinkException">No listener, an unknown name, or every handle is in use (the controller then answers with RST).</exception>
+    /// <exception cref="ControllerTimeoutException">No reply in time.</exception>
     public static async Task<TcpLink> ConnectAsync(string host, int port, TimeSpan timeout, TimeProvider time, CancellationToken cancellation)
     {
         var description = $"tcp://{host}:{port}";

@@ -2,10 +2,10 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs;
 
-/// <summary>How long a job may be without progress, controller seconds. Motion is never so slow: at the slowest feed (2 counts/s) a position changes twice
-/// a second, so a long segment needs no allowance.</summary>
-/// <remarks>The tool's settle time is added. The job itself notices a standstill first and can say where it was; the watchdog in the controller is for the
-/// case that it does not.</remarks>
+/// <summary>Maximum time of a job without progress, controller seconds. Motion is never that slow: at the lowest feed (2 counts/s) a position changes twice a
+/// second, so a long segment needs no allowance.</summary>
+/// <remarks>The tool's settle time is added. Usually the job itself detects a standstill first and can report its position; the watchdog in the controller is
+/// the fallback.</remarks>
 internal static class StandstillLimit
 {
     private const double JobSeconds = 3.0;
@@ -14,14 +14,14 @@ internal static class StandstillLimit
     /// <summary>One tick of the watchdog in the controller (WT 50).</summary>
     internal const double TickSeconds = 0.05;
 
-    /// <summary>More than an hour; so that the line that assigns it stays one line.</summary>
+    /// <summary>More than an hour, limited so that the line that assigns it is one line.</summary>
     private const double MostTicks = 99_999.0;
 
-    /// <summary>Time without progress after which a job is given up.</summary>
+    /// <summary>Time without progress after which a job is stopped.</summary>
     public static double Seconds(MachineProfile profile) => JobSeconds + LongestWait(profile);
 
     private static double LongestWait(MachineProfile profile) => Math.Max(Math.Max(profile.ToolSettleSeconds, profile.OffSettleSeconds), profile.Spindle?.SpinUpSeconds ?? 0.0);
 
-    /// <summary>Ticks of the watchdog in the controller for which the tool may be on while nothing moves.</summary>
+    /// <summary>Ticks of the watchdog in the controller for which the tool may be on without motion.</summary>
     public static int ControllerTicks(MachineProfile profile) => (int)Math.Min(MostTicks, Math.Ceiling((WatchdogSeconds + profile.ToolSettleSeconds) / TickSeconds));
 }

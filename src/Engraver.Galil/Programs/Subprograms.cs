@@ -4,8 +4,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs;
 
-/// <summary>The routines in the controller for job mode calls, as lines: the paper's #LINEAR, corrected (galil-dmc.md F.0, EX1), and the #CIRC that it does
-/// not print.</summary>
+/// <summary>The routines in the controller for job mode calls, as lines: #LINEAR of the paper, corrected (galil-dmc.md F.0, EX1), and #CIRC, which the paper
+/// does not print.</summary>
 internal static class Subprograms
 {
     public const string Linear = "#LINEAR";
@@ -23,10 +23,10 @@ internal static class Subprograms
     /// <param name="last">A statement before the return ("seq=seq+1"), or empty.</param>
     public static IReadOnlyList<string> LinearLines(MachineProfile profile, string last) => Interpolation(profile, Linear, "VP x,y", last);
 
-    /// <summary>Cuts an arc of radius r that begins at angle th of its circle and sweeps da, and waits for its end.</summary>
+    /// <summary>Cuts an arc of radius r from angle th of its circle by the sweep da, and waits for its end.</summary>
     public static IReadOnlyList<string> CircLines(MachineProfile profile, string last) => Interpolation(profile, Circ, "CR r,th,da", last);
 
-    /// <summary>Travels to x, y in the controller's own coordinates, each axis at its speed, and waits for the end.</summary>
+    /// <summary>Travels to x, y in the controller's own coordinates, each axis at its rapid speed, and waits for the end.</summary>
     public static IReadOnlyList<string> RapidLines(MachineProfile profile, string last) => RapidLines(profile, TargetLine(profile, "x", "y"), last);
 
     /// <param name="target">The line that assigns PA.</param>
@@ -52,47 +52,47 @@ internal static class Subprograms
     public static IReadOnlyList<string> AccelerationCommands(MachineProfile profile) =>
         [.. profile.Axes.All.Select(axis => Text($"AC{axis.Letter}={profile.AccelerationCounts}")), .. profile.Axes.All.Select(axis => Text($"DC{axis.Letter}={profile.AccelerationCounts}"))];
 
-    /// <summary>The output of the tool is switched on; empty where an axis holds the tool.</summary>
+    /// <summary>Switches the output of the tool on; empty if an axis holds the tool.</summary>
     public static string ToolOn(MachineProfile profile) => profile.Height is null ? Switch(profile.ToolOutput, !profile.ToolActiveLow) : string.Empty;
 
-    /// <summary>The output of the tool is switched off; empty where an axis holds the tool.</summary>
+    /// <summary>Switches the output of the tool off; empty if an axis holds the tool.</summary>
     public static string ToolOff(MachineProfile profile) => profile.Height is null ? Switch(profile.ToolOutput, profile.ToolActiveLow) : string.Empty;
 
     /// <summary>SB or CB.</summary>
     /// <param name="gap">Between command and number.</param>
     public static string Switch(int output, bool level, string gap = "") => Text($"{(level ? "SB" : "CB")}{gap}{output}");
 
-    /// <summary>The speed first, where an analog output sets it; the motor of that axis is off, so that no loop works against the offset (galil-dmc.md C,
-    /// OF).</summary>
+    /// <summary>The speed is set first if it is an analog output; the motor of that axis is off, because a servo loop would counteract the offset (galil-dmc.md
+    /// C, OF).</summary>
     public static IReadOnlyList<string> SpindleOn(Spindle spindle) => [.. spindle.SpeedAxis is { } axis ? (string[])[$"MO{axis}", Text($"OF{axis}={DmcFormat.Number(spindle.SpeedVolts)}")] : [], Switch(spindle.Output, !spindle.IsActiveLow)];
 
     public static IReadOnlyList<string> SpindleOff(Spindle spindle) => [Switch(spindle.Output, spindle.IsActiveLow), .. spindle.SpeedAxis is { } axis ? (string[])[$"OF{axis}=0"] : []];
 
-    /// <summary>Spindle off, as one statement of a line; empty without one.</summary>
+    /// <summary>Spindle off, as one statement of a line; empty without a spindle.</summary>
     public static string SpindleOff(MachineProfile profile) => profile.Spindle is { } spindle ? string.Join(';', SpindleOff(spindle)) : string.Empty;
 
-    /// <summary>The wait after a change of the tool; empty when the profile wants none.</summary>
+    /// <summary>The wait after a change of the tool; empty when the profile has no settle time.</summary>
     public static string Settle(MachineProfile profile, bool on = true) => profile.SettleMilliseconds(on) == 0 ? string.Empty : Text($"WT {profile.SettleMilliseconds(on)}");
 
-    /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in
-    /// between. A spindle whose tool may be in the work turns on until the tool is out of it.</summary>
+    /// <summary>Switches the tool off first, then stops every motion of the plane and of its axes. One line, so that other threads cannot run in between. A
+    /// spindle keeps turning while its tool may be in the work.</summary>
     public static string StopEverything(MachineProfile profile) => Statements(ToolOff(profile), "STS", "ST" + profile.Axes.Letters, profile.Height is null ? SpindleOff(profile) : string.Empty);
 
-    /// <summary>Joined by ';', without the empty ones.</summary>
+    /// <summary>Joined by ';', without empty statements.</summary>
     public static string Statements(params ReadOnlySpan<string> statements) => string.Join(';', statements.ToArray().Where(statement => statement.Length > 0));
 
-    /// <summary>Cuts a line of three axes to x, y, z relative to the machine's position (galil-dmc.md EX7), and waits for its end.</summary>
+    /// <summary>Cuts a line in three axes to x, y, z relative to the machine's position (galil-dmc.md EX7), and waits for its end.</summary>
     public static IReadOnlyList<string> SlopeLines(MachineProfile profile, string last) =>
         new ProgramLines().Line(Slope).Line("LM" + profile.Axes.Letters).Line("VS f").Line("LI " + DmcAxes.Fields(profile.Axes, ["x", "y", "z"])).Line("LE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
 
-    /// <summary>True where the tool is at the height of a variable or above it, as a condition of JP.</summary>
+    /// <summary>True when the tool is at the height of a variable or above it, as a condition of JP.</summary>
     public static string IsUp(MachineProfile profile, string height) => $"_RP{profile.Axes.Z!.Value.Letter}{(profile.Up > 0 ? ">=" : "<=")}{height}";
 
     /// <summary>Moves the Z axis and waits.</summary>
     public static string HeightLine(MachineProfile profile, int speed, string height) => profile.Axes.Z!.Value.Letter is var z ? Text($"SP{z}={speed};PA{z}={height};BG{z};AM{z}") : "";
 
-    /// <summary>Down to the height z: fast to the retract height zr, then at the plunge feed. The tool is at clearance height before.</summary>
-    /// <param name="check">A line behind each of the two moves, or empty.</param>
+    /// <summary>Moves down to the height z: fast to the retract height zr, then at the plunge feed. The tool must be at clearance height before.</summary>
+    /// <param name="check">A line after each of the two moves, or empty.</param>
     public static IReadOnlyList<string> DownLines(MachineProfile profile, string check, string last) => new ProgramLines()
         .Line(Down)
         .Line("JP#DOWNS," + IsUp(profile, "zr").Replace("_RP" + profile.Axes.Z!.Value.Letter, "z", StringComparison.Ordinal))
@@ -104,7 +104,7 @@ internal static class Subprograms
         .Line("EN")
         .Lines;
 
-    /// <summary>Up to clearance height zup, unless the tool is there or higher.</summary>
+    /// <summary>Moves up to clearance height zup, unless the tool is there or higher.</summary>
     public static IReadOnlyList<string> UpLines(MachineProfile profile, string last) => new ProgramLines()
         .Line(Up)
         .Line("JP#UPS," + IsUp(profile, ClearanceHeight))

@@ -3,16 +3,16 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 
-/// <content>Lines that cannot wait for their turn, and what becomes of the answers and echoes that they overtake.</content>
+/// <content>Lines that are sent immediately, and how replies and echoes that they overtake are handled.</content>
 public sealed partial class CommandChannel
 {
-    /// <summary>What is on the wire and not wholly answered; set by whoever holds <see cref="_writing"/>.</summary>
+    /// <summary>The exchange that is not completely answered yet; set under <see cref="_writing"/>.</summary>
     private volatile Exchange _underWay = Exchange.None;
 
-    /// <summary>Prompts of urgent lines that nobody has taken yet; whoever holds <see cref="_writing"/> changes it.</summary>
+    /// <summary>Number of prompts of urgent lines that are not taken yet; changed under <see cref="_writing"/>.</summary>
     private int _owed;
 
-    /// <summary>The echo of an urgent line could not be told from an answer: from then on the stop waits for its turn.</summary>
+    /// <summary>True when the echo of an urgent line could not be distinguished from a reply: from then on the stop waits for its turn.</summary>
     private volatile bool _echoesMix;
 
     private enum Exchange
@@ -20,17 +20,16 @@ public sealed partial class CommandChannel
         None,
         Command,
 
-        /// <summary>A download, an upload or a record: on a serial line its bytes are not told from those of another line.</summary>
+        /// <summary>A download, an upload or a record: on a serial line its bytes cannot be distinguished from those of another line.</summary>
         Transfer,
     }
 
-    /// <summary>Puts a line of commands on the wire at once, also where another command waits for its answer, which may be late or lost; its own prompts
-    /// are taken before the next command goes out. Does nothing on a network handle that is free, where <see cref="SendAsync"/> is as quick, and on a
-    /// serial line during a transfer. On a free serial line it goes out too: a question that took the turn in between would hold it up as long as its
-    /// answer takes.</summary>
-    /// <param name="line">Its parts are answered by prompts alone.</param>
-    /// <remarks>What the controller answers is not told: send the line again in its turn. Where echoes are compared the whole line goes out at once, and
-    /// not part by part as <see cref="SendAsync"/> does it.</remarks>
+    /// <summary>Sends a line of commands immediately, even if another command waits for a reply that may be late or lost; its own prompts are taken before the
+    /// next command is sent. Does nothing on a free network handle, where <see cref="SendAsync"/> is as fast, and on a serial line during a transfer. On a free
+    /// serial line it is sent as well, because a query sent first would delay it by the time of its reply.</summary>
+    /// <param name="line">Its parts are answered by prompts only.</param>
+    /// <remarks>The reply of the controller is not reported: send the line again in its turn. Where echoes are compared, the whole line is sent at once and not
+    /// part by part as by <see cref="SendAsync"/>.</remarks>
     public async ValueTask UrgeAsync(string line)
     {
         var text = CommandLine.Checked(line);
@@ -56,7 +55,7 @@ public sealed partial class CommandChannel
         }
     }
 
-    /// <summary>Takes the prompts of urgent lines, so that those which come then belong to the next line, and lets nobody else write before it.</summary>
+    /// <summary>Takes the prompts of urgent lines, so that later prompts belong to the next line, and prevents other writes before it.</summary>
     private async ValueTask WritingAsync(string text)
     {
         await _writing.WaitAsync().ConfigureAwait(false);
@@ -76,12 +75,12 @@ public sealed partial class CommandChannel
         }
     }
 
-    /// <summary>The echo of an urgent line cannot be told from an answer: ends what is half said and begins to compare anew. The caller holds
+    /// <summary>The echo of an urgent line cannot be distinguished from a reply: ends a partly sent line and restarts the comparison. Call under
     /// <see cref="_writing"/>.</summary>
     private async ValueTask GreetAgainAsync()
     {
         _echoesMix = true;
-        (var compares, _echo, _owed) = (_echo, null, 1); // the answer to the greeting is behind the prompts of every urgent line
+        (var compares, _echo, _owed) = (_echo, null, 1); // the reply to the greeting comes after the prompts of all urgent lines
         foreach (var (text, shape) in new[] { (SerialGreeting.Text, ReplyShape.Greeting), ("EO 1", ReplyShape.Text) })
         {
             await PutAsync(text, shape, 0, _replyTimeout).ConfigureAwait(false);
@@ -92,9 +91,9 @@ public sealed partial class CommandChannel
         _echo?.Begin(false);
     }
 
-    /// <summary>The answer to this command is mixed with the echo of an urgent line: a question is put again.</summary>
-    /// <exception cref="EchoException">The text is a command, which is answered by a prompt alone: the urgent line was harmed, and whether the command was
-    /// done is not known.</exception>
+    /// <summary>The reply to this command is mixed with the echo of an urgent line: a query is sent again.</summary>
+    /// <exception cref="EchoException">The text is a command that is answered by a prompt only: the urgent line was damaged, and whether the command was
+    /// executed is not known.</exception>
     private async ValueTask AskAgainAsync(string text)
     {
         var heard = _echo!.UrgentHarm!;
@@ -113,14 +112,14 @@ public sealed partial class CommandChannel
         await WriteAsync(text, false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
     }
 
-    /// <summary>After a wrong echo it is not known what the controller executed, but the stop must still reach it: the line is greeted again, which ends
-    /// any half command, and continues without echoes.</summary>
+    /// <summary>After a wrong echo it is not known what the controller executed, but a stop must still reach it: the greeting is sent again, which ends a
+    /// partly sent command, and the channel continues without echoes.</summary>
     private async ValueTask<EchoException> HarmedAsync(string text, string heard)
     {
         await _writing.WaitAsync().ConfigureAwait(false);
         try
         {
-            (_echo, _owed) = (null, 0); // the answer to the greeting is behind the prompts of every urgent line
+            (_echo, _owed) = (null, 0); // the reply to the greeting comes after the prompts of all urgent lines
             await PutAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout).ConfigureAwait(false);
         }
         finally

@@ -11,7 +11,7 @@ namespace Engraver.Galil.Protocol;
 /// <see cref="ControllerException"/> family the channel refuses all further use.</remarks>
 public sealed partial class CommandChannel : IAsyncDisposable
 {
-    /// <summary>DL, UL and burning take longer than a command (galil-dmc.md A.6).</summary>
+    /// <summary>DL, UL and burning take longer than other commands (galil-dmc.md A.6).</summary>
     public static readonly TimeSpan TransferTimeout = TimeSpan.FromSeconds(10);
 
     /// <summary>Assumed number of characters of an upload over a serial line, for its time-out, when it is not known.</summary>
@@ -51,22 +51,22 @@ public sealed partial class CommandChannel : IAsyncDisposable
         _framer = new ReplyFramer { MessageReceived = OnMessage };
     }
 
-    /// <summary>True after a failure: nothing can be sent any more.</summary>
+    /// <summary>True after a failure: nothing more can be sent.</summary>
     public bool IsBroken => _failure is not null;
 
-    /// <summary>The serial line that this channel talks over; null for none.</summary>
+    /// <summary>The serial line of this channel; null for none.</summary>
     public SerialLine? Line => _link.Line;
 
-    /// <summary>Called with each line that a program in the controller printed.</summary>
+    /// <summary>Called with each line printed by a program in the controller.</summary>
     public Action<string>? MessageReceived { get; set; }
 
-    /// <summary>The first lines on a serial line: ends what an earlier host left open, and switches the echo off (galil-dmc.md F.2).</summary>
+    /// <summary>Sends the first lines on a serial line: ends what an earlier host left open, and switches the echo off (galil-dmc.md F.2).</summary>
     /// <returns>Whether the echo was on.</returns>
-    /// <exception cref="ControllerException">No answer.</exception>
+    /// <exception cref="ControllerException">No reply.</exception>
     public async ValueTask<bool> GreetAsync(CancellationToken cancellation) =>
         await ExchangeAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && SerialGreeting.WasEchoed(said);
 
-    /// <summary>From here on every command is compared with its echo (EO 1), because a serial line can damage a byte. With a controller that does not echo
+    /// <summary>From now on every command is compared with its echo (EO 1), because a serial line can damage a byte. With a controller that does not echo
     /// nothing changes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask CompareEchoAsync(CancellationToken cancellation)
@@ -77,7 +77,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
 
     /// <summary>Sends one line and waits for the prompts of all its parts. The first refused part makes the reply a <see cref="Rejected"/>.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    /// <exception cref="EchoException">The echo differs from what was sent; the stop can still be sent.</exception>
+    /// <exception cref="EchoException">The echo differs from the sent line; the stop can still be sent.</exception>
     /// <exception cref="ArgumentException">The line breaks the rules of <see cref="CommandLine"/>.</exception>
     public ValueTask<Reply> SendAsync(string line, CancellationToken cancellation)
     {
@@ -85,8 +85,8 @@ public sealed partial class CommandChannel : IAsyncDisposable
         return _echo is not null && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
     }
 
-    /// <summary>Sends the parts of a line one after the other where echoes are compared: else the reply to one would come in the middle of the echo of the
-    /// next. The number of bytes is the same.</summary>
+    /// <summary>Sends the parts of a line one after the other if echoes are compared, because the reply to one part would otherwise arrive within the echo of
+    /// the next. The number of bytes is the same.</summary>
     private async ValueTask<Reply> SendEachAsync(IReadOnlyList<string> parts, CancellationToken cancellation)
     {
         Rejected? refused = null;
@@ -102,22 +102,21 @@ public sealed partial class CommandChannel : IAsyncDisposable
     }
 
     /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is empty.</summary>
-    /// <param name="expected">Number of characters, for the time-out; 0 when it is not known. Some links deliver all of them at once, after the time that
-    /// they take on the wire.</param>
+    /// <param name="expected">Number of characters, for the time-out; 0 if it is not known. Some links deliver all characters at once, after their transmission
+    /// time.</param>
     public async ValueTask<Reply> UploadAsync(CancellationToken cancellation, int expected = 0) =>
         await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout + WireTime(Math.Max(expected, UsualProgram)), cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
             ? new Accepted(ProgramText.FromUpload(text.Data))
             : reply;
 
-    /// <summary>DL: replaces the program memory. The controller answers nothing until the end mark and then prompts twice (galil-dmc.md A.6).</summary>
-    /// <remarks>The caller makes sure that no thread runs: after a refused DL the lines would be taken for commands. On a serial line a cancellation ends
-    /// the download
-    /// early, with the end mark after a whole line (galil-dmc.md F.4); part of the program is then in the memory.</remarks>
+    /// <summary>DL: replaces the program memory. The controller does not reply until the end mark and then sends two prompts (galil-dmc.md A.6).</summary>
+    /// <remarks>The caller ensures that no thread runs: after a refused DL the lines would be executed as commands. On a serial line a cancellation ends the
+    /// download early, with the end mark after a complete line (galil-dmc.md F.4); part of the program is then in the memory.</remarks>
     public ValueTask<Reply> DownloadAsync(string program, CancellationToken cancellation) =>
         ExchangeAsync("DL\r" + ProgramText.ForDownload(program) + "\\", ReplyShape.Text, 0, TransferTimeout, cancellation);
 
-    /// <summary>BN: burns the parameters, about a second (galil-dmc.md A.6). It must not be interrupted, so the reply is awaited as long as a
-    /// transfer's.</summary>
+    /// <summary>BN: burns the parameters, about a second (galil-dmc.md A.6). It must not be interrupted, so the reply is awaited as long as that of a
+    /// transfer.</summary>
     public ValueTask<Reply> BurnAsync(CancellationToken cancellation) => ExchangeAsync("BN", ReplyShape.Text, 0, TransferTimeout, cancellation);
 
     /// <summary>QR: the data record; each character of the data is one byte.</summary>
@@ -128,7 +127,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
     {
         _failure ??= new ControllerLinkException(Wording.Get("CommandChannel.LinkClosed", _link.Description));
         await _link.DisposeAsync().ConfigureAwait(false);
-        _deadline.Dispose(); // the turns are left to the collector: a stop may still wait for one, and is told that the link is closed
+        _deadline.Dispose(); // the semaphores are not disposed: a stop may still wait for one, and then gets an exception that the link is closed
     }
 
     private async ValueTask<Reply> ExchangeAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
@@ -153,7 +152,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
     }
 
     /// <summary>Reads the prompts of all parts.</summary>
-    /// <returns>What was answered, and the first part that was refused; -1 for none.</returns>
+    /// <returns>The reply, and the index of the first refused part; -1 for none.</returns>
     private async ValueTask<(string Data, int Refused)> ReadPartsAsync(string text, bool isDownload)
     {
         var parts = isDownload ? 2 : text.Contains(';', StringComparison.Ordinal) ? CommandLine.Parts(text).Count : 1;
@@ -169,7 +168,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
 
             if (!frame.Accepted && refused < 0) refused = part;
 
-            // The ? of a bad program line comes before the two prompts of the end mark (galil-dmc.md A.6).
+            // The ? for a bad program line comes before the two prompts of the end mark (galil-dmc.md A.6).
             if (frame.Accepted || !isDownload) part++;
             if (frame.Data.Length > 0) data = data.Length == 0 ? frame.Data : data + frame.Data;
         }
@@ -179,7 +178,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
 
     private static string Trimmed(string data) => data.Replace("\r\n", "\n", StringComparison.Ordinal).Trim();
 
-    /// <summary>A <c>?</c> does not say why; TC1 gives number and text of the reason and clears them.</summary>
+    /// <summary>A <c>?</c> gives no reason; TC1 returns number and text of the reason and clears them.</summary>
     private async ValueTask<Rejected> FetchReasonAsync(string command)
     {
         await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
@@ -205,7 +204,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
         }
     }
 
-    /// <summary>Writes a line or a download. The caller holds <see cref="_writing"/>.</summary>
+    /// <summary>Writes a line or a download. Call under <see cref="_writing"/>.</summary>
     private async ValueTask PutAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout)
     {
         var count = Begin(text, shape, recordLength, timeout);
@@ -269,7 +268,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
 
     private async ValueTask<ReplyFrame> ReadFrameAsync(string text) => await TryReadFrameAsync(text).ConfigureAwait(false) ?? throw await HarmedAsync(text, _echo!.UrgentHarm!).ConfigureAwait(false);
 
-    /// <returns>Null where the answer cannot be told from the echo of an urgent line.</returns>
+    /// <returns>Null if the reply cannot be distinguished from the echo of an urgent line.</returns>
     private async ValueTask<ReplyFrame?> TryReadFrameAsync(string text)
     {
         while (true)
@@ -295,7 +294,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
             count = _echo?.Strip(_received.AsSpan(0, count)) ?? count;
             _framer.Append(_received.AsSpan(0, count));
 
-            // A whole program memory takes a minute at 19,200 baud: the link counts as alive as long as characters arrive.
+            // A full program memory takes a minute at 19,200 baud: the link counts as working as long as characters arrive.
             if (Line is not null && _framer.Shape == ReplyShape.Upload) _deadline.Start(_timeout);
         }
         catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)

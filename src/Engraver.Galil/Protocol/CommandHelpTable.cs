@@ -4,7 +4,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Every command that is listed for the DMC-21x3 (galil-dmc.md 0.4), in plain words.</summary>
+/// <summary>Every command that is listed for the DMC-21x3 (galil-dmc.md 0.4), with a short explanation.</summary>
 public static class CommandHelpTable
 {
     private static readonly FrozenDictionary<string, CommandHelp> Table = new CommandHelp[]
@@ -191,10 +191,10 @@ public static class CommandHelpTable
         new("ZS", "ZS n"),
     }.ToFrozenDictionary(help => help.Command, StringComparer.Ordinal);
 
-    /// <summary>In the order of the alphabet.</summary>
+    /// <summary>In alphabetical order.</summary>
     public static IEnumerable<CommandHelp> All => Table.Values.OrderBy(help => help.Command, StringComparer.Ordinal);
 
-    /// <summary>The command's help; upper or lower case, with or without what follows the command's letters.</summary>
+    /// <summary>The command's help; upper or lower case, with or without arguments after the command's letters.</summary>
     public static bool TryFind(string words, [NotNullWhen(true)] out CommandHelp? help)
     {
         ArgumentNullException.ThrowIfNull(words);
@@ -203,15 +203,15 @@ public static class CommandHelpTable
     }
 }
 
-/// <summary>What an operator wants to know about one command of the controller.</summary>
+/// <summary>Help for one command of the controller.</summary>
 /// <param name="Command">Its letters.</param>
-/// <param name="Forms">How it is written, with an example where that says more; a stroke between several.</param>
+/// <param name="Forms">Its syntax, with an example where useful; several forms are separated by a slash.</param>
 public sealed record CommandHelp(string Command, string Forms)
 {
-    /// <summary>How it is written.</summary>
+    /// <summary>Its syntax.</summary>
     public string Form => string.Join(" | ", Forms.Split('|').Select(TextCatalogue.Fact));
 
-    /// <summary>What it does, with unit and range.</summary>
+    /// <summary>Its effect, with unit and range.</summary>
     public string Meaning => Wording.Get("Help." + Command);
 
     /// <summary>One line for a terminal.</summary>

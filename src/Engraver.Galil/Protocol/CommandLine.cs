@@ -3,7 +3,7 @@ namespace Engraver.Galil.Protocol;
 /// <summary>The rules of one line to the controller: its length and its parts (galil-dmc.md A.3).</summary>
 public static class CommandLine
 {
-    /// <summary>Characters of a line, parts and semicolons included.</summary>
+    /// <summary>Maximum number of characters of a line, including parts and semicolons.</summary>
     public const int MaximumLength = 80;
 
     /// <summary>The commands of a line; a semicolon in quotes does not separate. A line of n parts gives n prompts.</summary>
@@ -25,7 +25,7 @@ public static class CommandLine
         return parts;
     }
 
-    /// <summary>The line without a trailing semicolon: whether that gives a prompt of its own is not known (galil-dmc.md L.2), so it is never sent.</summary>
+    /// <summary>The line without a trailing semicolon: whether that gives a separate prompt is not known (galil-dmc.md L.2), so it is never sent.</summary>
     /// <exception cref="ArgumentException">Too long, or with characters that end a line or a download.</exception>
     internal static string Checked(string line)
     {

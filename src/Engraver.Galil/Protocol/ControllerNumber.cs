@@ -2,16 +2,16 @@ using System.Globalization;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Numbers as the controller prints them: blanks or commas between them, leading zeros, a point, or hexadecimal with a dollar sign
-/// (galil-dmc.md A.3).</summary>
-/// <remarks>Whether a blank separates two numbers of one MG differs from page to page of the manuals (A.3): with only the column of the sign between them,
-/// a minus follows the last digit directly, <c>20000.0000-81.0000</c>.</remarks>
+/// <summary>Numbers as the controller prints them: separated by blanks or commas, with leading zeros, a point, or hexadecimal with a dollar sign (galil-dmc.md
+/// A.3).</summary>
+/// <remarks>The manuals differ on whether a blank separates two numbers of one MG (A.3): if only the sign column is between them, a minus follows the last
+/// digit directly, <c>20000.0000-81.0000</c>.</remarks>
 public static class ControllerNumber
 {
     private static readonly char[] Separators = [' ', ',', '\t', '\r', '\n'];
 
     /// <summary>All numbers of a reply's data, in order.</summary>
-    /// <returns>False when anything in it is not a number; column widths are never relied on.</returns>
+    /// <returns>False when any part is not a number. Column widths are not used.</returns>
     public static bool TryParseAll(string data, out double[] values)
     {
         ArgumentNullException.ThrowIfNull(data);

@@ -3,11 +3,11 @@ using System.Text;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>What a host said to a controller over all its links: every byte, in order, with the time. Said again at the same times it moves a machine as it
-/// did.</summary>
-/// <param name="Clock">Whose times they are.</param>
-/// <param name="Steps">In the order in which they were done.</param>
-/// <param name="IsWhole">False where the host did not come to the end of it.</param>
+/// <summary>All bytes that a host sent to a controller over all its links, in order, with their times. Sent again at the same times, they move a machine in the
+/// same way.</summary>
+/// <param name="Clock">The clock of the times.</param>
+/// <param name="Steps">In the order of their execution.</param>
+/// <param name="IsWhole">False when the host did not reach the end of the recording.</param>
 public sealed record Conversation(ConversationClock Clock, IReadOnlyList<ConversationStep> Steps, bool IsWhole)
 {
     internal const string Title = "#wire;1;";
@@ -19,11 +19,11 @@ public sealed record Conversation(ConversationClock Clock, IReadOnlyList<Convers
     /// <summary>The times are exact: those of the controller itself.</summary>
     public bool IsControllersClock => Clock != ConversationClock.Wall;
 
-    /// <summary>The command by which a controller counts an axis as standing at a place, before a conversation that began there.</summary>
+    /// <summary>The command that sets the counted position of an axis, before a recording that starts at that position is sent.</summary>
     public static byte[] Placing(char axis, long place) => Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"DP{axis}={place}\r"));
 
-    /// <summary>Reads the file. A last line that was cut off, as a crash may leave it, is left out.</summary>
-    /// <exception cref="FormatException">The text is something else; the message names the line.</exception>
+    /// <summary>Reads the file. An incomplete last line, as a crash may leave it, is omitted.</summary>
+    /// <exception cref="FormatException">The text is not a recording; the message names the line.</exception>
     public static Conversation Read(TextReader input)
     {
         ArgumentNullException.ThrowIfNull(input);
@@ -39,26 +39,26 @@ public sealed record Conversation(ConversationClock Clock, IReadOnlyList<Convers
         }
 
         var clock = Enum.GetValues<ConversationClock>().Where(one => Word(one) == first[Title.Length..]).DefaultIfEmpty(ConversationClock.Wall).First();
-        return new Conversation(clock, clock == ConversationClock.Wall ? steps : [.. steps.OrderBy(step => step.Ticks)], whole); // two threads note what they said after they said it
+        return new Conversation(clock, clock == ConversationClock.Wall ? steps : [.. steps.OrderBy(step => step.Ticks)], whole); // two threads record their bytes after sending them
     }
 
     private static string Word(ConversationClock clock) => clock switch { ConversationClock.Controller => "controller", ConversationClock.RealTime => "realtime", _ => "wall" };
 }
 
-/// <summary>Whose times a conversation has.</summary>
+/// <summary>The clock of the times of a recording.</summary>
 public enum ConversationClock
 {
-    /// <summary>Those of the host's wall, from the beginning of the conversation.</summary>
+    /// <summary>The wall clock of the host, from the start of the recording.</summary>
     Wall,
 
-    /// <summary>Those of a simulated controller that gave its clock, exact: time passed by the commands, and while the host waited.</summary>
+    /// <summary>The clock of a simulated controller that shares it, exact: time advanced through commands, and while the host waited.</summary>
     Controller,
 
-    /// <summary>Those of a simulated controller in real time, exact: commands took none of it.</summary>
+    /// <summary>The clock of a simulated controller in real time, exact: commands took no time.</summary>
     RealTime,
 }
 
-/// <summary>What is done on a link.</summary>
+/// <summary>An event on a link.</summary>
 public enum ConversationAct
 {
     Opened,
@@ -66,14 +66,14 @@ public enum ConversationAct
     Closed,
 }
 
-/// <summary>One step of a conversation.</summary>
-/// <param name="Ticks">When, 100 ns each.</param>
-/// <param name="Link">The first link is 0.</param>
-/// <param name="Bytes">What was said; empty for the other acts.</param>
+/// <summary>One step of a recording.</summary>
+/// <param name="Ticks">Time, 100 ns each.</param>
+/// <param name="Link">Index of the link, from 0.</param>
+/// <param name="Bytes">The sent bytes; empty for the other events.</param>
 public sealed record ConversationStep(long Ticks, int Link, ConversationAct Act, byte[] Bytes)
 {
-    /// <summary>The step as a line: ticks, link, <c>+</c> opened, <c>&gt;</c> said or <c>-</c> closed, and what was said with <c>\r</c>, <c>\\</c> and
-    /// <c>\xHH</c> for other bytes that are no visible letters.</summary>
+    /// <summary>The step as a line: ticks, link, <c>+</c> opened, <c>&gt;</c> sent or <c>-</c> closed, and the sent bytes with <c>\r</c>, <c>\\</c> and
+    /// <c>\xHH</c> for other bytes that are not printable.</summary>
     public override string ToString()
     {
         var line = new StringBuilder(Bytes.Length + 24).Append(Ticks.ToString(CultureInfo.InvariantCulture)).Append(' ').Append(Link.ToString(CultureInfo.InvariantCulture)).Append(Act switch { ConversationAct.Opened => " +", ConversationAct.Said => " > ", _ => " -" });
@@ -88,7 +88,7 @@ public sealed record ConversationStep(long Ticks, int Link, ConversationAct Act,
         return line.ToString();
     }
 
-    /// <returns>Null when the line is none.</returns>
+    /// <returns>Null when the line is not a step.</returns>
     internal static ConversationStep? TryParse(string line)
     {
         var words = line.Split(' ', 4);

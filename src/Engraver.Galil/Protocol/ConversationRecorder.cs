@@ -3,7 +3,7 @@ using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Keeps a conversation while it is held (<see cref="Conversation"/>). Nobody waits for its file.</summary>
+/// <summary>Records the conversation of a session (<see cref="Conversation"/>). Writing its file never delays the session.</summary>
 public sealed class ConversationRecorder
 {
     private readonly Lock _guard = new();
@@ -13,8 +13,9 @@ public sealed class ConversationRecorder
     private int _links;
 
     /// <param name="writer">Owned: closed at the end.</param>
-    /// <param name="time">The clock of the conversation.</param>
-    /// <param name="kind">Whose clock it is: times of a simulated controller are kept as they are, and those that a link tells as it tells them.</param>
+    /// <param name="time">The clock of the recording.</param>
+    /// <param name="kind">The kind of that clock: times of a simulated controller are stored as they are; times reported by a link are stored as
+    /// reported.</param>
     /// <param name="wall">The wall clock, for the waits at the end.</param>
     public ConversationRecorder(TextWriter writer, TimeProvider time, ConversationClock kind, TimeProvider wall)
     {
@@ -23,10 +24,10 @@ public sealed class ConversationRecorder
         _file.Write(Conversation.Header(kind));
     }
 
-    /// <summary>Why it was not kept whole; null while it is.</summary>
+    /// <summary>Why the recording is incomplete; null while it is complete.</summary>
     public string? Failure => _file.Failure;
 
-    /// <summary>The link, of which everything that is said is kept.</summary>
+    /// <summary>A link that records everything that is sent over the given one.</summary>
     public IControllerLink Over(IControllerLink link)
     {
         var number = Interlocked.Increment(ref _links) - 1;
@@ -34,7 +35,7 @@ public sealed class ConversationRecorder
         return new RecordedLink(link, number, this);
     }
 
-    /// <summary>Writes what waits, with the mark of the end, and closes the file.</summary>
+    /// <summary>Writes the waiting steps and the end mark, and closes the file.</summary>
     /// <param name="stop">As for <see cref="WireTrace.CloseAsync"/>.</param>
     public Task CloseAsync(CancellationToken stop)
     {
@@ -57,8 +58,8 @@ public sealed class ConversationRecorder
 
         public SerialLine? Line => link.Line;
 
-        /// <summary>Another thread may let time pass before the bytes are taken: where the controller tells when it took them, that is when they were
-        /// said.</summary>
+        /// <summary>Another thread may let time pass before the bytes are received: if the controller reports when it received them, this is the time of the
+        /// step.</summary>
         public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
         {
             var isTold = link.NowTicks is not null;

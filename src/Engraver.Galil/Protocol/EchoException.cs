@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>The echo differs from what was sent: the controller received something else. The stop can still be sent over the channel.</summary>
+/// <summary>The echo differs from the sent line: the controller received something else. The stop can still be sent over the channel.</summary>
 public sealed class EchoException : ControllerException
 {
     public EchoException()

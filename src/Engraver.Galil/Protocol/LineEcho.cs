@@ -2,16 +2,13 @@ using System.Text;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Removes the echo of a serial line (EO 1, galil-dmc.md A.2) from what is received and compares it with what was sent. It takes no time, because
+/// <summary>Removes the echo of a serial line (EO 1, galil-dmc.md A.2) from the received bytes and compares it with the sent bytes. It takes no time, because
 /// the line is full duplex.</summary>
-/// <remarks>
-/// Lines are sent one command at a time, so that an echo is complete before its reply begins. Whether the end of a line is echoed as CR, as CR LF or not at
-/// all is not known (A.2), so each is accepted.
-/// A download is verified by the upload after it: its echo, if there is one, is only removed. Bytes with bit 7 set are messages (A.5) and may come in between.
-/// An urgent line goes out while another waits for its answer: whether its echo comes behind that answer, before it or in the middle of it is not known
-/// (A.2), so each is accepted where the bytes can be told apart.
-/// Thread-safe, because an urgent line is said beside the reader.
-/// </remarks>
+/// <remarks> Lines are sent one command at a time, so that an echo is complete before its reply starts. Whether the end of a line is echoed as CR, as CR LF or
+/// not at all is not known (A.2), so each is accepted. A download is verified by the upload after it; its echo, if any, is only removed. Bytes with bit 7 set
+/// are messages (A.5) and may come in between. An urgent line is sent while another waits for its reply: whether its echo comes after that reply, before it or
+/// within it is not known (A.2), so each is accepted if the bytes can be distinguished. Thread-safe, because an urgent line is sent by another thread than the
+/// reader's. </remarks>
 internal sealed class LineEcho
 {
     private const byte Return = (byte)'\r';
@@ -25,10 +22,10 @@ internal sealed class LineEcho
     private bool _isDownload;
     private bool _wasUrgentReturn;
 
-    /// <summary>The echo up to the first byte that differs; null while all agrees.</summary>
+    /// <summary>The echo up to the first byte that differs; null while all bytes agree.</summary>
     public string? Harm { get; private set; }
 
-    /// <summary>The same of an urgent line. Where an answer is mixed with its echo neither can be told.</summary>
+    /// <summary>The same for an urgent line. If a reply is mixed with its echo, neither can be distinguished.</summary>
     public string? UrgentHarm { get; private set; }
 
     /// <summary>Call before a line is sent.</summary>
@@ -47,15 +44,15 @@ internal sealed class LineEcho
         lock (_gate) _expected.AddRange(bytes);
     }
 
-    /// <summary>An urgent line goes out behind what was sent: commands that are answered by prompts alone, so that a prompt in its echo is none of
-    /// it.</summary>
+    /// <summary>Call when an urgent line is sent after other bytes: its commands are answered by prompts only, so that a prompt within its echo is not part of
+    /// the echo.</summary>
     public void Overtaken(ReadOnlySpan<byte> bytes)
     {
         lock (_gate) _urgent.AddRange(bytes);
     }
 
     /// <summary>Removes the echo from the received bytes, in place.</summary>
-    /// <returns>Number of bytes that are left at the front of <paramref name="received"/>.</returns>
+    /// <returns>Number of remaining bytes at the front of <paramref name="received"/>.</returns>
     public int Strip(Span<byte> received)
     {
         lock (_gate)
@@ -82,7 +79,7 @@ internal sealed class LineEcho
         }
 
         if (_isDownload) return value is not ((byte)':' or (byte)'?');
-        if (_heard == _expected.Count - 1 && (value is (byte)':' or Feed || IsUrgentBeginning(value))) // the end of the line was not echoed as it was sent
+        if (_heard == _expected.Count - 1 && (value is (byte)':' or Feed || IsUrgentBeginning(value))) // the end of the line was echoed differently
         {
             _heard = _expected.Count + 1;
             return value == Feed || IsUrgentEcho(value);
@@ -113,8 +110,8 @@ internal sealed class LineEcho
             return true;
         }
 
-        if (_urgentHeard == 0) return false; // the answer that was overtaken, or nothing is urgent
-        if (_urgent[_urgentHeard - 1] == Return || _urgent[_urgentHeard] == Return) return false; // the answer behind the whole echo
+        if (_urgentHeard == 0) return false; // the overtaken reply, or no urgent line
+        if (_urgent[_urgentHeard - 1] == Return || _urgent[_urgentHeard] == Return) return false; // the reply after the complete echo
         UrgentHarm = Encoding.Latin1.GetString([.. _urgent.Take(_urgentHeard), value]);
         return false;
     }

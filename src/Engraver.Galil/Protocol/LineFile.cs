@@ -3,16 +3,16 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>A text that several threads write line by line and that none of them waits for: a thread of its own writes it, because the stop of the machine
-/// goes by the same ways.</summary>
-/// <remarks>When it cannot be written any more (a full disk), or its reader has stopped reading (a pager, a named pipe), it ends and nothing else is
-/// disturbed.</remarks>
+/// <summary>A text file that several threads write line by line without waiting: a separate thread writes it, because the stop of the machine uses the same
+/// methods.</summary>
+/// <remarks>When it can no longer be written (a full disk), or its reader has stopped reading (a pager, a named pipe), the recording ends without affecting
+/// anything else.</remarks>
 internal sealed class LineFile
 {
-    /// <summary>Most lines that wait for the file: some twenty minutes of a job, some twenty megabytes.</summary>
+    /// <summary>Maximum number of lines that wait for the file: about twenty minutes of a job, about twenty megabytes.</summary>
     public const int MostWaiting = 1 << 18;
 
-    /// <summary>After the operator's stop: wall time without progress after which the reader is given up.</summary>
+    /// <summary>Wall time without progress after the operator's stop after which waiting for the reader ends.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
 
     /// <summary>Wall time between two flushes: a compressed file grows with each of them.</summary>
@@ -27,14 +27,14 @@ internal sealed class LineFile
 
     /// <param name="writer">Owned: closed after the last line.</param>
     /// <param name="wall">The wall clock, for the waits for the reader.</param>
-    /// <param name="flushes">Whether what is written reaches the system within <see cref="FlushEvery"/>, so that a crash leaves it readable.</param>
+    /// <param name="flushes">Whether the written lines reach the system within <see cref="FlushEvery"/>, so that the file is readable after a crash.</param>
     public LineFile(TextWriter writer, TimeProvider wall, bool flushes = false)
     {
         (_wall, _flushes) = (wall, flushes);
         _writing = Task.Factory.StartNew(() => WriteAll(writer), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
-    /// <summary>Why it ended early; null while all of it was written.</summary>
+    /// <summary>Why it ended early; null while all lines were written.</summary>
     public string? Failure => _failure;
 
     public void Write(string line)
@@ -42,8 +42,8 @@ internal sealed class LineFile
         if (_failure is null && !_lines.Writer.TryWrite(line)) Fail(Wording.Get("WireTrace.ReaderTooSlow"));
     }
 
-    /// <summary>Writes the lines that wait and closes the file.</summary>
-    /// <param name="stop">The operator's stop: from then on the reader is waited for only while it takes something.</param>
+    /// <summary>Writes the waiting lines and closes the file.</summary>
+    /// <param name="stop">The operator's stop: from then on the reader is waited for only while it makes progress.</param>
     public async Task CloseAsync(CancellationToken stop)
     {
         _lines.Writer.TryComplete();
@@ -92,14 +92,14 @@ internal sealed class LineFile
         }
     }
 
-    /// <summary>Waits for lines, and flushes what was written when none come for long.</summary>
+    /// <summary>Waits for lines, and flushes the written ones when no line comes for a while.</summary>
     /// <returns>False when there are no more.</returns>
     private bool AwaitLines(TextWriter writer, long flushed)
     {
         var more = _lines.Reader.WaitToReadAsync().AsTask();
         if (!_flushes || more.IsCompleted) return more.GetAwaiter().GetResult();
         var rest = FlushEvery - _wall.GetElapsedTime(flushed);
-        if (!more.Wait(rest > TimeSpan.Zero ? rest : TimeSpan.Zero)) writer.Flush(); // a thread of its own, which nobody waits for
+        if (!more.Wait(rest > TimeSpan.Zero ? rest : TimeSpan.Zero)) writer.Flush(); // a separate thread that delays no other
         return more.GetAwaiter().GetResult();
     }
 

@@ -6,7 +6,7 @@ namespace Engraver.Galil.Protocol;
 public static class ProgramText
 {
     /// <summary>Lines ended with CR; an empty line becomes a comment, because the controller does not store empty lines.</summary>
-    /// <exception cref="ArgumentException">A line is longer than the controller takes, or holds a character that would end the download.</exception>
+    /// <exception cref="ArgumentException">A line is longer than the controller accepts, or contains a character that would end the download.</exception>
     public static string ForDownload(string program)
     {
         var text = new StringBuilder();

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>What the controller answered to one command: <see cref="Accepted"/> or <see cref="Rejected"/> (galil-dmc.md A.3).</summary>
+/// <summary>The controller's reply to one command: <see cref="Accepted"/> or <see cref="Rejected"/> (galil-dmc.md A.3).</summary>
 public abstract record Reply;
 
 /// <summary>The prompt was <c>:</c>.</summary>
@@ -18,9 +18,9 @@ public sealed record Accepted(string Data) : Reply
 /// <param name="Command">The refused command.</param>
 public sealed record Rejected(TcCode Code, string Text, string Command) : Reply
 {
-    /// <summary>One sentence for the operator: what was refused, code and text, and what the code means here.</summary>
+    /// <summary>One sentence for the operator: the refused command, code and text, and the meaning of the code.</summary>
     public string Explain() => Wording.Get("Reply.Refused", Command, (int)Code, Text, TcCodes.Hint(Code));
 
-    /// <summary>The same in the neutral form of the machine seam.</summary>
+    /// <summary>The same in the controller-independent form.</summary>
     public MachineRefusal ToRefusal() => new((int)Code, Text, Command, Explain());
 }

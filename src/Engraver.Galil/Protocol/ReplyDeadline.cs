@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Protocol;
 
-/// <summary>One timer for all replies of a channel. It stays armed and compares the time only when it fires, so that most commands do not touch a
+/// <summary>One timer for all replies of a channel. It remains armed and compares the time only when it fires, so that most commands do not change a
 /// timer.</summary>
 internal sealed class ReplyDeadline : IDisposable
 {
@@ -19,7 +19,7 @@ internal sealed class ReplyDeadline : IDisposable
         _timer = time.CreateTimer(_ => OnTimer(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
-    /// <summary>Cancelled when a reply was overdue, for good: the prompts that a channel missed can no longer be matched.</summary>
+    /// <summary>Cancelled permanently when a reply was overdue: the missed prompts can no longer be matched.</summary>
     public CancellationToken Expired => _expired.Token;
 
     public void Start(TimeSpan limit)
@@ -27,7 +27,7 @@ internal sealed class ReplyDeadline : IDisposable
         lock (_gate)
         {
             _started = _time.GetTimestamp();
-            // A wait that is shorter than the armed one must not last as long as that.
+            // A wait that ends before the armed time must not last that long.
             var mustArm = !_armed || limit < _limit;
             _limit = limit;
             _waiting = true;

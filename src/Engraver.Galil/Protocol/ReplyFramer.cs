@@ -4,14 +4,14 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Divides received bytes into replies: finds the prompts and takes unsolicited text out of the stream. The result does not depend on how the
-/// bytes arrive.</summary>
-/// <remarks>A prompt is at the start of a line, so that a colon inside a data line is none. Bytes with bit 7 set are unsolicited characters
-/// (galil-dmc.md A.5, CW 1) except inside a binary record and in an uploaded program, which is returned byte for byte while no program runs. Not
-/// thread-safe: the channel has one command under way.</remarks>
+/// <summary>Divides received bytes into replies: finds the prompts and removes unsolicited text. The result does not depend on how the bytes are divided into
+/// packets.</summary>
+/// <remarks>A prompt is at the start of a line, so that a colon inside a data line is not a prompt. Bytes with bit 7 set are unsolicited characters
+/// (galil-dmc.md A.5, CW 1) except inside a binary record and in an uploaded program, which is returned byte for byte while no program runs. Not thread-safe:
+/// the channel has one command at a time.</remarks>
 public sealed class ReplyFramer
 {
-    /// <summary>Longest reply that is accepted, bytes; a whole program memory is 80,000.</summary>
+    /// <summary>Maximum accepted length of a reply, bytes; a full program memory is 80,000.</summary>
     public const int LongestReply = 1 << 20;
 
     private const byte CtrlZ = 0x1A;
@@ -26,7 +26,7 @@ public sealed class ReplyFramer
     /// <summary>Called with each unsolicited line, without its line end.</summary>
     public Action<string>? MessageReceived { get; init; }
 
-    /// <summary>Call before a command is sent. Drops what is left of an earlier one (the extra colon that a trailing <c>;</c> may bring, text under CW
+    /// <summary>Call before a command is sent. Discards the rest of an earlier reply (the extra colon that a trailing <c>;</c> may cause, text under CW
     /// 2).</summary>
     /// <param name="recordLength">Bytes of the record when <paramref name="shape"/> is <see cref="ReplyShape.Record"/>.</param>
     public void Expect(ReplyShape shape, int recordLength)
@@ -74,7 +74,7 @@ public sealed class ReplyFramer
         var data = _data.Count == 0 ? "" : Encoding.Latin1.GetString([.. _data]);
         _data.Clear();
         _frames.Enqueue(new ReplyFrame(accepted, data));
-        if (Shape == ReplyShape.Greeting) Shape = ReplyShape.Text; // what comes behind it belongs to a line that was said meanwhile
+        if (Shape == ReplyShape.Greeting) Shape = ReplyShape.Text; // bytes after it belong to a line that was sent meanwhile
     }
 
     private void AppendToMessage(byte character)
@@ -101,14 +101,13 @@ public enum ReplyShape
     /// <summary>QR: a binary record of known length, then the prompt (galil-dmc.md A.9).</summary>
     Record,
 
-    /// <summary>The answer to the first lines on a serial line (<see cref="SerialGreeting"/>): anything up to the answer to the last of them.</summary>
+    /// <summary>The reply to the first lines on a serial line (<see cref="SerialGreeting"/>): anything up to the reply to the last of them.</summary>
     Greeting,
 }
 
-/// <summary>The first lines on a serial line, for whatever state an earlier host left it in (galil-dmc.md A.2, F.2, F.4).</summary>
-/// <remarks>The backslash ends a download that was left open, and makes an unfinished command invalid, so that it is refused and not executed. Then the
-/// echo is switched off.
-/// The answer to the last line cannot be confused with its echo: prompts are counted from there.</remarks>
+/// <summary>The first lines on a serial line, for any state in which an earlier host left it (galil-dmc.md A.2, F.2, F.4).</summary>
+/// <remarks>The backslash ends an open download, and makes an incomplete command invalid, so that it is refused and not executed. Then the echo is switched
+/// off. The reply to the last line cannot be confused with its echo: prompts are counted from there.</remarks>
 internal static class SerialGreeting
 {
     public const string Text = "\\\rEO 0\rMG \"READY\"";
@@ -117,7 +116,7 @@ internal static class SerialGreeting
 
     private static ReadOnlySpan<byte> Answer => "READY\r\n"u8;
 
-    /// <summary>True when a colon behind these bytes is the prompt of the last line.</summary>
+    /// <summary>True when a colon after these bytes is the prompt of the last line.</summary>
     public static bool IsAnswered(ReadOnlySpan<byte> received) => received.EndsWith(Answer);
 
     /// <summary>True when the controller has echoed the lines: EO was 1.</summary>

@@ -21,11 +21,11 @@ public static class StopCodes
     /// <summary>A vector sequence that was ended by VE.</summary>
     public const int SequenceEnded = 101;
 
-    /// <summary>A switch, an input or the axis' own position error has stopped it, and no command.</summary>
+    /// <summary>A switch, an input or the axis' own position error stopped it, not a command.</summary>
     public static bool IsFromOutside(int code) => code is 2 or 3 or AbortInput or 8 or SelectiveAbort;
 
-    /// <summary>The axis stopped from its speed without deceleration: a stepper can lose steps then, and nothing counts them. The code stays until the axis
-    /// is moved again.</summary>
+    /// <summary>The axis stopped without deceleration: a stepper can then lose steps without being detected. The code remains until the axis is moved
+    /// again.</summary>
     public static bool IsWithoutRamp(int code) => code is AbortInput or AbortCommand or SelectiveAbort;
 
     public static string Text(int code) => code switch

@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Why a command was refused: the number of TC1 (galil-dmc.md A.8). Numbers without a name here are kept too.</summary>
+/// <summary>The reason of a refused command: the number of TC1 (galil-dmc.md A.8). Numbers without a name here are kept as well.</summary>
 public enum TcCode
 {
     None = 0,

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>The texts of TC1 and, for those that an operator may see, their meaning in plain words (galil-dmc.md A.8).</summary>
+/// <summary>The texts of TC1 and the meaning of those that an operator may see (galil-dmc.md A.8).</summary>
 public static class TcCodes
 {
     private static readonly FrozenDictionary<TcCode, string> Texts = new Dictionary<TcCode, string>
@@ -121,14 +121,14 @@ public static class TcCodes
         [TcCode.TooManyArraysOrVariables] = "TcCodes.TooManyArraysOrVariables",
     }.ToFrozenDictionary();
 
-    /// <summary>The controller's text for a code; for a code that is in no table, the number in words.</summary>
+    /// <summary>The controller's text for a code; for a code that is not in the table, the number in words.</summary>
     public static string Text(TcCode code) => Texts.TryGetValue(code, out var text) ? text : Wording.Get("TcCodes.Error", (int)code);
 
-    /// <summary>What the code means, as the second half of a sentence that begins with a colon; empty where the text says it all.</summary>
+    /// <summary>The meaning of the code, as the second half of a sentence after a colon; empty if the text is sufficient.</summary>
     public static string Hint(TcCode code) => Meanings.TryGetValue(code, out var meaning) ? ": " + Wording.Get(meaning) : "";
 
-    /// <summary>Parses the answer of TC1: number and text, with any white space between them.</summary>
-    /// <returns>False when the answer does not begin with a number.</returns>
+    /// <summary>Parses the reply of TC1: number and text, separated by any white space.</summary>
+    /// <returns>False when the reply does not start with a number.</returns>
     public static bool TryParse(string answer, out TcCode code, out string text)
     {
         ArgumentNullException.ThrowIfNull(answer);

@@ -3,8 +3,8 @@ using System.Globalization;
 namespace Engraver.Galil.Protocol;
 
 /// <summary>Every line sent and every reply received, with the time, for <c>--trace</c>. Several channels may write into one trace.</summary>
-/// <remarks>A line is: seconds since the trace began, the handle's name, <c>&gt;</c> sent or <c>&lt;</c> received or <c>!</c> unsolicited, the text.
-/// A thread of the trace's own writes the lines (<see cref="LineFile"/>).</remarks>
+/// <remarks>A line is: seconds since the start of the trace, the handle's name, <c>&gt;</c> sent or <c>&lt;</c> received or <c>!</c> unsolicited, the text. A
+/// separate thread writes the lines (<see cref="LineFile"/>).</remarks>
 public sealed class WireTrace
 {
     internal const int MostWaiting = LineFile.MostWaiting;
@@ -22,13 +22,13 @@ public sealed class WireTrace
         (_time, _start, _file) = (time, time.GetTimestamp(), new LineFile(writer, wall ?? time));
     }
 
-    /// <summary>Why the trace ended early; null while all of it was written.</summary>
+    /// <summary>Why the trace ended early; null while all lines were written.</summary>
     public string? Failure => _file.Failure;
 
     internal static TimeSpan Patience => LineFile.Patience;
 
-    /// <summary>Writes the lines that wait and closes the file.</summary>
-    /// <param name="stop">The operator's stop: from then on the trace's reader is waited for only while it takes something.</param>
+    /// <summary>Writes the waiting lines and closes the file.</summary>
+    /// <param name="stop">The operator's stop: from then on the trace's reader is waited for only while it makes progress.</param>
     public Task CloseAsync(CancellationToken stop) => _file.CloseAsync(stop);
 
     internal void Write(string handle, char direction, string text)

@@ -7,7 +7,7 @@ namespace Engraver.Galil.Sessions;
 public static class ChannelQuestions
 {
     /// <summary>MG of a list of operands, for example <c>_RPA,_RPB,TIME</c>; returns one number for each.</summary>
-    /// <exception cref="ProtocolViolationException">The answer has another number of numbers.</exception>
+    /// <exception cref="ProtocolViolationException">The number of values in the reply differs from the number of operands.</exception>
     public static async ValueTask<Reading> ReadAsync(this CommandChannel channel, string operands, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(channel);
@@ -19,15 +19,15 @@ public static class ChannelQuestions
         return new Reading(values, null);
     }
 
-    /// <summary>MG of one operand that is a whole number, in a format of its own: before the session has set VF, the format found might truncate it (VF 4.0
-    /// prints 256000 as 9999) or print it in hexadecimal.</summary>
-    /// <exception cref="ProtocolViolationException">The answer is not a number.</exception>
+    /// <summary>MG of one operand that is a whole number, in a fixed format: before the session has set VF, the present format might truncate it (VF 4.0 prints
+    /// 256000 as 9999) or print it in hexadecimal.</summary>
+    /// <exception cref="ProtocolViolationException">The reply is not a number.</exception>
     internal static ValueTask<Reading> ReadWholeAsync(this CommandChannel channel, string operand, CancellationToken cancellation) => channel.ReadAsync(operand + "{F10.0}", cancellation);
 }
 
-/// <summary>The numbers that answer a query, or its refusal.</summary>
+/// <summary>The numbers in the reply to a query, or its refusal.</summary>
 public readonly record struct Reading(IReadOnlyList<double> Values, Rejected? Refusal)
 {
-    /// <summary>The number that answers a query with one operand; null when the controller refuses it, because it does not have that feature.</summary>
+    /// <summary>The number in the reply to a query with one operand; null when the controller refuses it, because it does not have that feature.</summary>
     public double? OrNothing => Refusal is null ? Values[0] : null;
 }

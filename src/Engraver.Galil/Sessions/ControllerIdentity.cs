@@ -3,10 +3,10 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The controller that answers on the link.</summary>
-/// <param name="Model">The answer to ^R^V, for example <c>DMC2143 Rev 1.0o</c>.</param>
+/// <summary>The controller at the other end of the link.</summary>
+/// <param name="Model">The reply to ^R^V, for example <c>DMC2143 Rev 1.0o</c>.</param>
 /// <param name="Axes">Number of axes, from the model string (galil-dmc.md G).</param>
-/// <param name="Handle">The answer to WH for the command handle: IHA to IHH, or RS232.</param>
+/// <param name="Handle">The reply to WH for the command handle: IHA to IHH, or RS232.</param>
 /// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses
 /// the query (a job does not need it).</param>
 public sealed record ControllerIdentity(string Model, int Axes, string Handle, int? RecordBytes, ControllerLimits Limits) : MachineIdentity(Model, Axes)
@@ -15,7 +15,7 @@ public sealed record ControllerIdentity(string Model, int Axes, string Handle, i
     public string Letters => DmcAxes.All[..Axes];
 }
 
-/// <summary>Free memory and other limits, as the controller reports them (galil-dmc.md J 16). Null where it does not know the query.</summary>
+/// <summary>Free memory and other limits, as reported by the controller (galil-dmc.md J 16). Null if it does not support the query.</summary>
 /// <param name="Labels">_DL.</param>
 /// <param name="Variables">_UL.</param>
 /// <param name="ArrayElements">_DM.</param>

@@ -1,19 +1,16 @@
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The model that a controller names (^R^V): its family and the number of its axes.</summary>
-/// <remarks>
-/// A model number has four digits, the third of which counts the axes (DMC2143), or five, the fourth of which does (DMC30010, DMC50040, DMC52040;
-/// galil-dmc.md G). The table names the families that are known;
-/// a number of the same build that it does not hold is taken by that rule.
-/// </remarks>
+/// <summary>The model that a controller reports (^R^V): its family and the number of its axes.</summary>
+/// <remarks> A model number has four digits, the third of which is the number of axes (DMC2143), or five digits, the fourth of which is it (DMC30010, DMC50040,
+/// DMC52040; galil-dmc.md G). The table lists the known families; a number of the same form that is not in the table is read by the same rule. </remarks>
 /// <param name="Axes">1 to 8.</param>
 /// <param name="Family">As the maker calls it, for example DMC-41x3.</param>
-/// <param name="IsSimulated">The simulated controller is one of this family: what is sent to it was tried.</param>
+/// <param name="IsSimulated">True for the family of the simulated controller, with which the commands were tested.</param>
 internal sealed record ControllerModel(int Axes, string Family, bool IsSimulated)
 {
     private const string Prefix = "DMC";
 
-    /// <summary>The families that are known; x is the digit of the axes. DMC-21x2 and DMC-21x3 differ in their amplifiers.</summary>
+    /// <summary>The known families; x is the digit of the axes. DMC-21x2 and DMC-21x3 differ in their amplifiers.</summary>
     private static readonly (string Pattern, bool IsSimulated)[] s_families =
     [
         ("12x0", false), ("13x8", false), ("14x5", false), ("17x0", false), ("18x0", false), ("18x2", false), ("18x6", false), ("20x0", false), ("21x2", true), ("21x3", true),

@@ -9,7 +9,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>A connection to one controller: a handle for commands and, where the link allows, a second one for the stop and for unsolicited text.</summary>
+/// <summary>A connection to one controller: a handle for commands and, if the link allows, a second one for the stop and for unsolicited text.</summary>
 /// <remarks>Disposing restores the controller's state, as far as possible when the link is lost. A job changes speeds and motors and calls
 /// <see cref="RestoreAsync"/>.</remarks>
 public sealed class ControllerSession : IAsyncDisposable
@@ -34,23 +34,23 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>The state to restore at the end.</summary>
     public FoundState Found { get; private set; }
 
-    /// <summary>The clock for all waits: the system's with a real controller, the controller's own with a simulated one that gives its clock.</summary>
+    /// <summary>The clock for all waits: the system's with a real controller, the controller's own with a simulated one that shares its clock.</summary>
     public TimeProvider Time { get; }
 
-    /// <summary>The serial line for everything, the stop too; null for a link with two handles.</summary>
+    /// <summary>The serial line for everything, including the stop; null for a link with two handles.</summary>
     public SerialLine? Line => _commands.Line;
 
-    /// <summary>The handle for commands; when its link is lost and the second handle still works, that one.</summary>
+    /// <summary>The handle for commands; the second handle when the link of the first is lost and the second still works.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, on a serial line only for the bytes that are under way
+    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, and on a serial line only for the bytes that are being sent
     /// (<see cref="CommandChannel.UrgeAsync"/>).</summary>
     public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and on a serial line the
+    /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and, on a serial line, the
     /// echo.</summary>
-    /// <param name="openLink">Opens one more link to the same controller; called twice when a second handle is wanted.</param>
-    /// <exception cref="ControllerException">No link, no answer, or not a controller.</exception>
+    /// <param name="openLink">Opens one more link to the same controller; called twice if a second handle is requested.</param>
+    /// <exception cref="ControllerException">No link, no reply, or not a controller.</exception>
     public static async Task<ControllerSession> OpenAsync(
         Func<CancellationToken, Task<IControllerLink>> openLink, SessionOptions options, TimeProvider time, CancellationToken cancellation)
     {
@@ -81,8 +81,8 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Opens the second handle. A controller without a free handle accepts a connection and drops it at once (galil-dmc.md A.1); the message must
-    /// not sound like a pulled cable.</summary>
+    /// <summary>Opens the second handle. A controller without a free handle accepts a connection and closes it at once (galil-dmc.md A.1); the message must not
+    /// suggest a disconnected cable.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     private static async Task SignOfLifeAsync(CommandChannel channel, CancellationToken cancellation)
     {
@@ -96,8 +96,8 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Tests the second handle, and opens it again when it is lost; meanwhile the stop goes over the first.</summary>
-    /// <returns>Null when it works, and where there is no second handle.</returns>
+    /// <summary>Tests the second handle, and opens it again if it is lost; in between the stop uses the first handle.</summary>
+    /// <returns>Null when it works, and when there is no second handle.</returns>
     internal async Task<StopHandleLoss?> CheckStopHandleAsync(CancellationToken cancellation)
     {
         if (_second is not { } second) return null;
@@ -130,7 +130,7 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Why no job can start now: another program's thread runs, or something moves. Null when the machine is free.</summary>
+    /// <summary>Why no job can start now: a thread of another program runs, or something moves. Null when the machine is free.</summary>
     public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
     {
         if (await IsOurJobRunningAsync(cancellation).ConfigureAwait(false))
@@ -150,10 +150,10 @@ public sealed class ControllerSession : IAsyncDisposable
         return null;
     }
 
-    /// <summary>Takes the state that an earlier session found and could not restore as the one to restore.</summary>
+    /// <summary>Uses the state that an earlier session found and could not restore as the state to restore.</summary>
     internal void Inherit(FoundState found) => Found = found;
 
-    /// <summary>Reads the software limits that are going to be changed, so that they are restored with the rest; once.</summary>
+    /// <summary>Reads the software limits before they are changed, so that they are restored with the other settings; only once.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     internal async Task NoteSoftLimitsAsync(IReadOnlyList<SoftLimit> limits, CancellationToken cancellation)
     {
@@ -164,8 +164,8 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>FL and BL: the controller brakes an axis that comes from inside one count beyond its travel (galil-dmc.md C), so both ends may be reached.
-    /// Where it could not say what it had, they stay as they are.</summary>
+    /// <summary>FL and BL: the controller brakes an axis that moves outwards one count beyond its travel (galil-dmc.md C), so that both ends can be reached.
+    /// Limits that the controller did not report are not changed.</summary>
     internal IEnumerable<string> SoftLimitCommands(IReadOnlyList<SoftLimit> limits)
     {
         foreach (var limit in limits.Where(limit => HasFound($"_FL{limit.Axis}") && HasFound($"_BL{limit.Axis}")))
@@ -177,7 +177,8 @@ public sealed class ControllerSession : IAsyncDisposable
 
     private bool HasFound(string operand) => Found.Motion.Any(setting => setting.Operand == operand);
 
-    /// <summary>True when our watchdog runs and another program sends it heartbeats: halting it would leave a machine without supervision.</summary>
+    /// <summary>True when the watchdog of this program runs and another host sends it heartbeats: halting it would leave a machine without
+    /// supervision.</summary>
     private async Task<bool> IsOurJobRunningAsync(CancellationToken cancellation) =>
         (await Commands.ReadAsync($"_XQ{ResidentProgram.WatchdogThread}", cancellation).ConfigureAwait(false)).OrNothing is >= 0
         && (await Commands.ReadAsync(ResidentProgram.Variables.Heartbeat, cancellation).ConfigureAwait(false)).OrNothing is > 0;
@@ -191,12 +192,11 @@ public sealed class ControllerSession : IAsyncDisposable
         return await TryEachAsync(commands, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Another host or program has set these: <see cref="RestoreAsync"/> leaves what they hold now.</summary>
+    /// <summary>Another host or program has changed these settings: <see cref="RestoreAsync"/> keeps their present values.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     internal async Task LeaveToOthersAsync(IReadOnlyList<string> operands) => Found = await Found.WithPresentAsync(Commands, operands, CancellationToken.None).ConfigureAwait(false);
 
-    /// <summary>Burns the controller's parameters (BN), with CW and the number format as they were found: both are burned with the rest
-    /// (galil-dmc.md A.6).</summary>
+    /// <summary>Burns the controller's parameters (BN), with CW and the number format as found: both are burned with the others (galil-dmc.md A.6).</summary>
     /// <exception cref="ControllerException">The link failed meanwhile.</exception>
     internal async Task<Rejected?> BurnAsync(CancellationToken cancellation)
     {
@@ -215,7 +215,7 @@ public sealed class ControllerSession : IAsyncDisposable
         }
         catch (ControllerException)
         {
-            // The link is gone: nothing can be sent.
+            // The link is lost: nothing can be sent.
         }
 
         if (_second is not null) await _second.DisposeAsync().ConfigureAwait(false);
@@ -233,16 +233,15 @@ public sealed class ControllerSession : IAsyncDisposable
         return failures;
     }
 
-    /// <summary>Sets up the conversation: no pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job,
-    /// numbers wide enough for any position; on a serial
-    /// line without decimals, because every byte takes time.</summary>
+    /// <summary>Configures the link: no pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not run the job, numbers wide
+    /// enough for any position; on a serial line without decimals, because every byte takes time.</summary>
     private async Task AgreeOnWireAsync(CancellationToken cancellation)
     {
         if (Found.Wire.RecordPeriod is not 0.0) await _commands.SendAsync("DR 0", cancellation).ConfigureAwait(false);
         await _commands.SendAsync("CW 1", cancellation).ConfigureAwait(false);
         await (_second ?? _commands).SendAsync("CF I", cancellation).ConfigureAwait(false);
         await _commands.SendAsync(Line is null ? "VF 10.4" : "VF 10.0", cancellation).ConfigureAwait(false);
-        if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now, when unsolicited text is marked and cannot be taken for a wrong echo
+        if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now, because unsolicited text must be marked to be distinguished from a wrong echo
     }
 }
 
@@ -252,14 +251,14 @@ public sealed record SessionOptions
     /// <summary>Time without a reply after which the link counts as lost.</summary>
     public TimeSpan ReplyTimeout { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop then goes out behind the
-    /// bytes under way.</summary>
+    /// <summary>Opens a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop is then sent after the bytes
+    /// that are being sent.</summary>
     public bool SecondHandle { get; init; } = true;
 
     /// <summary>Receives every line on the wire; null for none.</summary>
     public WireTrace? Trace { get; init; }
 
-    /// <summary>Called with each line that a program in the controller prints, on the reading thread: it must return at once.</summary>
+    /// <summary>Called with each line printed by a program in the controller, on the reading thread: it must return at once.</summary>
     public Action<string>? MessageReceived { get; init; }
 }
 

@@ -32,8 +32,8 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
         return new FoundState(wire, motion, off);
     }
 
-    /// <summary>The same with what some settings hold now.</summary>
-    /// <param name="operands">Of settings of the S plane or of an axis; those that are not among <see cref="Motion"/> stay missing.</param>
+    /// <summary>The same state with the present values of some settings.</summary>
+    /// <param name="operands">Operands of settings of the S plane or of an axis; those that are not among <see cref="Motion"/> remain missing.</param>
     internal async Task<FoundState> WithPresentAsync(CommandChannel channel, IReadOnlyList<string> operands, CancellationToken cancellation)
     {
         var motion = new List<FoundSetting>();

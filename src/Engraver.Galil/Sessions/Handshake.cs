@@ -3,12 +3,12 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The first queries on a connection that has answered (galil-dmc.md F.2); none of them changes the controller.</summary>
+/// <summary>The first queries on a new connection (galil-dmc.md F.2); none of them changes the controller.</summary>
 internal static class Handshake
 {
     private const string RevisionQuestion = "\x12\x16";
 
-    /// <exception cref="ProtocolViolationException">The answers are not those of a controller of the DMC family.</exception>
+    /// <exception cref="ProtocolViolationException">The replies are not those of a controller of the DMC family.</exception>
     public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
     {
         var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
@@ -23,8 +23,8 @@ internal static class Handshake
     private static async Task<string> TextAsync(CommandChannel channel, string question, CancellationToken cancellation) =>
         await channel.SendAsync(question, cancellation).ConfigureAwait(false) is Accepted { Data: var text } ? text : "";
 
-    /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not relied on, because EPICS uses the model's digit
-    /// too.</summary>
+    /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not used, because EPICS uses the digit of the model as
+    /// well.</summary>
     /// <returns>Null when the query is refused: the controller has no such record.</returns>
     private static async Task<int?> RecordBytesAsync(CommandChannel channel, int axes, CancellationToken cancellation)
     {

@@ -5,15 +5,16 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Tool off and machine at rest, in the complete order of galil-dmc.md F.4: CB, STS, ST AB, HX of our threads, wait for every _BG, CSS.</summary>
-/// <remarks>Two passes. <see cref="Begin"/> goes at once over the stop handle, while the feeder may still have a command on its way; when the feeder is silent,
-/// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
-/// <param name="outputs">What is switched off first (<see cref="MachineProfile.OffAtStop"/>).</param>
-/// <param name="ownThreads">Ours; first the one that commands motion.</param>
-/// <param name="axes">Letters of the axes that brake and are waited for; of a job in the order of its axes.</param>
+/// <summary>Switches the tool off and stops the machine, in the complete order of galil-dmc.md F.4: CB, STS, ST AB, HX of the own threads, wait for every _BG,
+/// CSS.</summary>
+/// <remarks>Two passes. <see cref="Begin"/> sends the commands at once over the stop handle, while a command of the feeder may still be on its way. When the
+/// feeder has ended, <see cref="FinishAsync"/> sends them again, so that a BGS that arrived in between starts nothing.</remarks>
+/// <param name="outputs">Outputs that are switched off first (<see cref="MachineProfile.OffAtStop"/>).</param>
+/// <param name="ownThreads">Threads of this program; first the one that commands motion.</param>
+/// <param name="axes">Letters of the axes that are braked and waited for; for a job in the order of its axes.</param>
 public sealed class OperatorStop(ControllerSession session, IReadOnlyList<OutputSwitch> outputs, IReadOnlyList<int> ownThreads, string axes)
 {
-    /// <summary>What rest is known by: the sequence and every axis, _CSS, where each axis stands, TIME.</summary>
+    /// <summary>The operands that show rest: the sequence and every axis, _CSS, the position of each axis, TIME.</summary>
     private readonly string _operands = $"_BGS,{DmcAxes.Operands(axes, "_BG")},_CSS,{DmcAxes.Operands(axes, "_RP")},TIME";
 
     /// <summary>Polls at standstill after which an open sequence is ended by AB1, because STS does not close one that ran dry (galil-dmc.md B.7).</summary>
@@ -21,17 +22,17 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
 
     private Task _begun = Task.CompletedTask;
 
-    /// <summary>Polls in which an axis is reported as moving and does not change its position; after these and AB1 it counts as at rest (VR 0, a jog at
-    /// speed 0).</summary>
+    /// <summary>Polls in which an axis is reported as moving without a change of its position; after these and AB1 it counts as at rest (VR 0, a jog at speed
+    /// 0).</summary>
     private const int MostStandingPolls = 100;
 
-    /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog runs on until the
-    /// machine is at rest. Returns without waiting; <see cref="FinishAsync"/> reports failures.</summary>
+    /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog runs until the machine is
+    /// at rest. Returns without waiting; <see cref="FinishAsync"/> reports failures.</summary>
     public void Begin() => _begun = BeginAsync();
 
-    /// <summary>Runs the stop once at rest, before anything moves, so that its code is loaded and compiled: on a busy computer that would otherwise take
-    /// time at the worst moment.</summary>
-    /// <returns>False when something that it switches off was on in between: a command was damaged on its way.</returns>
+    /// <summary>Runs the stop once at rest, before anything moves, so that its code is loaded and compiled: on a busy computer that could otherwise delay an
+    /// actual stop.</summary>
+    /// <returns>False when an output that it switches off was on in between: a command was damaged during transmission.</returns>
     /// <exception cref="ControllerException">The stop handle failed.</exception>
     public async Task<bool> RehearseAsync()
     {
@@ -41,7 +42,8 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
         return !(await IsAnyOnAsync().ConfigureAwait(false) || wasOn);
     }
 
-    /// <summary>Stops motion that belongs to no job: the same commands, without waiting for rest. Returns when the controller has accepted them.</summary>
+    /// <summary>Stops motion that does not belong to a job: the same commands, without waiting for rest. Returns when the controller has accepted
+    /// them.</summary>
     /// <exception cref="ControllerException">The stop handle failed.</exception>
     public Task BrakeAtOnceAsync() => BeginAsync();
 
@@ -49,20 +51,21 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
     {
         await SendLineAsync().ConfigureAwait(false);
 
-        // Our program may have begun a motion or switched the tool between the stop and its halt.
+        // The program may have started a motion or switched the tool between the stop and its halt.
         await BrakeAsync().ConfigureAwait(false);
     }
 
-    /// <summary>All commands in one line: a further line could be delayed by a busy computer.</summary>
+    /// <summary>All commands in one line, because a busy computer could delay a further line.</summary>
     private async Task SendLineAsync()
     {
         var halt = ownThreads.Take(1).Select(thread => string.Create(CultureInfo.InvariantCulture, $"HX{thread}"));
         var line = string.Join(';', [.. BrakeCommands, .. halt]);
-        await session.StopHandle.UrgeAsync(line).ConfigureAwait(false); // an answer that is late or lost holds nothing up
+        await session.StopHandle.UrgeAsync(line).ConfigureAwait(false); // a late or lost reply delays nothing
         await SendAsync(line).ConfigureAwait(false);
     }
 
-    /// <summary>Brakes again, halts our threads and waits until the machine is at rest, however long it brakes. Then empties the segment buffer.</summary>
+    /// <summary>Brakes again, halts the own threads and waits until the machine is at rest, without a limit for braking. Then empties the segment
+    /// buffer.</summary>
     /// <returns>The position at rest, and _CSS before the buffer was emptied.</returns>
     /// <exception cref="ControllerException">Both handles failed.</exception>
     public async Task<StandstillReport> FinishAsync(TimeSpan pollInterval, CancellationToken cancellation)
@@ -74,7 +77,7 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
         }
         catch (ControllerException) when (!session.StopHandle.IsBroken)
         {
-            // The stop handle is lost, the one for commands still works.
+            // The stop handle is lost, the command handle still works.
             return await StopAsync(pollInterval, cancellation).ConfigureAwait(false);
         }
     }
@@ -94,22 +97,22 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
     /// <summary>The command that switches off: CB, or SB where off is the active level of the output.</summary>
     internal static string Off(OutputSwitch output) => string.Create(CultureInfo.InvariantCulture, $"{(output.IsActiveLow ? "SB" : "CB")} {output.Output}");
 
-    /// <summary>Whether something that the stop switches off is on all the same: a command for it was damaged on its way, or somebody else switches it.
-    /// False where the controller does not tell its outputs.</summary>
+    /// <summary>True when an output that the stop switches off is on nevertheless: a command was damaged during transmission, or another host switches it.
+    /// False if the controller does not report its outputs.</summary>
     private async ValueTask<bool> IsAnyOnAsync()
     {
         if (outputs.Count == 0) return false;
         return (await session.StopHandle.ReadAsync("_OP0", CancellationToken.None).ConfigureAwait(false)).OrNothing is { } bits && outputs.Any(output => output.IsOn((int)bits));
     }
 
-    /// <returns>Whether something that was to be off was on in between.</returns>
+    /// <returns>True when an output that was to be off was on in between.</returns>
     private async Task<bool> HaltAsync()
     {
         await BrakeAsync().ConfigureAwait(false);
         foreach (var thread in ownThreads)
         {
             var halt = string.Create(CultureInfo.InvariantCulture, $"HX{thread}");
-            if (await SendAsync(halt).ConfigureAwait(false) is Rejected) await SendAsync(halt).ConfigureAwait(false); // a thread that runs on would begin the next motion
+            if (await SendAsync(halt).ConfigureAwait(false) is Rejected) await SendAsync(halt).ConfigureAwait(false); // a running thread would start the next motion
         }
 
         var wasOn = await IsAnyOnAsync().ConfigureAwait(false);
@@ -137,8 +140,8 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
         }
     }
 
-    /// <summary>Asks all at once and, where that is refused or longer than a line, one by one: what the controller does not know is not fitted and does not
-    /// move. The position it must know.</summary>
+    /// <summary>Queries all operands at once and, if that is refused or longer than a line, one by one: an unsupported operand belongs to an axis that is not
+    /// fitted and does not move. The position is required.</summary>
     private async ValueTask<double[]> LookAsync(CancellationToken cancellation)
     {
         if (_operands.Length <= DmcLimits.LineLength - "MG ".Length && await session.StopHandle.ReadAsync(_operands, cancellation).ConfigureAwait(false) is { Refusal: null } all) return [.. all.Values];
@@ -153,19 +156,19 @@ public sealed class OperatorStop(ControllerSession session, IReadOnlyList<Output
         return [.. values];
     }
 
-    /// <summary>Sends one command of the stop; its refusal does not prevent the others.</summary>
+    /// <summary>Sends one command of the stop; a refusal does not prevent the other commands.</summary>
     private ValueTask<Reply> SendAsync(string command) => session.StopHandle.SendAsync(command, CancellationToken.None);
 }
 
-/// <summary>Where and when the machine came to rest.</summary>
+/// <summary>Position and time at which the machine came to rest.</summary>
 /// <param name="SegmentCounter">_CSS before the buffer was emptied: segments of the stopped sequence that were done.</param>
 /// <param name="Position">_RP of the axes in the order of their letters, controller's counts.</param>
 /// <param name="Time">TIME, samples.</param>
 public sealed record StandstillReport(int SegmentCounter, CountsPoint Position, long Time)
 {
-    /// <summary>Something that the stop had switched off was seen on.</summary>
+    /// <summary>An output that the stop had switched off was seen on.</summary>
     public bool WasToolOn { get; init; }
 
-    /// <summary>It is on still.</summary>
+    /// <summary>The output is still on.</summary>
     public bool IsToolOn { get; init; }
 }

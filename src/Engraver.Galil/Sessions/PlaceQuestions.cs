@@ -6,16 +6,16 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Where a controller stands and whether it still counts from the same zero: its position, serial number, clock and the mark that a session left
-/// in a variable, which is lost at power-off unless somebody burns it with BV (galil-dmc.md A.6); a clock that runs backwards tells of that.</summary>
+/// <summary>Queries a controller's position and whether it still counts from the same zero: its position, serial number, clock and the mark that a session
+/// stored in a variable. The variable is lost at power-off unless it is burned with BV (galil-dmc.md A.6); a clock that runs backwards shows that.</summary>
 internal static class PlaceQuestions
 {
-    /// <summary>No program and no other host uses this name; at most eight characters (galil-dmc.md E).</summary>
+    /// <summary>A name that no other program uses; at most eight characters (galil-dmc.md E).</summary>
     private const string MarkVariable = "cncmark";
 
     /// <param name="letters">The axes of the controller.</param>
     /// <param name="axes">The axes that move the drawing's X and Y.</param>
-    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
     public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, string letters, MachineAxes axes, CancellationToken cancellation)
     {
         if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPlace(default, Doubt: Wording.Get("PlaceQuestions.NoSuchAxis", string.Join(", ", missing), letters));
@@ -36,19 +36,19 @@ internal static class PlaceQuestions
             steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.SteppersOff", string.Join(", ", axes.NamesOf(steppersOff).AsEnumerable()))) { Letters = axes.Letters, Uncounted = steppers, Untold = untold, StoppedHard = stoppedHard };
     }
 
-    /// <summary>The same over the stop handle, whatever the operator does meanwhile.</summary>
+    /// <summary>The same over the stop handle, independent of what the operator does meanwhile.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public static ValueTask<ControllerPlace> AskAsync(ControllerSession session, MachineAxes axes) => AskAsync(session.StopHandle, session.Identity.Letters, axes, CancellationToken.None);
 
-    /// <summary>The variable is made by the assignment.</summary>
+    /// <summary>The assignment creates the variable.</summary>
     /// <returns>False when the controller has no room for another variable.</returns>
     public static async ValueTask<bool> MarkAsync(CommandChannel channel, int mark, CancellationToken cancellation) =>
         await channel.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{MarkVariable}={mark}"), cancellation).ConfigureAwait(false) is Accepted;
 
-    /// <summary>A servo without current is still counted by its encoder, a stepper is not. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C), with
-    /// decimals or without. Where the controller does not know _MT the profile tells; where neither does, the axis counts as a stepper, which promises
-    /// less.</summary>
-    /// <returns>The letters of all of them, and of those that nobody has told.</returns>
+    /// <summary>The position of a servo without current is still counted by its encoder, that of a stepper is not. _MT is 2, -2, 2.5 or -2.5 for a stepper
+    /// (galil-dmc.md C), with decimals or without. If the controller does not support _MT, the profile is used; without either the axis counts as a stepper,
+    /// which guarantees less.</summary>
+    /// <returns>The letters of all of them, and of those whose motor type is assumed.</returns>
     private static async ValueTask<(string All, string Untold)> SteppersAsync(MachineAxes axes, Func<string, ValueTask<double?>> ask)
     {
         var (steppers, untold) = ("", "");
@@ -62,7 +62,7 @@ internal static class PlaceQuestions
         return (steppers, untold);
     }
 
-    /// <returns>The letters of the axes whose answer is so; one that the controller does not give is not.</returns>
+    /// <returns>The letters of the axes whose value fulfils the condition; an axis without a value does not.</returns>
     private static async ValueTask<string> ThoseAsync(string axes, string operand, Func<double, bool> isSo, Func<string, ValueTask<double?>> ask)
     {
         var those = "";

@@ -6,7 +6,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Borrows the controller's program memory: its content is uploaded and kept, and restored at the end (galil-dmc.md A.6).</summary>
+/// <summary>Borrows the controller's program memory: its content is uploaded and stored, and restored at the end (galil-dmc.md A.6).</summary>
 public sealed class ProgramMemory(ControllerSession session)
 {
     private const string OwnThreads = "_XQ0,_XQ1";
@@ -18,18 +18,18 @@ public sealed class ProgramMemory(ControllerSession session)
 
     private string? _found;
 
-    /// <summary>Latin-1: one character is one byte of the memory, whatever encoding its comments have.</summary>
+    /// <summary>Latin-1: one character is one byte of the memory, independent of the encoding of its comments.</summary>
     public static Encoding CopyEncoding => Encoding.Latin1;
 
     /// <summary>Reads the content of the memory without changing it.</summary>
     public ValueTask<Reply> LookAsync(CancellationToken cancellation) => session.Commands.UploadAsync(cancellation);
 
-    /// <summary>Keeps a copy of the found program in a file, downloads <paramref name="program"/> and compares the memory with it.</summary>
+    /// <summary>Stores a copy of the found program in a file, downloads <paramref name="program"/> and compares the memory with it.</summary>
     /// <param name="found">The program to restore at the end.</param>
     /// <param name="copyPath">File for it, in case this program dies; null for none.</param>
     /// <returns>The refusal, or null when the program is in the memory.</returns>
-    /// <exception cref="ProtocolViolationException">The memory's content differs from what was sent.</exception>
-    /// <exception cref="IOException">The copy could not be written; the memory is untouched.</exception>
+    /// <exception cref="ProtocolViolationException">The memory's content differs from the sent program.</exception>
+    /// <exception cref="IOException">The copy could not be written; the memory is unchanged.</exception>
     public async Task<Rejected?> BorrowAsync(string program, string found, string? copyPath, CancellationToken cancellation)
     {
         if (copyPath is not null) await File.WriteAllTextAsync(copyPath, found + "\n", CopyEncoding, cancellation).ConfigureAwait(false);
@@ -37,12 +37,12 @@ public sealed class ProgramMemory(ControllerSession session)
         return await ReplaceAsync(program, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Replaces the borrowed memory's content by another program of ours. No thread may run.</summary>
+    /// <summary>Replaces the content of the borrowed memory by another program. No thread may run.</summary>
     /// <returns>The refusal, or null when the program is in the memory.</returns>
-    /// <exception cref="ProtocolViolationException">The memory's content differs from what was sent.</exception>
+    /// <exception cref="ProtocolViolationException">The memory's content differs from the sent program.</exception>
     public Task<Rejected?> SwapAsync(string program, CancellationToken cancellation) => ReplaceAsync(program, cancellation);
 
-    /// <summary>Restores the found program; an empty memory is an empty download. No thread may run. Does nothing when nothing was borrowed.</summary>
+    /// <summary>Restores the found program; an empty memory is an empty download. No thread may run. Does nothing when the memory was not borrowed.</summary>
     public async Task<Rejected?> GiveBackAsync(CancellationToken cancellation)
     {
         if (_found is null) return null;
@@ -60,12 +60,12 @@ public sealed class ProgramMemory(ControllerSession session)
         return ProgramText.AreSame(program, stored) ? null : throw new ProtocolViolationException(Wording.Get("ProgramMemory.UploadDiffers"));
     }
 
-    /// <summary>While a thread runs DL is refused with TC 17, and the program after it would be taken for commands (galil-dmc.md A.6): a thread of ours
-    /// that still runs is halted again.</summary>
+    /// <summary>While a thread runs DL is refused with TC 17, and the program after it would be executed as commands (galil-dmc.md A.6): a thread of this
+    /// program that still runs is halted again.</summary>
     /// <returns>The refusal that a download would get; null when no thread runs.</returns>
     private async Task<Rejected?> HaltAsync(CancellationToken cancellation)
     {
-        if (session.Line is not null) return null; // there each halt was compared with its echo, and a query takes as long as a segment
+        if (session.Line is not null) return null; // on a serial line each halt was compared with its echo, and a query takes as long as a segment
         for (var tries = 0; await RunningThreadAsync(cancellation).ConfigureAwait(false) is { } thread; tries++)
         {
             if (tries == MostHalts || thread is not (ResidentProgram.MainThread or ResidentProgram.WatchdogThread))

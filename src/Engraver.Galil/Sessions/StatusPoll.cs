@@ -4,17 +4,17 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Reads the state of an idle controller: two queries, of which a controller with fewer features may refuse the second.</summary>
+/// <summary>Reads the state of an idle controller with two queries; a controller with fewer features may refuse the second.</summary>
 internal static class StatusPoll
 {
     /// <summary>Stop code of an axis that was switched off because of its position error (galil-dmc.md A.10).</summary>
     private const int PositionError = 8;
 
-    /// <summary>Place of the first axis's _LF among the answers to the second query.</summary>
+    /// <summary>Index of the first axis's _LF in the reply to the second query.</summary>
     private const int FirstLimit = 3;
 
-    /// <param name="axes">Those that a job moves.</param>
-    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    /// <param name="axes">The axes that a job moves.</param>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
     public static async ValueTask<MachineReading> ReadAsync(CommandChannel channel, MachineAxes axes, CancellationToken cancellation)
     {
         var letters = axes.Letters;
@@ -45,10 +45,10 @@ internal static class StatusPoll
         };
     }
 
-    /// <summary>The letters of the axes whose values, which stand first, are so.</summary>
+    /// <summary>The letters of the axes whose values fulfil a condition; their values come first.</summary>
     private static string Those(string letters, double[] values, Func<double, bool> isSo) => string.Concat(letters.Where((_, i) => isSo(values[i])));
 
-    /// <summary>_LF and _LR are 0 where the switch is hit.</summary>
+    /// <summary>_LF and _LR are 0 when the switch is hit.</summary>
     private static IEnumerable<string> LimitsHit(MachineAxes axes, double[] v)
     {
         var names = axes.NamesOf(axes.Letters);

@@ -4,16 +4,16 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The settings of the conversation itself, as found; null where the controller does not report them.</summary>
-/// <param name="Echo">_EO. Never sent over Ethernet, so it is written back only when it has changed.</param>
-/// <param name="MessagePort">_CF: letter of the port that gets the text of programs (galil-dmc.md A.5).</param>
+/// <summary>The settings of the link itself, as found; null if the controller does not report them.</summary>
+/// <param name="Echo">_EO. Never sent over Ethernet, so it is restored only if it has changed.</param>
+/// <param name="MessagePort">_CF: letter of the port that receives the text of programs (galil-dmc.md A.5).</param>
 /// <param name="MessageMark">_CW: 1 marks unsolicited bytes with bit 7, 2 does not.</param>
 /// <param name="RecordPeriod">_DR0: samples between pushed records, 0 for none.</param>
 /// <param name="RecordHandle">_DR1.</param>
 /// <param name="NumberFormat">_VF: m.n with one decimal, which may have been truncated when it was printed (8.2 reads 8.1999).</param>
 public sealed record WireState(double? Echo, char? MessagePort, double? MessageMark, double? RecordPeriod, double? RecordHandle, double? NumberFormat)
 {
-    /// <param name="heardEcho">Whether the echo was on when a serial line was greeted; null elsewhere: the controller is queried.</param>
+    /// <param name="heardEcho">Whether the echo was on when a serial line was greeted; null for other links: the controller is queried.</param>
     internal static async Task<WireState> ReadAsync(CommandChannel channel, bool? heardEcho, CancellationToken cancellation)
     {
         async Task<double?> Ask(string operand) => (await channel.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
@@ -26,10 +26,10 @@ public sealed record WireState(double? Echo, char? MessagePort, double? MessageM
         return new WireState(echo, port is >= 'A' and <= 'Z' ? (char)port : null, mark, period, handle, format);
     }
 
-    /// <summary>The command that restores the number format exactly; null where the controller did not report it.</summary>
+    /// <summary>The command that restores the number format exactly; null if the controller did not report it.</summary>
     public string? NumberFormatCommand => NumberFormat is { } format ? string.Create(CultureInfo.InvariantCulture, $"VF {format:0.0}") : null;
 
-    /// <summary>The commands that restore the conversation, in an order that keeps the replies readable to the last.</summary>
+    /// <summary>The commands that restore the link, in an order that keeps the replies readable to the last.</summary>
     internal IEnumerable<string> RestoreCommands(double? echoNow)
     {
         if (NumberFormatCommand is { } format) yield return format;

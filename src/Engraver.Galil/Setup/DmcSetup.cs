@@ -5,10 +5,10 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Setup;
 
-/// <summary>The numbers of MT, CE, ER, OE and CN, and what they mean (galil-dmc.md C).</summary>
+/// <summary>The numbers of MT, CE, ER, OE and CN, and their meaning (galil-dmc.md C).</summary>
 internal static class DmcSetup
 {
-    /// <summary>The axis whose motor has to be off: MT is refused otherwise, and CE would close a servo loop the wrong way round.</summary>
+    /// <summary>The axis whose motor must be off: otherwise MT is refused, and CE would reverse the feedback of a closed servo loop.</summary>
     public static char? NeedsMotorOff(SetupValue value) => value switch
     {
         SetupValue.Motor motor => motor.Axis,
@@ -27,7 +27,7 @@ internal static class DmcSetup
         _ => throw new UnreachableException(),
     };
 
-    /// <summary>What is sent for a number.</summary>
+    /// <summary>The number to send.</summary>
     public static string Command(SetupValue value, double number) => value switch
     {
         SetupValue.LimitSense => "CN " + DmcFormat.Number(number),
@@ -35,7 +35,7 @@ internal static class DmcSetup
         _ => $"{Operand(value)[1..]}={DmcFormat.Number(number)}",
     };
 
-    /// <param name="found">What the controller has: CE also tells of the auxiliary encoder (4, 8, 12), and OE of limit switches (2), which stay.</param>
+    /// <param name="found">The present value: CE also contains the auxiliary encoder (4, 8, 12), and OE the limit switches (2), which are kept.</param>
     public static double Number(SetupValue value, double found) => value switch
     {
         SetupValue.Motor { Type: var type } => Number(type),
@@ -47,7 +47,7 @@ internal static class DmcSetup
         _ => throw new UnreachableException(),
     };
 
-    /// <returns>Null for a type that has no word here (1.5, a servo by pulse width).</returns>
+    /// <returns>Null for a type that is not offered (1.5, a servo with pulse-width output).</returns>
     public static MotorType? Motor(double? number) => number switch
     {
         1.0 or -1.0 => new MotorType(MotorSignal.Servo, number < 0.0),

@@ -13,8 +13,8 @@ internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
     /// <summary>Samples of half a second (galil-dmc.md C, TIME).</summary>
     private const double WatchedSamples = 512.0;
 
-    /// <summary>A motor that is switched on takes its place as the command (SH), so its error begins at 0: beyond these counts it runs away, whatever ER
-    /// says.</summary>
+    /// <summary>A motor that is switched on uses its position as the command (SH), so that its error starts at 0: beyond these counts it runs away, at any
+    /// ER.</summary>
     private const double LargestErrorAtRest = 2000.0;
 
     public async ValueTask<SetupFacts> ReadAsync(string letters, CancellationToken cancellation)
@@ -47,8 +47,8 @@ internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
 
     public async Task<string?> BurnAsync(CancellationToken cancellation) => (await session.BurnAsync(cancellation).ConfigureAwait(false))?.Explain();
 
-    /// <summary>Asks as fast as the link allows, by the controller's own clock, and is not to be cancelled: half a second is soon over, and a motor that
-    /// runs away is not left alone.</summary>
+    /// <summary>Polls as fast as the link allows, by the controller's own clock. Not cancellable: half a second is short, and a motor that runs away must be
+    /// stopped.</summary>
     private async Task<string?> WatchAsync(char axis)
     {
         var limit = await AskAsync($"_ER{axis}", CancellationToken.None).ConfigureAwait(false) is > 0.0 and var counts ? Math.Min(counts, LargestErrorAtRest) : LargestErrorAtRest;
@@ -77,7 +77,7 @@ internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
         var place = await AskAsync($"_RP{letter}", cancellation).ConfigureAwait(false) ?? throw new ProtocolViolationException(Wording.Get("GalilSetup.NotReported", $"_RP{letter}"));
         var error = await AskAsync($"_TE{letter}", cancellation).ConfigureAwait(false) ?? 0.0;
 
-        // _LF and _LR are 1 where motion is allowed, by the present CN (galil-dmc.md C.1).
+        // _LF and _LR are 1 when motion is allowed, by the present CN (galil-dmc.md C.1).
         async Task<bool?> Is(string operand, double level) => await AskAsync(operand + letter, cancellation).ConfigureAwait(false) is { } value ? value == level : null;
         return new AxisFacts(letter, motor, encoder, (int?)limit, off is { } reaction ? ((int)reaction & 1) != 0 : null, (int)place, (int)error)
         {
@@ -88,6 +88,6 @@ internal sealed class GalilSetup(ControllerSession session) : IMachineSetup
         };
     }
 
-    /// <summary>One number with one decimal, whatever the number format of the session (MT 2.5).</summary>
+    /// <summary>One number with one decimal, in any number format of the session (MT 2.5).</summary>
     private async ValueTask<double?> AskAsync(string operand, CancellationToken cancellation) => (await session.Commands.ReadAsync(operand + "{F10.1}", cancellation).ConfigureAwait(false)).OrNothing;
 }

@@ -2,12 +2,12 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Terminals;
 
-/// <summary>Commands that a terminal does not send, or only after a word of confirmation.</summary>
+/// <summary>Commands that a terminal does not send, or only after a confirmation.</summary>
 public static class CommandGuard
 {
-    /// <summary>Why a line is withheld; null when it may be sent.</summary>
+    /// <summary>The reason why a line is withheld; null when it may be sent.</summary>
     /// <param name="line">One or more commands, separated by semicolons.</param>
-    /// <param name="confirmed">The operator typed the word of confirmation.</param>
+    /// <param name="confirmed">The operator typed the confirmation.</param>
     public static string? WhyNot(string line, bool confirmed)
     {
         if (line.Length > CommandLine.MaximumLength) return Wording.Get("CommandGuard.LineTooLong", line.Length, CommandLine.MaximumLength);

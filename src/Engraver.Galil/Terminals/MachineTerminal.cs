@@ -7,8 +7,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Terminals;
 
-/// <summary>A conversation with a controller, line by line: commands go out, replies come back, and what programs print appears between them.</summary>
-/// <remarks>Leaves the controller as it was found, as every session does; numbers are printed in the format that was found.</remarks>
+/// <summary>A terminal for a controller, line by line: commands are sent, replies are shown, and the output of programs appears between them.</summary>
+/// <remarks>Restores the state of the controller, like every session; numbers are printed in the format that was found.</remarks>
 public sealed class MachineTerminal : IMachineTerminal
 {
     private readonly ConcurrentQueue<string> _messages;
@@ -42,13 +42,12 @@ public sealed class MachineTerminal : IMachineTerminal
         return new MachineTerminal(session, messages);
     }
 
-    /// <summary>A terminal on a session that somebody else owns: it must not be disposed.</summary>
+    /// <summary>A terminal on a session that another object owns: it must not be disposed.</summary>
     internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
 
     public bool Ends(string line) => TerminalLine.Read(line) is TerminalLine.Quit;
 
-    /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's
-    /// business.</summary>
+    /// <summary>Executes one line: returns the output of programs so far, then the reply itself. The caller handles <see cref="TerminalLine.Quit"/>.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
@@ -64,7 +63,7 @@ public sealed class MachineTerminal : IMachineTerminal
         return [.. TakeMessages(), answer];
     }
 
-    /// <summary>What programs have printed since the last answer. Sends an empty command, because text only arrives with a reply.</summary>
+    /// <summary>The output of programs since the last reply. Sends an empty command, because text only arrives with a reply.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> PollAsync(CancellationToken cancellation)
     {
@@ -72,8 +71,8 @@ public sealed class MachineTerminal : IMachineTerminal
         return [.. TakeMessages()];
     }
 
-    /// <summary>Stops the machine for an operator who ends the program: the tool goes off, every axis and plane brakes, and rest is awaited (ADR 4: in this
-    /// order, in one line).</summary>
+    /// <summary>Stops the machine for an operator who ends the program: the tool is switched off, every axis and plane brakes, and rest is awaited (ADR 4: in
+    /// this order, in one line).</summary>
     public async Task StopAsync(int toolOutput, TimeSpan pollInterval)
     {
         var stop = new OperatorStop(Session, [toolOutput], [], Session.Identity.Letters);

@@ -4,7 +4,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Terminals;
 
-/// <summary>Help for the terminal, for a command, or for the number that TC gave.</summary>
+/// <summary>Help for the terminal, for a command, or for a TC code.</summary>
 public static class TerminalHelp
 {
     /// <param name="subject">Empty, a command (VP, _RPA, PR 100), or a number (22).</param>

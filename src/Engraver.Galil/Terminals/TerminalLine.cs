@@ -1,7 +1,7 @@
 namespace Engraver.Galil.Terminals;
 
-/// <summary>What a line typed into the terminal asks for. The terminal's own words are lower case; the controller's commands are upper case, so that they
-/// cannot be confused.</summary>
+/// <summary>The request in a line typed into the terminal. The terminal's own words are lower case, the controller's commands upper case, so that they cannot
+/// be confused.</summary>
 public abstract record TerminalLine
 {
     /// <summary>The word to type before a dangerous command.</summary>
@@ -11,7 +11,7 @@ public abstract record TerminalLine
     {
     }
 
-    /// <summary>Parses a line. Nothing is sent that would hang the conversation (downloads, binary replies) or that the operator may regret.</summary>
+    /// <summary>Parses a line. Commands that would block the conversation (downloads, binary replies) or that are dangerous are not sent.</summary>
     public static TerminalLine Read(string line)
     {
         var text = line.Trim();
@@ -26,7 +26,7 @@ public abstract record TerminalLine
     /// <summary>A line for the controller; an empty one is a carriage return alone, which is answered with a prompt.</summary>
     public sealed record ToSend(string Text) : TerminalLine;
 
-    /// <summary>A line that is not sent, and why.</summary>
+    /// <summary>A line that is not sent, and the reason.</summary>
     public sealed record Withheld(string Why) : TerminalLine;
 
     /// <param name="About">A command, the number of a TC code, or empty for the terminal itself.</param>

@@ -23,9 +23,9 @@ public sealed class ProgramLine : IProgramLine
         return new ProgramLine(SerialLink.Open(port, longestHold, time));
     }
 
-    public ValueTask WriteAsync(ReadOnlyMemory<byte> bits, CancellationToken cancellation) => _link.WriteAsync(bits, cancellation);
+    public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => _link.WriteAsync(bytes, cancellation);
 
-    public ValueTask<int> ReadAsync(Memory<byte> bits, CancellationToken cancellation) => _link.ReadAsync(bits, cancellation);
+    public ValueTask<int> ReadAsync(Memory<byte> bytes, CancellationToken cancellation) => _link.ReadAsync(bytes, cancellation);
 
     public async ValueTask DrainAsync(CancellationToken cancellation) => await _link.DrainAsync(cancellation).ConfigureAwait(false);
 

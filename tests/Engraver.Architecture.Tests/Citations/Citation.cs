@@ -2,13 +2,13 @@ using System.Text.RegularExpressions;
 
 namespace Engraver.Architecture.Tests.Citations;
 
-/// <summary>A source or a comment names a page and a place in it.</summary>
+/// <summary>A reference in a source or a comment to a page and a section in it.</summary>
 /// <param name="Page">File name of the page, found in docs/reference or docs.</param>
-/// <param name="Mark">Mark of the section (B.3, EX12, 5); empty where the whole page is meant.</param>
-/// <param name="Details">Words and numbers of that section which the citation points at ("A.8 codes 80 to 82", "E, Array").</param>
+/// <param name="Mark">Mark of the section (B.3, EX12, 5); empty for the whole page.</param>
+/// <param name="Details">Words and numbers of that section to which the citation refers ("A.8 codes 80 to 82", "E, Array").</param>
 public sealed record Citation(string Page, string Mark, IReadOnlyList<string> Details);
 
-/// <summary>Finds the forms in which this repository cites.</summary>
+/// <summary>Finds the forms of citation of this repository.</summary>
 public static partial class CitationReader
 {
     public const string Controller = "galil-dmc.md";
@@ -19,7 +19,7 @@ public static partial class CitationReader
     /// <summary>Every citation with its place in the text: pages by name, sections of the controller reference in comments, the runner's contract,
     /// papers by number.</summary>
     /// <param name="text">The whole file; file names are found in strings too.</param>
-    /// <param name="prose">The same with code blanked: bare marks and words are looked for here only.</param>
+    /// <param name="prose">The same with code blanked: bare marks and words are searched only here.</param>
     public static IEnumerable<(int Position, Citation Citation)> Read(string text, string prose) =>
         [.. Pages(text), .. BareMarks(prose), .. ContractVerbs(prose), .. PaperNumbers(prose)];
 
@@ -34,7 +34,7 @@ public static partial class CitationReader
         }
     }
 
-    /// <summary>What follows the name of the page, up to the end of the bracket or sentence; a comment that goes on in the next line is one text.</summary>
+    /// <summary>The text after the name of the page, up to the end of the bracket or sentence; consecutive comment lines are one text.</summary>
     private static string Tail(string text, int from)
     {
         var tail = NextCommentLine().Replace(text.Substring(from, Math.Min(240, text.Length - from)), " ");

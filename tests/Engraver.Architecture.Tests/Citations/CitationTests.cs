@@ -2,7 +2,7 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Citations;
 
-/// <summary>A fact in the code names the page that says so; here every such name is looked up. What is cited stands in docs/reference and docs.</summary>
+/// <summary>A fact in the code names the page that states it; these tests look up every such name. The cited pages are in docs/reference and docs.</summary>
 public class CitationTests
 {
     private static readonly string[] s_text = [".cs", ".md", ".axaml", ".csproj", ".props", ".targets"];
@@ -55,12 +55,12 @@ public class CitationTests
             .Append(SourceFile.Read(Path.Combine(TestKit.RepositoryFolder.Root, "README.md")))
             .Where(file => !file.Name.StartsWith("docs/reference/", StringComparison.Ordinal) && !file.Name.StartsWith("tests/Engraver.Architecture.Tests/", StringComparison.Ordinal));
 
-    /// <summary>Where bare marks are looked for: comments. The software platform knows nothing of controllers; its marks are of other standards (SVG,
+    /// <summary>Bare marks are searched in comments. The software platform is excluded, because its marks are those of other standards (SVG,
     /// TrueType).</summary>
     private static string Prose(SourceFile file) =>
         file.Name.Contains("/Engraver.SoftwarePlatform", StringComparison.Ordinal) ? "" : file.Name.EndsWith(".cs", StringComparison.Ordinal) ? CSharpText.Parse(file.Text).Comments : file.Text;
 
-    /// <summary>What is wrong with a citation; null when it leads somewhere.</summary>
+    /// <summary>The fault of a citation; null when it refers to an existing section.</summary>
     private static string? Unresolved(Citation citation)
     {
         if (ReferenceBook.Open(citation.Page) is not { } page) return $"{citation.Page} stands neither in docs/reference nor in docs.";

@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Citations;
 
-/// <summary>A page of docs/ by its headings: the mark of a section (A.3, EX12, 5) and the text that stands under it, inner sections included.</summary>
+/// <summary>A page of docs/ by its headings: the mark of a section (A.3, EX12, 5) and the text below it, including inner sections.</summary>
 public sealed partial class ReferenceBook
 {
     private readonly Dictionary<string, string> _sections = [];
@@ -24,14 +24,14 @@ public sealed partial class ReferenceBook
 
     public IReadOnlyCollection<string> Marks => _sections.Keys;
 
-    /// <summary>The page of this name in docs/reference or docs; null where there is none.</summary>
+    /// <summary>The page of this name in docs/reference or docs; null if there is none.</summary>
     public static ReferenceBook? Open(string fileName)
     {
         string[] places = [Path.Combine(RepositoryFolder.Root, "docs", "reference", fileName), Path.Combine(RepositoryFolder.Root, "docs", fileName)];
         return places.FirstOrDefault(File.Exists) is { } path ? new ReferenceBook(SourceFile.Read(path).Text) : null;
     }
 
-    /// <summary>The text of a section, or of a numbered row or point of the section around it (I.12 is row 12 of I); null where the page has neither.</summary>
+    /// <summary>The text of a section, or of a numbered row or point of the section around it (I.12 is row 12 of I); null if the page has neither.</summary>
     public string? Section(string mark)
     {
         if (_sections.TryGetValue(mark, out var found)) return found;

@@ -9,7 +9,7 @@ public partial class FeatureListTests
 {
     private static readonly Lazy<ILookup<string, SourceFile>> s_tests = new(() => SourceFile.Under("tests", ".cs").ToLookup(file => Path.GetFileNameWithoutExtension(file.FileName)));
 
-    /// <summary>The verbs of the command line, which docs/verbs.md is generated from.</summary>
+    /// <summary>The verbs of the command line, from which docs/verbs.md is generated.</summary>
     private static readonly Lazy<HashSet<string>> s_verbs = new(() => [.. VerbHeading().Matches(File.ReadAllText(Path.Combine(RepositoryFolder.Root, "docs", "verbs.md"))).Select(verb => verb.Groups["verb"].Value)]);
 
     public static TheoryData<string> Pages => ["docs/features.md", "docs/benchmarks.md"];
@@ -48,7 +48,7 @@ public partial class FeatureListTests
     [InlineData("./engraver info samples/no-such.dxf", "", false)]
     public void A_name_that_does_not_exist_is_noticed(string what, string project, bool exists) => Assert.Equal(exists, Missing(what, project) is null);
 
-    /// <summary>What is wrong with a name in backticks; null when it exists, or is no name of a test, file or verb.</summary>
+    /// <summary>The fault of a name in backticks; null when it exists, or does not name a test, file or verb.</summary>
     private static string? Missing(string what, string project) =>
         TestName().Match(what) is { Success: true } test ? MissingTest(test.Groups["class"].Value, test.Groups["method"].Value.TrimEnd('.'), project)
         : what.StartsWith("./engraver ", StringComparison.Ordinal) ? MissingVerb(what)

@@ -78,10 +78,10 @@ public partial class PhraseTests
     [Fact]
     public void The_table_itself_is_not_searched() => Assert.Empty(UnusedPhrases.Parse(Example).Find(UnusedPhrases.WithoutTable(Example)));
 
-    /// <summary>Every page for readers; what the code cites is quoted from its sources and is left as it is.</summary>
+    /// <summary>Every page for readers except docs/reference, which quotes the sources that the code cites.</summary>
     private static IEnumerable<SourceFile> Pages() => SourceFile.Under("", ".md").Where(page => !page.Name.StartsWith("docs/reference/", StringComparison.Ordinal) && !page.Name.StartsWith("tests/", StringComparison.Ordinal));
 
-    /// <summary>The page without code and without the addresses of links; every character and line stays at its place.</summary>
+    /// <summary>The page without code and without the addresses of links; every other character keeps its position.</summary>
     private static string Prose(string page) => Code().Replace(UnusedPhrases.WithoutTable(page), code => NotLineEnd().Replace(code.Value, " "));
 
     private static void AssertNone(IEnumerable<string> wrong)

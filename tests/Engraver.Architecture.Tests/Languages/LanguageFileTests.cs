@@ -5,8 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Languages;
 
-/// <summary>The one file of each language beside English, held against the <c>Texts.resx</c> of every project: nothing is missing, nothing is left over,
-/// and every fact has its place.</summary>
+/// <summary>Compares the file of each language other than English with the <c>Texts.resx</c> of every project: the keys are the same, and every fact is
+/// used.</summary>
 public sealed partial class LanguageFileTests
 {
     private const int WordsOfASentence = 4;

@@ -9,7 +9,7 @@ internal static partial class LibraryPage
     /// <summary>The project file.</summary>
     public static string Project => Block("xml", "<Project");
 
-    /// <summary>The classes by their names, in the order of the page.</summary>
+    /// <summary>The classes by name, in the order of the page.</summary>
     public static IReadOnlyList<(string Name, string Code)> Classes => [.. Blocks(Text("docs", "library.md"), "csharp").Select(code => (ClassName().Match(code).Groups[1].Value, code))];
 
     /// <summary>The only C# sample in the README of a package.</summary>

@@ -37,7 +37,7 @@ public class PackageTests
     }
 
     /// <summary>Makes both packages from the sources, then builds and runs the project of docs/library.md outside of the repository.</summary>
-    /// <remarks>A commit tries the comparisons above; this one builds everything again and takes a minute.</remarks>
+    /// <remarks>A commit runs the comparisons above; this test builds everything again and takes a minute.</remarks>
     [FullRunFact]
     public async Task A_foreign_test_project_uses_both_packages()
     {
@@ -78,8 +78,8 @@ public class PackageTests
         Assert.Contains(symbols.Entries, entry => entry.FullName == $"lib/net10.0/{package}.pdb");
     }
 
-    /// <summary>Restores the new packages, and the others from what this repository has restored, without a network.</summary>
-    /// <remarks>The new ones go into a folder of the project, because a later run makes other packages with the same version.</remarks>
+    /// <summary>Restores the new packages, and the others from those that this repository has restored, without a network.</summary>
+    /// <remarks>The new packages are restored into a folder of the project, because a later run makes other packages with the same version.</remarks>
     private static async Task UseOnlyAsync(string packages, string project)
     {
         var restored = Regex.Match(await DotnetAsync(project, "nuget", "locals", "global-packages", "--list"), @"global-packages: (.+)").Groups[1].Value.Trim();
@@ -96,7 +96,7 @@ public class PackageTests
     {
         var start = new ProcessStartInfo("dotnet", words) { WorkingDirectory = folder, RedirectStandardOutput = true, RedirectStandardError = true };
         foreach (var name in start.Environment.Keys.Where(name => name.StartsWith("MSBUILD", StringComparison.OrdinalIgnoreCase) || name.StartsWith("VSTEST", StringComparison.OrdinalIgnoreCase)).ToList()) start.Environment.Remove(name);
-        // No process is left behind that would keep the output open.
+        // No process may remain that would keep the output open.
         start.Environment["MSBUILDDISABLENODEREUSE"] = "1";
         start.Environment["UseSharedCompilation"] = "false";
         using var process = Process.Start(start)!;

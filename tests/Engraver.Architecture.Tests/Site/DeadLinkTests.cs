@@ -2,7 +2,7 @@ using Engraver.Site;
 
 namespace Engraver.Architecture.Tests.Site;
 
-/// <summary>What ends the building of the site.</summary>
+/// <summary>Faults that end the build of the site.</summary>
 public sealed class DeadLinkTests : IDisposable
 {
     private readonly DirectoryInfo _root = Directory.CreateTempSubdirectory("engraver-dead-link-");

@@ -8,7 +8,7 @@ namespace Engraver.Architecture.Tests.Site;
 /// <summary>The site in Debian's chromium, which only the full run installs; a commit checks the files of the site.</summary>
 public partial class SiteInBrowserTests(SiteFixture site) : IClassFixture<SiteFixture>
 {
-    /// <summary>Types a word into the search, then reports what was found, how wide the page is and which scripts ran.</summary>
+    /// <summary>Types a word into the search, then reports the results, the width of the page and the scripts that ran.</summary>
     private const string Probe = """
         <script>addEventListener('load', async () => {
             const input = document.querySelector('.search input');
@@ -70,7 +70,7 @@ public partial class SiteInBrowserTests(SiteFixture site) : IClassFixture<SiteFi
     private static partial Regex Report();
 }
 
-/// <summary>A test of the full run that is skipped where chromium is not installed.</summary>
+/// <summary>A test of the full run that is skipped if chromium is not installed.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class SiteBrowserTheoryAttribute : FullRunTheoryAttribute
 {

@@ -20,7 +20,7 @@ public partial class SiteTests(SiteFixture site) : IClassFixture<SiteFixture>
         Assert.Empty(site.Built.Pages.Select(page => page.Address).Except(site.Pages.Select(page => page.Address)));
     }
 
-    /// <summary>Looks at the HTML alone, so that what the site adds is checked as well.</summary>
+    /// <summary>Checks only the HTML, so that the parts added by the site are checked as well.</summary>
     [Fact]
     public void Every_link_of_the_site_leads_to_a_file_of_the_site_and_to_its_anchor()
     {

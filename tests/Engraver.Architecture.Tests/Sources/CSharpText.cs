@@ -2,8 +2,8 @@ using System.Text;
 
 namespace Engraver.Architecture.Tests.Sources;
 
-/// <summary>C# source taken apart: code with every comment, string and character blanked, and comments with everything else blanked. Both keep the length
-/// and the line ends of the source.</summary>
+/// <summary>C# source divided into code, with every comment, string and character blanked, and comments, with everything else blanked. Both keep the length and
+/// the line ends of the source.</summary>
 public sealed record CSharpText(string Code, string Comments)
 {
     public static CSharpText Parse(string source)
@@ -70,7 +70,7 @@ public sealed record CSharpText(string Code, string Comments)
             Take(Kind.Text, _position + close.Length);
         }
 
-        /// <summary>A hole begins with as many braces as the string has dollars; twice as many are braces of the text.</summary>
+        /// <summary>A hole starts with as many braces as the string has dollars; twice as many are braces of the text.</summary>
         private void ScanHole(int braces)
         {
             if (At(new string('{', 2 * braces)) || !At(new string('{', braces)))
@@ -84,7 +84,7 @@ public sealed record CSharpText(string Code, string Comments)
             Take(Kind.Text, _position + braces);
         }
 
-        /// <summary>The end of a character literal; null where the apostrophe is something else.</summary>
+        /// <summary>The end of a character literal; null if the apostrophe has another meaning.</summary>
         private int? CharacterEnd()
         {
             var end = _position + 1 < source.Length && source[_position + 1] == '\\' ? source.IndexOf('\'', _position + 3 > source.Length ? source.Length : _position + 3) : _position + 2;

@@ -2,14 +2,14 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Sources;
 
-/// <summary>A file of the repository as it stands in the working tree. The name is relative to the root, with forward slashes.</summary>
+/// <summary>A file of the repository in the working tree. The name is relative to the root, with forward slashes.</summary>
 public sealed record SourceFile(string Name, string Text)
 {
     private static readonly string[] s_notOurs = ["bin", "obj", "artifacts", ".git", "TestResults"];
 
     public string FileName => Name[(Name.LastIndexOf('/') + 1)..];
 
-    /// <summary>Every file under the folder with one of the extensions, in order of its name; build output is left out.</summary>
+    /// <summary>Every file under the folder with one of the extensions, ordered by name; build output is excluded.</summary>
     public static IReadOnlyList<SourceFile> Under(string folder, params string[] extensions)
     {
         var root = folder.Length == 0 ? RepositoryFolder.Root : Path.Combine(RepositoryFolder.Root, folder);
@@ -18,7 +18,7 @@ public sealed record SourceFile(string Name, string Text)
 
     public static SourceFile Read(string path) => new(Path.GetRelativePath(RepositoryFolder.Root, path).Replace('\\', '/'), File.ReadAllText(path));
 
-    /// <summary>The line, counted from 1, of a place in the text.</summary>
+    /// <summary>The line, from 1, of a position in the text.</summary>
     public int LineOf(int position) => 1 + Text.AsSpan(0, position).Count('\n');
 
     private static IEnumerable<string> Walk(string folder) =>

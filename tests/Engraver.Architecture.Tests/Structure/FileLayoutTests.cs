@@ -3,8 +3,8 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>How a file of tests begins. In the product the SDK's rules of style hold it (.editorconfig); the tests are compiled without them, which saves
-/// processor time.</summary>
+/// <summary>The first lines of a test file. In the product the style rules of the SDK check them (.editorconfig); the tests are compiled without these rules,
+/// which saves processor time.</summary>
 public class FileLayoutTests
 {
     private static readonly Lazy<IReadOnlyList<SourceFile>> s_files = new(() => SourceFile.Under("tests", ".cs"));

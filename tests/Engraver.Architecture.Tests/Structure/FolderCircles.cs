@@ -3,16 +3,16 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>Folders that name each other's types, directly or by way of others: a circle. Folders are compared with their neighbours in the same parent, at
-/// every level below src; files that stand in the parent itself count for neither. Arrows between projects have a test of their own.</summary>
-/// <param name="Parent">The folder that holds them, relative to the root: src/Engraver.Core.</param>
+/// <summary>Folders that name each other's types, directly or through others: a circle. Folders are compared with their neighbours in the same parent, at every
+/// level below src; files in the parent itself are ignored. Dependencies between projects have a separate test.</summary>
+/// <param name="Parent">The folder that contains them, relative to the root: src/Engraver.Core.</param>
 /// <param name="Rooms">Their names, in order.</param>
 public sealed record FolderCircle(string Parent, IReadOnlyList<string> Rooms)
 {
     public override string ToString() => $"{Parent}: {string.Join(' ', Rooms)}";
 }
 
-/// <summary>Finds circles by names: a type that is declared in one room only, mentioned in the code of another room.</summary>
+/// <summary>Finds circles by names: a type that is declared in one folder only, named in the code of another folder.</summary>
 public static partial class FolderCircles
 {
     public static IReadOnlyList<FolderCircle> Find(IReadOnlyList<SourceFile> files) =>

@@ -2,8 +2,7 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>A reader finds a thought in one file and a file in one look at its folder (docs/architecture.md, "Folders"). Lines are counted without blank
-/// ones.</summary>
+/// <summary>One file has one subject, and the files of a folder fit on one screen (docs/architecture.md, "Folders"). Blank lines are not counted.</summary>
 public class FolderSizeTests
 {
     private const int MostFiles = 25;

@@ -3,7 +3,7 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>Habits that a compiler does not enforce.</summary>
+/// <summary>Rules that a compiler does not enforce.</summary>
 public class HabitTests
 {
     [Theory]
@@ -25,12 +25,12 @@ public class HabitTests
     [Fact]
     public void No_test_sleeps() => AssertNowhere("tests", @"\b(Thread\.Sleep|Task\.Delay|SpinWait\.SpinUntil)\s*\(");
 
-    /// <summary>A test that ends early where something is missing looks like one that passed. It must be skipped by an attribute that says why
+    /// <summary>A test that returns early because something is missing looks like a passed test. It must be skipped by an attribute that states the reason
     /// (CorpusFactAttribute).</summary>
     [Fact]
     public void No_test_returns_green_where_the_corpus_is_missing() => AssertNowhere("tests", @"\bCorpus is (not \{ \}|null)[^;]*\breturn;");
 
-    /// <summary>CHANGELOG.md names versions too: that is its purpose.</summary>
+    /// <summary>CHANGELOG.md may name versions.</summary>
     [Fact]
     public void The_version_is_stated_in_one_place()
     {
@@ -52,7 +52,7 @@ public class HabitTests
         Assert.True(places.Count == 0, string.Join('\n', places));
     }
 
-    /// <summary>What the test of statics must notice, and what it must not.</summary>
+    /// <summary>Cases for the test of static fields.</summary>
     private static class Example
     {
         public const int Constant = 1;

@@ -4,8 +4,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>The machine seam (ADR 9): DMC text stands in Engraver.Galil; whoever else meets the driver or the simulator does so in Workbench/Composition.
-/// Who does not yet is listed in seam.txt, which may only become shorter.</summary>
+/// <summary>The machine seam (ADR 9): DMC text is in Engraver.Galil only; other projects use the driver and the simulator in Workbench/Composition only.
+/// Exceptions are listed in seam.txt, which may only become shorter.</summary>
 public partial class MachineSeamTests
 {
     private const string ListName = "tests/Engraver.Architecture.Tests/Structure/seam.txt";
@@ -66,7 +66,7 @@ public partial class MachineSeamTests
     [GeneratedRegex(@"\bEngraver\.(Galil|Simulator)\b")]
     private static partial Regex Driver();
 
-    /// <summary>At the start of a text or behind a semicolon: a command with its axes and then a number, a hole, another command or the end; or an
+    /// <summary>At the start of a text or after a semicolon: a command with its axes and then a number, a hole, another command or the end; or an
     /// operand.</summary>
     [GeneratedRegex(@"[""';](SH|MO|ST|AB|CB|SB|HX|BG|AM|VM|VP|CR|VE|VS|VA|VD|SP|PA|PR|AC|DC|DP|LI|LM|CS|XQ|MG|TC|JG|WT|DL|UL|QR|RS|BN|BP|BV|EO|CF|CW|VF)[A-HS]{0,8}([ =#]?(-?[0-9]|\{|_|#|[A-H]+\b)|[ =]?["";])|""_[A-Z]{2}[A-HS0-9]?\b")]
     private static partial Regex Command();

@@ -3,8 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>Projects reference each other as the table in docs/architecture.md says: by project file, and by what the compiler wrote into the
-/// assembly.</summary>
+/// <summary>Projects reference each other as listed in docs/architecture.md: in the project file, and in the compiled assembly.</summary>
 public class ProjectArrowTests
 {
     public static TheoryData<string> Projects => [.. Directory.GetDirectories(Path.Combine(RepositoryFolder.Root, "src")).Select(folder => Path.GetFileName(folder)!).Where(name => !IsBuildOutput(name))];

@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>What a commit is tried with must hold every subject and every pair of choices, and the switch of the full run has one home.</summary>
+/// <summary>The subset for a commit must contain every subject and every pair of choices, and only one class may read the switch of the full run.</summary>
 public class TestExtentTests
 {
     private static readonly string[] s_modes = ["stream", "calls", "program"];
@@ -57,7 +57,7 @@ public class TestExtentTests
     [InlineData(2)]
     public void Nor_is_one_with_data(int row) => Assert.True(TestExtent.IsFull, $"{row}");
 
-    /// <summary>Pictures and a log are places for output, not extents.</summary>
+    /// <summary>Pictures and a log are output files and do not change the extent.</summary>
     [Fact]
     public void The_extent_is_read_in_one_place()
     {

@@ -5,8 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Architecture.Tests.Structure;
 
-/// <summary>Texts that people read stand in Texts.resx: each that is asked for is there, each that is there is asked for, and no source holds sentences of
-/// its own. Where some still stand for another reason is listed in words.txt, which may only become shorter.</summary>
+/// <summary>Texts for people are in Texts.resx: each requested text exists, each existing text is requested, and sources contain no other sentences. Files with
+/// other sentences are listed in words.txt, which may only become shorter.</summary>
 public partial class WordingTests
 {
     private const string ListName = "tests/Engraver.Architecture.Tests/Structure/words.txt";
@@ -75,7 +75,7 @@ public partial class WordingTests
     [InlineData("Text.Get(\"A.B\", list[1, 2])", 1)]
     public void Facts_are_counted(string code, int facts) => Assert.Equal([facts], Calls(new SourceFile("src/P/One.cs", code)).Select(call => call.Facts));
 
-    /// <summary>The engines in tools are compiled into several programs, with texts of their own.</summary>
+    /// <summary>The engines in tools are compiled into several programs and have separate texts.</summary>
     private static string Folder(string project) => project == "tools" ? project : "src/Engraver." + project;
 
     private static IReadOnlyList<SourceFile> Sources(string project) => SourceFile.Under(Folder(project), ".cs");
@@ -85,7 +85,7 @@ public partial class WordingTests
 
     private static int Places(string text) => Place().Matches(text).Select(place => int.Parse(place.Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture) + 1).DefaultIfEmpty(0).Max();
 
-    /// <summary>Calls that name their text; facts are the arguments behind it.</summary>
+    /// <summary>Calls that name their text; the arguments after the name are facts.</summary>
     private static IEnumerable<(string Name, int Facts, string Given)> Calls(SourceFile file)
     {
         var code = CSharpText.Parse(file.Text).Code;
@@ -115,11 +115,11 @@ public partial class WordingTests
     [GeneratedRegex(@"\b(?:Wording|Text)\.Get\(""([A-Za-z0-9.-]+)""(?=\s*[,)])")]
     private static partial Regex Call();
 
-    /// <summary>Names that are put together: how each begins ("State." + ..., $"Setting.{...}) or what One and Many are put behind.</summary>
+    /// <summary>Composed names: how each begins ("State." + ..., $"Setting.{...}), or the name to which One and Many are appended.</summary>
     [GeneratedRegex(@"""([A-Z][A-Za-z]*\.)"" \+|\$""([A-Z][A-Za-z]*\.)\{|(?:Wording|Text)\.Count\(""([A-Za-z.]+)""")]
     private static partial Regex Composed();
 
-    /// <summary>Names a noun of the resources.</summary>
+    /// <summary>Names of nouns in the resources.</summary>
     [GeneratedRegex(@"CountText\.Format\([^""]*""[A-Za-z]+""\)")]
     private static partial Regex Noun();
 
@@ -129,14 +129,14 @@ public partial class WordingTests
     [GeneratedRegex(@"^[A-Z]{3}\d{4}(\.Advice)?$")]
     private static partial Regex DiagnosticName();
 
-    /// <summary>A text of letters that is a fact of its own or one of two; names of texts and what is compared are none.</summary>
+    /// <summary>A text of letters that is an argument or one of two alternatives; names of texts and compared values are excluded.</summary>
     [GeneratedRegex(@"(?:, |\? |: )\$?""[^""{]*[a-z]{2}[^""]*""(?= :|,|\)|$)(?!,\s*StringComparison)")]
     private static partial Regex WordInFact();
 
     [GeneratedRegex(@"[A-Za-z]{2,}[,.;:]? [A-Za-z]{2,}")]
     private static partial Regex Sentence();
 
-    /// <summary>Messages of faults of the program, which its authors read, and attributes for the compiler.</summary>
+    /// <summary>Messages of internal errors, which developers read, and attributes for the compiler.</summary>
     [GeneratedRegex(@"\b(Argument\w*|InvalidOperation|Unreachable|NotSupported|ObjectDisposed|MissingManifestResource|KeyNotFound)Exception\(|SuppressMessage\(|UnconditionalSuppress|JustificationFor")]
     private static partial Regex OfABug();
 }

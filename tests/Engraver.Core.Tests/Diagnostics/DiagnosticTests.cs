@@ -18,7 +18,7 @@ public class DiagnosticTests
     public void A_missing_fact_shows() =>
         Assert.Equal("The program deviates from the drawing by 0.5 mm at ?, ?; allowed: ? mm.", VerificationRules.CutBesideDrawing.At(default, "0.5").Sentence);
 
-    /// <summary>A fact may come from a damaged file: its control characters are seen by the reader and not obeyed by the terminal.</summary>
+    /// <summary>A fact may come from a damaged file: its control characters are made visible and not sent to the terminal.</summary>
     [Theory]
     [InlineData("\u0003 30", @"'\x03 30'")]
     [InlineData("\u001B[2J", @"'\x1B[2J'")]

@@ -3,13 +3,13 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>A drawing that is understood while its file is read is the same as one that was read before.</summary>
+/// <summary>A drawing that is parsed while its file is read is the same as one that is parsed afterwards.</summary>
 public class ArrivingBytesTests
 {
     private static readonly DxfText s_lines = new DxfText().Header("AC1015", 4).Section("TABLES").Section("BLOCKS").Section("ENTITIES", [.. Enumerable.Range(0, 600).SelectMany(Line)]).End();
 
-    /// <summary>Line ends, comments as long as nothing that arrives at once, text that is no pair, the entities before their blocks, an end inside a pair,
-    /// zeros, a byte order mark, the binary form.</summary>
+    /// <summary>Line ends, comments longer than one block of the file, text that is not a pair, the entities before their blocks, an end inside a pair, zeros,
+    /// a byte order mark, the binary form.</summary>
     public static TheoryData<string> Forms => ["LF", "CRLF", "CR", "comment", "damage", "blocks last", "cut", "zeros", "mark", "wide", "binary", "short", "empty"];
 
     [Theory]
@@ -67,7 +67,7 @@ public class ArrivingBytesTests
         _ => s_lines.ToAscii(),
     };
 
-    /// <summary>The lines, and something unusual in the middle of them.</summary>
+    /// <summary>The lines, with something unusual in the middle.</summary>
     private static byte[] With((int Code, object Value) unusual) =>
         new DxfText().Header("AC1015", 4).Section("TABLES").Section("BLOCKS").Section("ENTITIES", [.. Enumerable.Range(0, 300).SelectMany(Line), unusual, .. Enumerable.Range(300, 300).SelectMany(Line)]).End().ToAscii();
 

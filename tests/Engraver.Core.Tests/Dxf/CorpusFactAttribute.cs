@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>A test on the corpus of real drawings beside the project; skipped, visibly, where that is not laid out. In CI a skip is a failure.</summary>
+/// <summary>A test on the corpus of real drawings beside the project; reported as skipped if the corpus is missing. In CI a skip is a failure.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class CorpusFactAttribute : FactAttribute
 {

@@ -8,10 +8,10 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Real drawings and made ones, against what an independent reader found in them (corpus/README.md).</summary>
+/// <summary>Compares real and generated drawings with the results of an independent reader (corpus/README.md).</summary>
 public class CorpusTests
 {
-    /// <summary>18 meshes among the polylines, and six entities of types that no reader of today knows (3DLINE, REPEAT, ENDREP) or that hold no curve
+    /// <summary>18 meshes among the polylines, and six entities of types that are unknown to current readers (3DLINE, REPEAT, ENDREP) or contain no curve
     /// (REGION).</summary>
     private const int MostRefused = 24;
 
@@ -19,10 +19,10 @@ public class CorpusTests
 
     private const int LargestForSecondReading = 200_000;
 
-    /// <summary>VRML under the name of a DXF.</summary>
+    /// <summary>VRML in a file named DXF.</summary>
     private static readonly string[] Damaged = ["95994a264643_polygon8.dxf"];
 
-    /// <summary>Its only spline has five knots where eight belong: the independent reader gives up, we take uniform ones and say so.</summary>
+    /// <summary>Its only spline has five knots instead of eight: the independent reader gives up, the product uses uniform ones and reports it.</summary>
     private static readonly string[] Repaired = ["c761b39b5f33_rational_spline.dxf"];
 
     [CorpusFact]
@@ -36,7 +36,7 @@ public class CorpusTests
         }
     }
 
-    /// <summary>The comparison of lengths raises no false alarm: with all outlines cut, no curve of the corpus or of the samples is called lost.</summary>
+    /// <summary>The comparison of lengths raises no false alarm: with all outlines cut, no curve of the corpus or of the samples is reported as lost.</summary>
     [CorpusFact]
     public void No_curve_of_the_corpus_is_called_lost()
     {
@@ -50,7 +50,7 @@ public class CorpusTests
         Assert.Empty(lost);
     }
 
-    /// <summary>What real programs write is never taken for damage, by neither reading.</summary>
+    /// <summary>Files of real programs are never reported as damaged, by neither reader.</summary>
     [CorpusFact]
     public void No_sound_drawing_of_the_corpus_is_called_damaged()
     {
@@ -100,7 +100,7 @@ public class CorpusTests
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
     }
 
-    /// <summary>What is left out of real drawings, so that a type that stops being read is noticed at once.</summary>
+    /// <summary>The omitted parts of real drawings, so that a type that is no longer read is noticed.</summary>
     [CorpusFact]
     public void Of_real_drawings_hardly_an_entity_is_refused()
     {

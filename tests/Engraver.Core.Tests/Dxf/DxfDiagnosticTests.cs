@@ -77,7 +77,7 @@ public class DxfDiagnosticTests
             (0, "TABLE"), (2, "LAYER"), (0, "LAYER"), (2, "0"), (70, 0), (62, 7), (6, ofLayer), (0, "LAYER"), (2, "off"), (70, 0), (62, -7), (6, "DASHED"), (0, "ENDTAB"))
         .Section("ENTITIES", [.. entity, (6, ofCurve)]).End().ToAscii();
 
-    /// <summary>By its own linetype or by its layer's, once however many there are, and not where it is not cut.</summary>
+    /// <summary>By its own linetype or by its layer's, once for any number of entities, and not if it is not cut.</summary>
     [Theory]
     [InlineData("DASHED", "BYLAYER", "0", 1)]
     [InlineData("DASHED", "ByLayer", "0", 1)]
@@ -122,7 +122,7 @@ public class DxfDiagnosticTests
     [Fact]
     public void Ids_are_unique_and_in_order() => Assert.Equal(DxfRules.All.Select(rule => rule.Id).Distinct().Order(), DxfRules.All.Select(rule => rule.Id));
 
-    /// <summary>Line breaks are no dots: what the file begins with is to be recognised.</summary>
+    /// <summary>Line breaks are kept, so that the start of the file can be recognised.</summary>
     [Fact]
     public void The_beginning_of_another_file_is_shown_in_one_line_as_it_reads() =>
         Assert.Contains("'Dear Sir or Madam, thi'", Assert.Single(Reading.Of("Dear Sir\r\nor Madam,\n\nthis is not what you think\n").Diagnostics).Message, StringComparison.Ordinal);

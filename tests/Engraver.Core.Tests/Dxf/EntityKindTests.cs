@@ -2,7 +2,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>What becomes of every entity type: cut, construction or refused.</summary>
+/// <summary>How every entity type is handled: cut, construction or refused.</summary>
 public class EntityKindTests
 {
     [Theory]

@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Blocks in blocks under unequal scales, mirrors, arrays and tilted extrusions, against products of plain 4 x 4 matrices.</summary>
+/// <summary>Blocks in blocks under unequal scales, mirrors, arrays and tilted extrusions, compared with products of plain 4 x 4 matrices.</summary>
 public class ExpansionTests
 {
     private static readonly (int, object)[] s_content =
@@ -14,7 +14,7 @@ public class ExpansionTests
         (0, "SPLINE"), (70, 8), (71, 2), (72, 6), (73, 3), (40, 0.0), (40, 0.0), (40, 0.0), (40, 1.0), (40, 1.0), (40, 1.0), (10, 0.0), (20, 0.0), (30, 0.0), (10, 5.0), (20, 1.0), (30, 2.0), (10, 7.0), (20, -3.0), (30, 4.0),
     ];
 
-    /// <summary>Where three parts of the content pass in space at the fractions 0, 1/4, 1/2 and 3/4 of the line, of the circle's turn, of the spline's
+    /// <summary>Positions in space of three parts of the content at the fractions 0, 1/4, 1/2 and 3/4 of the line, of the circle's turn, of the spline's
     /// parameter.</summary>
     private static readonly double[][][] s_points =
     [
@@ -41,7 +41,7 @@ public class ExpansionTests
         }
     }
 
-    /// <summary>Points in space must lie on the part; the plan of a circle may have become an ellipse.</summary>
+    /// <summary>Points in space must be on the part; the plan of a circle may have become an ellipse.</summary>
     private static void AssertThrough(Drawing drawing, int entity, double[][] points, string what)
     {
         var part = drawing.Parts[drawing.Entities[entity].FirstPart];
@@ -90,7 +90,7 @@ public class ExpansionTests
 
     private static double[,] Moved(double x, double y, double z) => new[,] { { 1, 0, 0, x }, { 0, 1, 0, y }, { 0, 0, 1, z }, { 0, 0, 0, 1 } };
 
-    /// <summary>The arbitrary axis algorithm of the DXF reference, word by word.</summary>
+    /// <summary>The arbitrary axis algorithm exactly as in the DXF reference.</summary>
     private static double[,] System(double[] direction)
     {
         var n = Unit(direction);

@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Lines of which nothing is left to cut.</summary>
+/// <summary>Lines without a part to cut.</summary>
 public class FlatLineTests
 {
     [Theory]

@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>One drawing in every form in which a DXF comes.</summary>
+/// <summary>One drawing in every form of DXF.</summary>
 public class FormTests
 {
     private static readonly DxfText Everything = OddDrawings.OneOfEverything();
@@ -143,7 +143,7 @@ public class FormTests
         }
     }
 
-    /// <summary>A few letters of the code page's upper half (two-byte pages: of their tables) that survive the way there and back.</summary>
+    /// <summary>A few letters of the code page's upper half (for two-byte pages: of their tables) that can be converted in both directions.</summary>
     private static string Letters(Encoding encoding)
     {
         var candidates = Enumerable.Range(0xA0, 0x5C0).Concat(Enumerable.Range(0x3041, 40)).Concat(Enumerable.Range(0x4E00, 40)).Concat(Enumerable.Range(0xAC00, 40)).Concat(Enumerable.Range(0xE01, 30)).Concat(Enumerable.Range(0xFE80, 60)).Select(code => ((char)code).ToString());

@@ -7,7 +7,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Ellipses, splines, and circles that a tilt or an unequal scale makes ellipses.</summary>
+/// <summary>Ellipses, splines, and circles that become ellipses by a tilt or an unequal scale.</summary>
 public class FreeCurveTests
 {
     private const double QuarterOfTwoToOne = 12.110560275684595; // half-diameters 10 and 5
@@ -133,8 +133,8 @@ public class FreeCurveTests
         Assert.Empty(whole.Diagnostics);
     }
 
-    /// <summary>As drawn by programs that join Bezier curves and keep their knots apart: between two knots that are hardly apart lies a span so short that
-    /// the rounding of its place is noise in its speed.</summary>
+    /// <summary>As drawn by programs that join Bezier curves and keep their knots apart: between two nearly equal knots there is a span so short that the
+    /// rounding of its points is noise in its speed.</summary>
     [Fact]
     public void Knots_that_are_hardly_apart_are_measured_in_time()
     {
@@ -146,7 +146,7 @@ public class FreeCurveTests
         Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
     }
 
-    /// <summary>A double knot of which the second was rounded down is one double knot, not a reason to take all knots for unusable.</summary>
+    /// <summary>A double knot whose second value was rounded down is one double knot; it does not make the other knots unusable.</summary>
     [Theory]
     [InlineData(0.5, 0.49999999999, 1.0)]
     [InlineData(0.5, 0.5, 0.99999999999)]

@@ -6,23 +6,23 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Damaged drawings by the thousand. A million: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Core.Tests -c Release --filter FuzzTests;
-/// ENGRAVER_FUZZ_FIRST names the first seed.</summary>
+/// <summary>Thousands of damaged drawings. A million: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Core.Tests -c Release --filter FuzzTests;
+/// ENGRAVER_FUZZ_FIRST sets the first seed.</summary>
 public class FuzzTests
 {
     private const double LargestCoordinate = 1e101;
-    /// <summary>No case of these sizes takes a hundredth of it, even on a busy machine: beyond it is an endless loop.</summary>
+    /// <summary>A case of these sizes takes less than a hundredth of it, even on a busy machine: a longer time is an endless loop.</summary>
     private static readonly TimeSpan LongestReading = TimeSpan.FromMinutes(1);
 
     private const int LargestOriginal = 24_000;
 
-    /// <summary>Small, so that array bombs are refused and not drawn.</summary>
+    /// <summary>Small, so that array bombs are refused and not expanded.</summary>
     private const int MostCurves = 20_000;
 
     [CorpusFact]
     public Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none() => JudgeAllAsync([.. Made(), .. Real()], TestExtent.Cases(perCommit: 2_500, full: 100_000, "ENGRAVER_FUZZ_CASES"));
 
-    /// <summary>The same where no corpus is at hand: drawings of our own only, and fewer of them.</summary>
+    /// <summary>The same without the corpus: only drawings of this project, and fewer of them.</summary>
     [Fact]
     public Task No_damage_to_drawings_of_our_own_does_either() => JudgeAllAsync(Made(), TestExtent.IsFull ? 20_000 : 2_000);
 
@@ -36,7 +36,7 @@ public class FuzzTests
         }
     }
 
-    /// <summary>A case that is judged wrong or takes too long is written out, so that it can be looked at: engraver info fuzz-SEED.dxf.</summary>
+    /// <summary>A case that fails or takes too long is written to a file for inspection: engraver info fuzz-SEED.dxf.</summary>
     private static async Task JudgeAsync(byte[] file, int seed)
     {
         var path = Path.Combine(AppContext.BaseDirectory, string.Create(CultureInfo.InvariantCulture, $"fuzz-{seed}.dxf"));

@@ -6,11 +6,11 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>One number inside a curve is changed (a span, a radius, a count): the curve is as long as its numbers say then, or a finding says that it is
-/// not.</summary>
+/// <summary>One number inside a curve is changed (a span, a radius, a count): the length of the curve agrees with the changed numbers, or a finding reports a
+/// difference.</summary>
 public class LengthLossTests
 {
-    /// <summary>A curve may be shorter than the estimate by this part: sums of chords are shorter themselves.</summary>
+    /// <summary>A curve may be shorter than the estimate by this fraction, because sums of chords are too short themselves.</summary>
     private const double Shorter = 1e-3;
 
     private const int Chords = 2000;
@@ -60,7 +60,7 @@ public class LengthLossTests
         var places = Enumerable.Range(0, pairs.Length).Where(i => pairs[i].Code is 41 or 42 or 50 or 51 or 71 or 72 or 73 or 74 or 90 or 91 or 93 || (pairs[i].Code == 40 && pairs[0].Value is not "SPLINE")).ToArray();
         var place = places[random.Next(places.Length)];
         var isHatch = pairs[0].Value is "HATCH";
-        if (isHatch && pairs[place].Code is 72 or 73) place = Array.FindIndex(pairs, pair => pair.Code == 51); // the kind and the direction of an edge are no numbers
+        if (isHatch && pairs[place].Code is 72 or 73) place = Array.FindIndex(pairs, pair => pair.Code == 51); // the kind and the direction of an edge are flags
         var changed = pairs[place].Value is int count ? (object)Count(count, random) : Number((double)pairs[place].Value, pairs[0].Value is "ELLIPSE" ? Math.Tau : 360.0, random);
         return [.. pairs[..place], (pairs[place].Code, changed), .. pairs[(place + 1)..]];
     }
@@ -81,7 +81,7 @@ public class LengthLossTests
         _ => value * random.NextDouble(),
     };
 
-    /// <summary>From the definitions of the curves, by many chords; of a spline the way from its first control point to its last.</summary>
+    /// <summary>From the definitions of the curves, by many chords; for a spline the path from its first control point to its last.</summary>
     private static double Written((int Code, object Value)[] pairs)
     {
         double At(int code, double otherwise = 0.0) => pairs.FirstOrDefault(pair => pair.Code == code && pair.Value is double) is { Value: double value } ? value : otherwise;
@@ -110,8 +110,8 @@ public class LengthLossTests
         return (reach * Math.Cos(angle), reach * Math.Sin(angle));
     }
 
-    /// <summary>At most a turn. An end below its start is met after the angles have begun again; next to nothing is meant then only by two angles near that
-    /// place.</summary>
+    /// <summary>At most a turn. An end angle below the start angle is reached after the angles have started again; a nearly empty span is meant only by two
+    /// angles near that point.</summary>
     private static double Turn(double start, double end, double turn)
     {
         if (Math.Abs(end - start) <= 1e-9) return 0.0;

@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Records that no section holds, blocks that no file holds: nothing is lost without a word.</summary>
+/// <summary>Records outside of sections, blocks that are missing in the file: every loss is reported.</summary>
 public class LooseRecordTests
 {
     private static readonly (int, object)[] s_line = [(0, "LINE"), (8, "0"), (10, 0), (20, 0), (11, 3), (21, 4)];
@@ -28,7 +28,7 @@ public class LooseRecordTests
         Assert.Equal(["DXF0002"], Reading.Ids(Reading.Of(new DxfText().Add(s_line).End())));
     }
 
-    /// <summary>Some programs write the drawing into the block that is model space. Its inserts may need blocks that come later.</summary>
+    /// <summary>Some programs write the drawing into the block that is model space. Its inserts may need blocks that follow later.</summary>
     [Theory]
     [InlineData("*Model_Space", 2)]
     [InlineData("$MODEL_SPACE", 2)]
@@ -92,7 +92,7 @@ public class LooseRecordTests
 
         Assert.Equal((cut, 1 - cut), (drawing.Balance.Cut, drawing.Balance.Refused.Count));
         Assert.Equal([id], Reading.Ids(drawing));
-        Assert.Empty(Reading.Of(file).Diagnostics); // construction: nobody cuts it
+        Assert.Empty(Reading.Of(file).Diagnostics); // construction is not cut
     }
 
     [Theory]

@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Numbers and lines as the fast way of reading takes them, held against the library.</summary>
+/// <summary>Numbers and lines as read by the fast parser, compared with the library.</summary>
 public class NumberTests
 {
     [Theory]

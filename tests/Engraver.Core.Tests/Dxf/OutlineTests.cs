@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Construction that the operator has cut (--cut).</summary>
+/// <summary>Construction that the operator selects for cutting (--cut).</summary>
 public class OutlineTests
 {
     [Fact]
@@ -53,7 +53,7 @@ public class OutlineTests
     [Fact]
     public void The_angles_of_an_elliptical_edge_are_seen_angles_so_that_edges_meet()
     {
-        // From a boundary drawn in a CAD program: the line before ends where the ellipse starts, the line behind starts where it ends.
+        // From a boundary drawn in a CAD program: the previous line ends at the start of the ellipse, the next line starts at its end.
         var drawing = Cut(CutChoice.Hatch, [(0, "HATCH"), (91, 1), (92, 1), (93, 1), (72, 3), (10, 49.64089977339618), (20, 36.43095770602131), (11, 16.69099826506408), (21, 6.96203799241026), (40, 0.173450304570581), (50, 348.7055398636587), (51, 472.8737032507014), (73, 1), (97, 0), (75, 0)]);
         var edge = drawing.SegmentOf(drawing.Parts[0]);
 
@@ -75,7 +75,7 @@ public class OutlineTests
         Assert.Equal((12.0, 1), (DrawingSummary.From(inserted).Length.Total, inserted.Balance.Cut));
     }
 
-    /// <summary>One vertex has no joint between others; a vertex with more elements than its neighbour (damage) has them for nothing.</summary>
+    /// <summary>One vertex has no joint with others; additional elements of a vertex compared with its neighbour (damage) are ignored.</summary>
     [Theory]
     [InlineData(1, 2, 2, 0)]
     [InlineData(2, 7, 2, 2)]
@@ -99,7 +99,7 @@ public class OutlineTests
 
         Assert.Equal("0,1>10,1 0,-1>10,-1", Lines(plain));
         Assert.Equal((4, 1), (capped.Entities.Count, capped.Balance.Cut));
-        Assert.Equal((0.0, 11.0), (DrawingSummary.From(capped).Bounds!.Value.MinX, DrawingSummary.From(capped).Bounds!.Value.MaxX)); // the round cap stands out at the end
+        Assert.Equal((0.0, 11.0), (DrawingSummary.From(capped).Bounds!.Value.MinX, DrawingSummary.From(capped).Bounds!.Value.MaxX)); // the round cap projects at the end
     }
 
     [Fact]

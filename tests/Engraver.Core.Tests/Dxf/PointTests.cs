@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>POINT is kept with its place, layer, colour and visibility, and counted as before.</summary>
+/// <summary>POINT is stored with its position, layer, colour and visibility, and counted as before.</summary>
 public class PointTests
 {
     [Fact]
@@ -18,7 +18,7 @@ public class PointTests
         Assert.Empty(DrawingRest.Find(drawing));
     }
 
-    /// <summary>Points are only shown: what cannot be placed does no harm, and is counted among what SAVEAS does not write.</summary>
+    /// <summary>Points are only shown: one that cannot be placed has no effect, and is counted among the entities that SAVEAS does not write.</summary>
     [Theory]
     [InlineData(10, "1.2.3")]
     [InlineData(20, "x")]
@@ -47,7 +47,7 @@ public class PointTests
         Assert.Equal(2, drawing.Balance.Points);
     }
 
-    /// <summary>A million and one: the first million are kept, the rest is counted and told.</summary>
+    /// <summary>A million and one: the first million are stored, the rest is counted and reported.</summary>
     [Fact]
     public void More_than_a_million_points_are_counted()
     {

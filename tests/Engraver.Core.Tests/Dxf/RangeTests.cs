@@ -5,10 +5,10 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Numbers that are usable each by itself and meet in a product that is not: nothing that is no number may leave the reader.</summary>
+/// <summary>Numbers that are valid separately but have an invalid product: NaN must never leave the reader.</summary>
 public class RangeTests
 {
-    /// <summary>The square of 1e-200 is zero: without care the direction becomes no number, and a length of that is looked for without end.</summary>
+    /// <summary>The square of 1e-200 is zero: without a check the direction becomes NaN, and the search for a length with it never ends.</summary>
     [Fact]
     public void A_tiny_extrusion_is_a_direction_like_any_other()
     {

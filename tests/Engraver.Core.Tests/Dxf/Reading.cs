@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Short ways to a drawing and to what can be compared of it.</summary>
+/// <summary>Short methods to read a drawing and to compare its content.</summary>
 internal static class Reading
 {
     public static Drawing Of(byte[] file, DxfReadOptions? options = null) => DxfReader.Read(file, "test.dxf", options ?? DxfReadOptions.Default, CancellationToken.None);
@@ -23,7 +23,7 @@ internal static class Reading
 
     public static string[] Ids(Drawing drawing) => [.. drawing.Diagnostics.Select(diagnostic => diagnostic.Id)];
 
-    /// <summary>All that two readings of one drawing must share, lines and byte offsets left out.</summary>
+    /// <summary>Everything that two readings of one drawing must have in common, without lines and byte offsets.</summary>
     public static string Fingerprint(Drawing drawing)
     {
         var text = new StringBuilder();

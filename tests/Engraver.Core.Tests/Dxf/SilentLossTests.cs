@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Damage where no entity stands (heads and ends of sections, tables and blocks) must not cost an entity without a word, in neither reading.</summary>
+/// <summary>Damage outside of entities (heads and ends of sections, tables and blocks) must not lose an entity silently, in either reader.</summary>
 public class SilentLossTests
 {
     private static readonly (int, object)[] Line = [(0, "LINE"), (5, "2F"), (8, "CUT"), (10, 0.0), (20, 0.0), (11, 7.0), (21, 3.0)];
@@ -18,7 +18,7 @@ public class SilentLossTests
 
     private static readonly (int, object)[] Text = [(0, "TEXT"), (5, "33"), (8, "CUT"), (10, 1.0), (20, 1.0), (40, 2.5), (1, "x")];
 
-    /// <summary>A hidden layer, a block, a polyline, texts: with each kind of record that is passed over in front of one that is not.</summary>
+    /// <summary>A hidden layer, a block, a polyline, texts: with each kind of skipped record in front of one that is read.</summary>
     private static readonly DxfText Sample = new DxfText()
         .Header("AC1015", 4)
         .Section("TABLES", (0, "TABLE"), (2, "LAYER"), (5, "2"), (70, 2), (0, "LAYER"), (5, "10"), (2, "HIDDEN"), (70, 1), (62, -7), (6, "CONTINUOUS"), (0, "LAYER"), (5, "11"), (2, "CUT"), (70, 0), (62, 3), (6, "CONTINUOUS"), (0, "ENDTAB"))
@@ -27,7 +27,7 @@ public class SilentLossTests
         .Section("OBJECTS", (0, "DICTIONARY"), (5, "C"), (3, "ACAD_GROUP"), (350, "D"))
         .End();
 
-    /// <summary>The same with the sections that hold nothing to cut: classes in front, a preview picture behind.</summary>
+    /// <summary>The same with the sections without cuts: classes in front, a preview picture after them.</summary>
     private static readonly DxfText Framed = new DxfText()
         .Add([.. Sample.Pairs.TakeWhile(pair => !Equals(pair.Value, "TABLES")).SkipLast(1)])
         .Section("CLASSES", (0, "CLASS"), (1, "WIPEOUT"), (2, "AcDbWipeout"), (3, "ObjectDBX"), (90, 127), (280, 0))
@@ -35,14 +35,14 @@ public class SilentLossTests
         .Section("THUMBNAILIMAGE", (90, 4))
         .End();
 
-    /// <summary>More zeros than this in a row are no value of any group: some read as a record without a name.</summary>
+    /// <summary>A longer run of zeros cannot be the value of a group: some of it reads as a record without a name.</summary>
     private const int LongestValue = 16;
 
     private static readonly string[] FrameTypes = ["SECTION", "ENDSEC", "CLASS", "TABLE", "ENDTAB", "ENDBLK", "SEQEND", "DICTIONARY", "EOF"];
 
     public static TheoryData<string?> Damages => [null, "O", "8", "5", "1", "x0", " 0 0", "LINE"];
 
-    /// <summary>Each line 0 of the drawing, lost or damaged: the curves are all there, or an error says so.</summary>
+    /// <summary>Each line 0 of the drawing, lost or damaged: all curves are read, or an error is reported.</summary>
     [Theory]
     [MemberData(nameof(Damages))]
     public void A_record_whose_0_is_lost_or_damaged_is_never_lost_without_an_error(string? instead)
@@ -61,7 +61,7 @@ public class SilentLossTests
         Assert.Empty(silent);
     }
 
-    /// <summary>Both lines of a record's head lost, the 0 and the name: its values run into the record before it.</summary>
+    /// <summary>Both lines of a record's head are lost, the 0 and the name: its values are appended to the previous record.</summary>
     [Fact]
     public void A_record_whose_head_is_lost_whole_is_never_lost_without_an_error()
     {
@@ -78,7 +78,7 @@ public class SilentLossTests
         Assert.Empty(silent);
     }
 
-    /// <summary>The values of a second record follow in a polyline or a spline as if they were more of its own.</summary>
+    /// <summary>In a polyline or a spline, the values of a second record look like further values of the first.</summary>
     [Theory]
     [InlineData("0 LWPOLYLINE|8 CUT|90 2|70 0|10 0|20 0|10 9|20 0")]
     [InlineData("0 SPLINE|8 CUT|70 8|71 1|72 4|73 2|40 0|40 0|40 1|40 1|10 0|20 0|10 9|20 0")]
@@ -90,7 +90,7 @@ public class SilentLossTests
         Assert.True(Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. pairs, .. Line[1..]]).End().ToAscii()).HasErrors);
     }
 
-    /// <summary>A name that is empty, cut short or one letter off is a lost curve, not a type of another program.</summary>
+    /// <summary>A name that is empty, truncated or misspelt by one letter is a lost curve, not an unknown type.</summary>
     [Theory]
     [InlineData("")]
     [InlineData("LIN3")]
@@ -107,11 +107,9 @@ public class SilentLossTests
         Assert.True(drawing.HasErrors);
     }
 
-    /// <summary>
-    /// Zeros in a binary file read as records without a name, wherever they begin: heads and ends of sections and blocks, CLASSES, tables, entities,
-    /// OBJECTS. Not told can be what is a value
-    /// as good as another: the name or the flags of a layer, and so only the number of curves is compared.
-    /// </summary>
+    /// <summary> Zeros in a binary file read as records without a name, wherever they start: heads and ends of sections and blocks, CLASSES, tables, entities,
+    /// OBJECTS. A changed value that is also valid, such as the name or the flags of a layer, cannot be detected; therefore only the number of curves is
+    /// compared. </summary>
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
@@ -136,7 +134,7 @@ public class SilentLossTests
         Assert.Empty(silent);
     }
 
-    /// <summary>Every byte of a record that is passed over, made another one in four ways.</summary>
+    /// <summary>Every byte of a skipped record is changed in four ways.</summary>
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
@@ -212,8 +210,8 @@ public class SilentLossTests
         Assert.Contains("'LINE'", finding.Message, StringComparison.Ordinal);
     }
 
-    /// <summary>Sections that other programs add, of records of their own; preview pictures; what AutoCAD stores behind the entities; header variables
-    /// behind the header's end.</summary>
+    /// <summary>Sections added by other programs, with special records; preview pictures; data that AutoCAD stores after the entities; header variables after
+    /// the end of the header.</summary>
     [Theory]
     [InlineData("THUMBNAILIMAGE", "90 12|310 28000000|310 FFFF")]
     [InlineData("ACDSDATA", "70 2|71 6|0 ACDSSCHEMA|90 0|1 AcDb_Thumbnail_Schema|2 AcDbDs::ID|280 10|91 8|0 ACDSRECORD|90 0")]
@@ -240,7 +238,7 @@ public class SilentLossTests
         Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
     }
 
-    /// <summary>Twelve offsets of each form of each sample: a sector of zeros is an error unless every curve is still there.</summary>
+    /// <summary>Twelve offsets of each form of each sample: a sector of zeros is an error unless every curve is still read.</summary>
     [Fact]
     public void A_sector_of_zeros_is_never_passed_over_in_silence()
     {
@@ -303,7 +301,7 @@ public class SilentLossTests
 
     private static byte[] Bytes(IEnumerable<string> lines) => Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n");
 
-    /// <summary>The bytes of the records that are passed over, in the binary form.</summary>
+    /// <summary>The bytes of the skipped records, in the binary form.</summary>
     private static IEnumerable<int> FrameBytes(bool oneByteCodes)
     {
         var (at, inFrame) = (new DxfText().ToBinary(oneByteCodes).Length, false);
@@ -318,7 +316,7 @@ public class SilentLossTests
 
     private static string Types(Drawing drawing) => string.Join(' ', Reading.Curves(drawing).CountBy(entity => entity.Type).OrderBy(pair => pair.Key));
 
-    /// <summary>What was lost without an error, or without a difference in the second reading; null when nothing was.</summary>
+    /// <summary>The parts that were lost without an error, or without a difference in the second reader; null for none.</summary>
     private static string? Silence(IEnumerable<string> lines)
     {
         var file = Bytes(lines);
@@ -328,7 +326,7 @@ public class SilentLossTests
         return CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(read)).Count == 0 ? "the second reading agrees" : null;
     }
 
-    /// <summary>What is cut, and whether its layer is switched on; in any order.</summary>
+    /// <summary>The cut curves, and whether their layers are switched on; in any order.</summary>
     private static string Curves(Drawing drawing)
     {
         var curves = Reading.Curves(drawing).Select(entity => string.Create(CultureInfo.InvariantCulture,

@@ -8,7 +8,7 @@ using Engraver.Tools.CrossChecks;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>How far arcs, ellipses and edges of hatches turn when their angles are rounded, and that none is lost in silence.</summary>
+/// <summary>The spans of arcs, ellipses and edges of hatches when their angles are rounded; none is lost silently.</summary>
 public class SpanTests
 {
     private const double HalfEllipse = 24.2211206; // half of the circumference with half-axes 10 and 5
@@ -50,7 +50,7 @@ public class SpanTests
         Assert.Equal(finding, string.Join(' ', Reading.Ids(drawing)));
     }
 
-    /// <summary>A flat elliptical edge too: there one degree is many of the parameter.</summary>
+    /// <summary>Also a flat elliptical edge: there one degree is a large change of the parameter.</summary>
     [Theory]
     [InlineData("2", 1)]
     [InlineData("2", 0)]
@@ -88,8 +88,8 @@ public class SpanTests
         }
     }
 
-    /// <summary>Angles that run clockwise by almost a turn end next to where they began: whether a point or a whole ellipse was meant, the operator must
-    /// see it.</summary>
+    /// <summary>Angles that run clockwise by almost a turn end next to their start: whether a point or a whole ellipse was meant is ambiguous, and the operator
+    /// must see it.</summary>
     [Theory]
     [InlineData(0.0, -6.28318530)]
     [InlineData(6.2831853, -1e-9)]
@@ -101,7 +101,7 @@ public class SpanTests
         Assert.Contains("48.", finding.Message, StringComparison.Ordinal);
     }
 
-    /// <summary>The check must find what the mapping loses, whatever the cause: here the mapping is replaced by one that draws next to nothing.</summary>
+    /// <summary>The check must find losses of the mapping independent of their cause: here the mapping is replaced by one that draws almost nothing.</summary>
     [Theory]
     [InlineData("LINE")]
     [InlineData("CIRCLE")]

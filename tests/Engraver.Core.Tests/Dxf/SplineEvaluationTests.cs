@@ -2,8 +2,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Splines of every degree, clamped or not, with repeated knots and weights, against the recursion of Cox and de Boor as it stands in the
-/// books.</summary>
+/// <summary>Splines of every degree, clamped or not, with repeated knots and weights, compared with the recursion of Cox and de Boor as published.</summary>
 public class SplineEvaluationTests
 {
     [Fact]
@@ -30,7 +29,7 @@ public class SplineEvaluationTests
         }
     }
 
-    /// <summary>What chords miss shrinks with the square of their number, so two sums tell the length far better than either.</summary>
+    /// <summary>The error of the sum of chords falls with the square of their number, so that two sums give a much better length.</summary>
     [Fact]
     public void Its_length_is_the_sum_of_many_small_chords()
     {

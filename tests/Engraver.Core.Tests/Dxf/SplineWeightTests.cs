@@ -3,7 +3,7 @@ using Engraver.Core.Geometry.Biarcs;
 
 namespace Engraver.Core.Tests.Dxf;
 
-/// <summary>Rational splines whose weights differ by many powers of ten: measured right, or refused by name.</summary>
+/// <summary>Rational splines whose weights differ by many powers of ten: measured correctly, or refused with the entity named.</summary>
 public class SplineWeightTests
 {
     private static readonly (double X, double Y)[] Places = [(0, 0), (10, 20), (30, 20), (40, 0)];
@@ -53,7 +53,7 @@ public class SplineWeightTests
     private static Core.Drawings.Drawing Read(double[] weights) => Reading.Entities(
         [(0, "SPLINE"), (5, "A1"), (70, 4), (71, 3), .. new[] { 0.0, 0, 0, 0, 1, 1, 1, 1 }.Select(knot => (40, (object)knot)), .. weights.Select(weight => (41, (object)weight)), .. Places.SelectMany<(double X, double Y), (int, object)>(place => [(10, place.X), (20, place.Y)])]);
 
-    /// <summary>Chords between parameters that crowd towards both ends by powers of ten, where a heavy control point draws the curve's whole way.</summary>
+    /// <summary>Chords between parameters that are denser towards both ends by powers of ten, where a large weight determines most of the curve.</summary>
     private static double LengthOf(double[] weights)
     {
         var half = Enumerable.Range(0, 400_001).Select(i => 0.5 * Math.Pow(10.0, -16.0 * (1.0 - (i / 400_000.0)))).ToArray();

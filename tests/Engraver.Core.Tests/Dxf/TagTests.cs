@@ -109,7 +109,7 @@ public class TagTests
 
         var refused = Assert.Single(drawing.Balance.Refused);
         Assert.Equal(("LINE", "A1", "DXF0007"), (refused.Type, refused.Handle, refused.DiagnosticId));
-        Assert.Equal(24, refused.Line); // the line of the value: eleven pairs and a code stand before it
+        Assert.Equal(24, refused.Line); // the line of the value: eleven pairs and a code come before it
         Assert.Equal(1, drawing.Entities.Count);
     }
 
@@ -128,7 +128,7 @@ public class TagTests
         }
     }
 
-    /// <summary>A value of another length than its code has, in a binary file: 2000 is no code, so what follows it cannot be told.</summary>
+    /// <summary>A value in a binary file whose length does not match its code: 2000 is not a code, so the following data cannot be interpreted.</summary>
     [Theory]
     [InlineData("ENTITIES OBJECTS", "DXF0044")]
     [InlineData("OBJECTS ENTITIES", "DXF0005")]

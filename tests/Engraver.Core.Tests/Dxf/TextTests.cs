@@ -86,7 +86,7 @@ public class TextTests
         Assert.Equal(1, drawing.Balance.TextCounts["ATTRIB"]);
     }
 
-    /// <summary>A constant attribute has no ATTRIB: every copy shows what is in the block.</summary>
+    /// <summary>A constant attribute has no ATTRIB: every copy shows the text in the block.</summary>
     [Fact]
     public void A_constant_attribute_is_a_text_of_every_copy_and_any_other_definition_is_none()
     {
@@ -129,7 +129,7 @@ public class TextTests
         Assert.Equal("Деталь №5", Assert.Single(Reading.Of(bytes).Texts).Content);
     }
 
-    /// <summary>Each code looks for its end only where there is one: with a search to the end of the text for each of them this would take minutes.</summary>
+    /// <summary>Each code searches for its end only if there is one: a search to the end of the text for each of them would take minutes.</summary>
     [Fact]
     public void A_million_codes_that_never_end_are_left_out()
     {

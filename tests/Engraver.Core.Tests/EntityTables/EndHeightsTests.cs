@@ -3,13 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Tests.EntityTables;
 
-/// <summary>A level is no higher than the tolerance, noise ends no level, and a drawing at one level is flat.</summary>
+/// <summary>A level is at most as high as the tolerance, noise does not end a level, and a drawing at one level is flat.</summary>
 public class EndHeightsTests
 {
     private const double Tolerance = 0.05;
 
-    /// <summary>Steps of a fifth of the tolerance over forty of them: every level by itself holds no more than the tolerance, and neighbours are told
-    /// apart.</summary>
+    /// <summary>Steps of a fifth of the tolerance over forty of them: every level is at most as high as the tolerance, and neighbours are
+    /// distinguished.</summary>
     [Fact]
     public void The_small_steps_of_a_ramp_do_not_make_one_level_of_all_depths()
     {
@@ -27,8 +27,8 @@ public class EndHeightsTests
     [InlineData(new[] { 0.0, 0.05, 0.3 }, new[] { 0, 0, 1 })] // the tolerance itself is still one level
     [InlineData(new[] { 0.0, 0.0502, 0.3 }, new[] { 0, 1, 2 })]
     [InlineData(new[] { 0.0, 0.03, 0.06, 0.3 }, new[] { 0, 0, 1, 2 })] // counted from the lowest of a level, not from neighbour to neighbour
-    [InlineData(new[] { 0.0, 0.05, 0.0500000001, 0.3 }, new[] { 0, 0, 0, 1 })] // noise ends no level
-    [InlineData(new[] { 0.3, -1.0, 0.0, -1.0000000001 }, new[] { 2, 0, 1, 0 })] // in whatever order they are drawn
+    [InlineData(new[] { 0.0, 0.05, 0.0500000001, 0.3 }, new[] { 0, 0, 0, 1 })] // noise does not end a level
+    [InlineData(new[] { 0.3, -1.0, 0.0, -1.0000000001 }, new[] { 2, 0, 1, 0 })] // in any order of drawing
     public void Heights_within_the_tolerance_are_one_level(double[] heights, int[] expected)
     {
         Assert.Equal(expected, LevelsOf(heights, out var found));
@@ -46,7 +46,7 @@ public class EndHeightsTests
         Assert.Equal(0.0, found.HeightOf(0));
     }
 
-    /// <summary>A tolerance of 0 is meant for the plan.</summary>
+    /// <summary>A tolerance of 0 applies to the plan.</summary>
     [Theory]
     [InlineData(0.0, 0.01)]
     [InlineData(0.2, 0.2)]

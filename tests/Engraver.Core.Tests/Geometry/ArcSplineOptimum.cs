@@ -2,10 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Tests.Geometry;
 
-/// <summary>The fewest lines and arcs that can follow a curve: dynamic programming over 256 knots of each smooth run. Knows nothing of the fit that it
-/// judges.</summary>
-/// <remarks>Between two knots goes one arc (or line) whose tangents happen to be the curve's at both, or two arcs of the family that begins and ends in the
-/// curve's directions. Whether they are near enough is sampled, so the answer errs on the low side.</remarks>
+/// <summary>The smallest number of lines and arcs that can follow a curve: dynamic programming over 256 knots of each smooth run. Independent of the fit that
+/// it judges.</summary>
+/// <remarks>Two knots are connected by one arc (or line) whose tangents are those of the curve at both, or by two arcs of the family that starts and ends in
+/// the curve's directions. Their distance is sampled, so the result may be too small.</remarks>
 internal sealed class ArcSplineOptimum
 {
     private const int Knots = 256;
@@ -13,7 +13,7 @@ internal sealed class ArcSplineOptimum
     private const int HopelessAfter = 12;
     private const double SameDirection = 1e-4;
 
-    /// <summary>First tangent length over that of the pair with equal lengths.</summary>
+    /// <summary>First tangent length divided by that of the pair with equal lengths.</summary>
     private static readonly double[] Family = [1.0, 0.8, 1.25, 0.6, 1.7, 0.4, 2.5, 0.2, 5.0];
 
     private readonly Point2D[] _samples;
@@ -22,7 +22,7 @@ internal sealed class ArcSplineOptimum
 
     private ArcSplineOptimum(Point2D[] samples, Vector2D[] tangents, double tolerance) => (_samples, _tangents, _tolerance) = (samples, tangents, tolerance);
 
-    /// <summary>Fewest pieces, null where 256 knots are too few to follow the curve at all.</summary>
+    /// <summary>Smallest number of pieces; null if 256 knots are too few to follow the curve.</summary>
     public static int? Pieces(RationalCurve curve, double tolerance)
     {
         var sum = 0;
@@ -103,7 +103,7 @@ internal sealed class ArcSplineOptimum
         return IsNear(low, middle - 1, joint, -tangent, Place(from)) && IsNear(middle, high, joint, tangent, Place(to));
     }
 
-    /// <summary>Distance of samples from the circle (or line) through two places with a direction at the first.</summary>
+    /// <summary>Distance of samples from the circle (or line) through two points with a direction at the first.</summary>
     private bool IsNear(int low, int high, Point2D start, Vector2D tangent, Point2D end)
     {
         var chord = end - start;

@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Geometry;
 
-/// <summary>The number of arcs held against the fewest that dynamic programming finds.</summary>
+/// <summary>Compares the number of arcs with the minimum found by dynamic programming.</summary>
 public class BiarcOptimumTests
 {
     private const double Most = 1.3;
@@ -41,7 +41,7 @@ public class BiarcOptimumTests
     {
         var corpus = RepositoryFolder.Corpus!;
         var judged = 0;
-        var every = TestExtent.Cases(perCommit: 6, full: 1, "ENGRAVER_OPTIMUM_EVERY"); // a commit takes each sixth drawing
+        var every = TestExtent.Cases(perCommit: 6, full: 1, "ENGRAVER_OPTIMUM_EVERY"); // a commit tests every sixth drawing
         foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal).Where((_, i) => i % every == 0))
         {
             var drawing = DxfReader.Read(File.ReadAllBytes(path), path, DxfReadOptions.Default, CancellationToken.None);
@@ -56,7 +56,7 @@ public class BiarcOptimumTests
         Assert.True(judged > (TestExtent.IsFull ? 80 : 10), $"Only {judged} curves could be judged.");
     }
 
-    /// <summary>The judge itself: a circle takes arcs of just under a half turn, a straight spline one line.</summary>
+    /// <summary>Test of the judge itself: a circle needs arcs of just under a half turn, a straight spline one line.</summary>
     [Fact]
     public void The_optimum_of_a_circle_is_a_few_arcs() => Assert.InRange(ArcSplineOptimum.Pieces(RationalCurveTests.Circle(), 0.001) ?? 0, 2, 4);
 

@@ -21,7 +21,7 @@ public class BoxTreeTests
             return found == expected && distance == places[expected].DistanceTo(here);
         }).QuickCheckThrowOnFailure();
 
-    /// <summary>The lower number counts among equals; to look at all of them each time would make a star of lines quadratic.</summary>
+    /// <summary>The lower number is chosen among equals; testing all of them each time would make a star of lines quadratic.</summary>
     [Fact]
     public void Of_many_items_in_one_place_few_are_looked_at()
     {
@@ -63,7 +63,7 @@ public class BoxTreeTests
             return found.Order().SequenceEqual(Enumerable.Range(0, boxes.Length).Where(i => i != hidden && boxes[i].Contains(asked)));
         }).QuickCheckThrowOnFailure();
 
-    /// <summary>A star's contours all meet in its middle, so that most boxes lie around most places; but few hold the whole of another.</summary>
+    /// <summary>The contours of a star all meet in its middle, so that most boxes contain most points; but few contain another contour completely.</summary>
     [Theory]
     [InlineData(2_000)]
     [InlineData(20_000)]

@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Geometry;
 
-/// <summary>Distances to ellipses and splines against an evaluation that shares nothing with the product (<see cref="DrawnCurve"/>).</summary>
+/// <summary>Distances to ellipses and splines, compared with an evaluation that shares no code with the product (<see cref="DrawnCurve"/>).</summary>
 public class CurveDistanceTests
 {
     private const double FiveCounts = 0.005;

@@ -31,7 +31,7 @@ public class OrientedBoxTreeTests
             return distance == lines[found].DistanceTo(here) && (distance <= 9.0 || distance == lines.Min(line => line.DistanceTo(here)));
         }).QuickCheckThrowOnFailure();
 
-    /// <summary>Places of the path stand for the path: a line that one of them is near must be found. What is found besides does no harm.</summary>
+    /// <summary>Points of the path represent the path: a line near one of them must be found. Additional results are harmless.</summary>
     [Fact]
     public void Along_a_line_and_along_an_arc_is_every_line_that_comes_near() =>
         Prop.ForAll(Seeds, seed =>
@@ -56,14 +56,14 @@ public class OrientedBoxTreeTests
         Assert.Equal(-1, tree.Nearest(default, (_, _) => 0.0, double.PositiveInfinity, -1.0, out _));
     }
 
-    /// <summary>Equal boxes cannot be told apart by place or direction, and one far away must not make a chain of the tree.</summary>
+    /// <summary>Equal boxes cannot be separated by position or direction, and one far away must not turn the tree into a chain.</summary>
     [Fact]
     public void Boxes_on_one_another_and_boxes_ever_farther_away_are_divided_in_number()
     {
         OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Around(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Around(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
         var found = new HashSet<int>();
 
-        OrientedBoxTree.Build(boxes).ComesNear(Segment.FromLine(new Point2D(0.5, 0.5), new Point2D(0.5, 0.6)), 0.1, item => !found.Add(item)); // none counts, so that all are asked
+        OrientedBoxTree.Build(boxes).ComesNear(Segment.FromLine(new Point2D(0.5, 0.5), new Point2D(0.5, 0.6)), 0.1, item => !found.Add(item)); // none counts, so that all are tested
 
         Assert.Equal(5000, found.Count);
     }
@@ -74,7 +74,7 @@ public class OrientedBoxTreeTests
     {
         var found = new HashSet<int>();
         var any = tree.ComesNear(path, reach);
-        tree.ComesNear(path, reach, item => !found.Add(item)); // none counts, so that all are asked
+        tree.ComesNear(path, reach, item => !found.Add(item)); // none counts, so that all are tested
         Assert.Equal(found.Count > 0, any);
         return found;
     }
@@ -82,7 +82,7 @@ public class OrientedBoxTreeTests
     private static HashSet<int> Near(LineSegment[] lines, Segment path, double reach) =>
         [.. Enumerable.Range(0, lines.Length).Where(i => Enumerable.Range(0, 101).Any(step => lines[i].DistanceTo(path.PointAt(step / 100.0)) <= reach))];
 
-    /// <summary>Whole coordinates, so that ties happen; points, lines on one another, and one far away.</summary>
+    /// <summary>Whole coordinates, so that ties happen; points, coincident lines, and one far away.</summary>
     private static (LineSegment[] Lines, Point2D Here) Lines(int seed)
     {
         var random = new Random(seed);

@@ -5,14 +5,14 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Geometry;
 
-/// <summary>Curves whose lengths and places are known by other means.</summary>
+/// <summary>Curves whose lengths and points are known by other means.</summary>
 public class RationalCurveTests
 {
     [Theory]
     [InlineData(1.0, 6.283185307179586)]
     [InlineData(0.5, 4.844224110273838)] // 4 E(sqrt(3)/2)
     [InlineData(0.1, 4.063974180100896)]
-    [InlineData(0.0, 4.0)] // a line there and back
+    [InlineData(0.0, 4.0)] // a line forwards and back
     public void The_perimeter_of_an_ellipse_is_the_elliptic_integral(double ratio, double perimeter)
     {
         var curve = FreeCurves.Ellipse(3.0, -2.0, 1.0, ratio, 30.0, 0.0, 360.0).ToCurve();

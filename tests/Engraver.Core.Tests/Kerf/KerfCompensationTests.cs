@@ -8,7 +8,7 @@ using Engraver.Core.Tests.Dxf;
 
 namespace Engraver.Core.Tests.Kerf;
 
-/// <summary>A rectangle of 40 x 20 (entity 0), a hole of radius 5 in it (1), a line beside it (2), and what a tool makes of them.</summary>
+/// <summary>A rectangle of 40 x 20 (entity 0), a hole of radius 5 in it (1), a line beside it (2), and their compensated paths.</summary>
 public class KerfCompensationTests
 {
     private static readonly (int, object)[] s_rectangle = [(0, "LWPOLYLINE"), (90, 4), (70, 1), (10, 0.0), (20, 0.0), (10, 40.0), (20, 0.0), (10, 40.0), (20, 20.0), (10, 0.0), (20, 20.0)];
@@ -58,7 +58,7 @@ public class KerfCompensationTests
         Assert.Equal((new Point2D(x, 0.0), new Point2D(x, 20.0)), (segment.Start, segment.End));
     }
 
-    /// <summary>What a round tool leaves in a right angle: its radius times the root of 2 less 1, in each of four corners.</summary>
+    /// <summary>Uncut by a round tool in a right angle: its radius times the root of 2 less 1, in each of four corners.</summary>
     [Fact]
     public void Corners_that_the_tool_does_not_reach_are_named_with_place_and_size()
     {
@@ -69,7 +69,7 @@ public class KerfCompensationTests
         Assert.All(kerf.Uncut, place => Assert.Equal(2.0 * (Math.Sqrt(2.0) - 1.0), place.Uncut, 12));
     }
 
-    /// <summary>A gap between two parts that is narrower than the tool: both of its walls stay uncut, the rest of the outline is cut.</summary>
+    /// <summary>A gap between two parts that is narrower than the tool: both of its walls remain uncut, the rest of the outline is cut.</summary>
     [Fact]
     public void A_gap_that_is_too_narrow_is_named_too()
     {
@@ -109,7 +109,7 @@ public class KerfCompensationTests
         Assert.Empty(Compensated(KerfSide.Nesting, 1.0, tilted).Diagnostics);
     }
 
-    /// <summary>A path that is not at its radius is found, by how much and where.</summary>
+    /// <summary>A path that is not at its radius is found, with the distance and the position.</summary>
     [Fact]
     public void The_check_finds_a_path_at_another_distance()
     {

@@ -4,7 +4,7 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Core.Tests.Languages;
 
-/// <summary>What the operating system refuses is told in the words of this program.</summary>
+/// <summary>Errors of the operating system are reported in texts of this program.</summary>
 public sealed class SystemReasonTests
 {
     [Fact]

@@ -19,7 +19,7 @@ public class ControllerAddressTests
         Assert.Equal(new SimulatedAddress(2.5), ControllerAddress.Parse("sim:?speed=2.5"));
     }
 
-    /// <summary>What people type, and what it is.</summary>
+    /// <summary>Addresses as typed, and their meaning.</summary>
     [Theory]
     [InlineData("192.168.0.2", "tcp://192.168.0.2:23")]
     [InlineData("192.168.0.2:5000", "tcp://192.168.0.2:5000")]

@@ -7,11 +7,11 @@ namespace Engraver.Core.Tests.Machines;
 
 public class MachineProfileFileTests
 {
-    /// <summary>As of the DMC-21x3.</summary>
+    /// <summary>Limits of the DMC-21x3.</summary>
     private static readonly MachineLimits s_limits = new(SlowestSpeed: 2, FastestSpeed: 12_000_000, AccelerationStep: 1024, LargestAcceleration: 67_107_840, Outputs: 8, "ABCDEFGH");
 
-    /// <summary>One look at the file is enough: a misspelt name hides nothing of the others, and what only follows from other fields is no finding beside
-    /// theirs.</summary>
+    /// <summary>All errors of a file are reported at once: a misspelt name does not hide the others, and consequences of other errors are not
+    /// reported.</summary>
     [Fact]
     public void Everything_that_is_wrong_is_told_at_once_and_nothing_that_nobody_wrote()
     {

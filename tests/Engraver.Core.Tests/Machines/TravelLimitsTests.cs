@@ -30,7 +30,7 @@ public class TravelLimitsTests
     [Fact]
     public void The_extents_of_a_job_hold_the_bulge_of_its_arcs_its_way_there_and_its_finish()
     {
-        // From 1000,0 half a turn counter-clockwise round 0,0: highest at 0,1000.
+        // From 1000,0 half a turn counter-clockwise around 0,0: highest at 0,1000.
         var arc = new VectorSegment(VectorSegmentKind.Arc, new CountsPoint(-1000, 0), 1000, 0.0, 180.0, 0, 3141.6);
         var line = new VectorSegment(VectorSegmentKind.Line, new CountsPoint(-1000, -70), 0, 0, 0, 0, 70);
         var program = new MotionProgram(Profile(), new CountsPoint(-5, 3), [new MotionStroke(0, new CountsPoint(1000, 0), [new VectorSequence(new CountsPoint(1000, 0), 1000, [arc, line])])]);
@@ -54,7 +54,7 @@ public class TravelLimitsTests
         Assert.Equal(new CountsRange(least, most), MotionExtents.Of(program).Heights(program.Profile, dryRun));
         Assert.Equal(700 * Math.Sign(scaleZ), DryLift.Of(program));
         var drawn = program with { Profile = program.Profile with { Height = null } };
-        Assert.Null(MotionExtents.Of(drawn).Heights(drawn.Profile, dryRun)); // an output is the tool: the height stays as it is
+        Assert.Null(MotionExtents.Of(drawn).Heights(drawn.Profile, dryRun)); // the tool is an output: the height is unchanged
         Assert.Equal(0, DryLift.Of(drawn));
         Assert.Null(MotionExtents.Of(program with { Strokes = [] }).Heights(program.Profile, dryRun));
     }

@@ -6,7 +6,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Motion;
 
-/// <summary>What is cut and what is left are together the whole program, and nothing is in both but the lead-in.</summary>
+/// <summary>The cut part and the rest together are the whole program, and only the lead-in is in both.</summary>
 public class RemainingProgramTests
 {
     private const double Quantum = 1.0 / 65536.0;
@@ -73,7 +73,7 @@ public class RemainingProgramTests
 
     private static double Keep(double degrees) => Math.Round(degrees / Quantum) * Quantum;
 
-    /// <summary>Every point of the rest lies on the whole program, behind the place less its lead-in.</summary>
+    /// <summary>Every point of the rest is on the whole program, after the start position less its lead-in.</summary>
     private static void AssertOnTheWhole(MotionProgram program, RemainingProgram rest)
     {
         var index = rest.SegmentsBefore;
@@ -111,7 +111,7 @@ public class RemainingProgramTests
 
     private static double Distance(CountsPoint a, CountsPoint b) => new Point2D(a.X, a.Y).DistanceTo(new Point2D(b.X, b.Y));
 
-    /// <summary>Strokes of lines and arcs; every arc begins exactly where it is drawn from and ends on the rounded count that it predicts.</summary>
+    /// <summary>Strokes of lines and arcs; every arc starts exactly at its drawn start and ends on the rounded count that it predicts.</summary>
     private static MotionProgram Random(int strokes, int seed)
     {
         var random = new Random(seed);

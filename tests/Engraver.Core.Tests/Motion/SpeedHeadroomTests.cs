@@ -3,7 +3,7 @@ using Engraver.Core.Motion;
 
 namespace Engraver.Core.Tests.Motion;
 
-/// <summary>How much faster than planned a sequence bears to be cut, by arithmetic of its own.</summary>
+/// <summary>By how much a sequence can be cut faster than planned, compared with an independent calculation.</summary>
 public class SpeedHeadroomTests
 {
     private const double Acceleration = 256000.0;

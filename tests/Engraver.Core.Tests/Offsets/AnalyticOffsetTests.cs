@@ -39,7 +39,7 @@ public class AnalyticOffsetTests
         IsNear(28.0 + (2.0 * Math.PI), outer.Length);
     }
 
-    /// <summary>A line that has no inside lies at 0.4 of the offset at 1; two lines offset to the left, each by itself, lie at 0.25 of one another.</summary>
+    /// <summary>A line without an inside is at 0.4 of the offset at 1; two lines offset separately to the left are at 0.25 of one another.</summary>
     [Fact]
     public void What_took_no_part_in_an_offset_is_no_deviation_of_it()
     {
@@ -88,8 +88,8 @@ public class AnalyticOffsetTests
         IsNear((width * height) - ((4.0 - Math.PI) * radius * radius), loop.SignedArea);
     }
 
-    /// <summary>Outwards: the polygon's area, its length times the distance, and a sector for every tip; the hollow corners are trimmed by tan of half
-    /// their turn.</summary>
+    /// <summary>Outwards: the polygon's area, its length times the distance, and a sector for every convex corner; the concave corners are trimmed by tan of
+    /// half their turn.</summary>
     [Fact]
     public void A_star_has_an_arc_at_every_tip_outwards()
     {

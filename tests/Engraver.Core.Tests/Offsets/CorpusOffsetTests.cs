@@ -10,10 +10,10 @@ namespace Engraver.Core.Tests.Offsets;
 /// <summary>The closed contours of real drawings.</summary>
 public class CorpusOffsetTests
 {
-    /// <summary>In sizes of the contour.</summary>
+    /// <summary>As a fraction of the contour's size.</summary>
     private static readonly double[] s_distances = [1.0 / 20.0, 1.0 / 300.0, 1.0 / 3000.0, 0.4];
 
-    /// <summary>Every drawing in the full run, every eighth in the other.</summary>
+    /// <summary>Every drawing in the full run, every eighth in the subset.</summary>
     private static readonly int Every = TestExtent.Cases(perCommit: 16, full: 1, "ENGRAVER_OFFSET_EVERY");
 
     [CorpusFact]
@@ -45,8 +45,8 @@ public class CorpusOffsetTests
         }
     }
 
-    /// <summary>Several distances, in and out: closed, not nearer than the distance, and outwards around everything. What was drawn with gaps or as a curve
-    /// has their tolerance.</summary>
+    /// <summary>Several distances, in and out: closed, not nearer than the distance, and outwards around everything. Contours drawn with gaps or as curves have
+    /// their tolerance.</summary>
     private static string? FaultOf(OffsetContour contour)
     {
         var box = BoxOf(contour.Segments);

@@ -4,7 +4,7 @@ using static Engraver.Core.Tests.Offsets.OffsetShapes;
 
 namespace Engraver.Core.Tests.Offsets;
 
-/// <summary>Contours on which offsets go wrong: what collapses, touches, coincides, repeats itself or has an unusual size.</summary>
+/// <summary>Contours that are difficult to offset: parts that collapse, touch, coincide, repeat or have an unusual size.</summary>
 internal static class HardContours
 {
     private static readonly (double X, double Y)[] s_crossing = [(2, 10), (-1, 7), (-1, 15), (2, 12), (-0.0627, 12.3385), (1.0, 10.9937), (0.1442, 9.4608)];
@@ -76,7 +76,7 @@ internal static class HardContours
         ("repeated points", Line((0, 0), (0, 0), (5, 0), (5, 0), (5, 5)), [1, 6]),
     ];
 
-    /// <summary>The same contour in another size and place.</summary>
+    /// <summary>The same contour in another size and position.</summary>
     public static OffsetContour Placed(OffsetContour contour, double scale, double at)
     {
         return contour with { Segments = [.. contour.Segments.Select(Map)] };
@@ -86,7 +86,7 @@ internal static class HardContours
             : Segment.FromArc(segment.Arc with { Centre = Place(segment.Arc.Centre), Radius = segment.Arc.Radius * scale }, Place(segment.Start), Place(segment.End));
     }
 
-    /// <summary>Upright teeth on a bar, gaps as wide as they are.</summary>
+    /// <summary>Upright teeth on a bar; the gaps are as wide as the teeth.</summary>
     private static OffsetContour Comb(int teeth, double width, double height) => Polygon([(0, -5), ((2 * teeth * width) - width, -5), .. Enumerable.Range(0, teeth).Reverse().SelectMany(i =>
         new[] { (((2 * i) + 1) * width, 0.0), (((2 * i) + 1) * width, height), (2 * i * width, height), (2 * i * width, 0.0) })]);
 }

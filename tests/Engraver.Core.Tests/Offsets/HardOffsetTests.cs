@@ -3,7 +3,7 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Core.Tests.Offsets;
 
-/// <summary>Every one of <see cref="HardContours"/> in and out, reversed, from every start, with every join, in other sizes and places.</summary>
+/// <summary>All of <see cref="HardContours"/> in and out, reversed, from every start, with every join, in other sizes and positions.</summary>
 public class HardOffsetTests
 {
     public static TheoryData<int> Closed => [.. Enumerable.Range(0, HardContours.Closed.Count)];
@@ -80,7 +80,7 @@ public class HardOffsetTests
         }
     }
 
-    /// <summary>Thinner than its arcs can follow, it is a line there and back: a slot goes round it, and nothing lies inside.</summary>
+    /// <summary>If it is thinner than its arcs can follow, it is a line forwards and back: a slot goes around it, and it has no inside.</summary>
     [Theory]
     [InlineData(1e-5)]
     [InlineData(1e-7)]
@@ -98,7 +98,7 @@ public class HardOffsetTests
         }
     }
 
-    /// <summary>What CAD programs write for straight sides: radii from kilometres to many times the size of the solar system.</summary>
+    /// <summary>Straight sides as CAD programs write them: radii from kilometres to many times the size of the solar system.</summary>
     [Theory]
     [InlineData(1e-7)]
     [InlineData(2e-8)]
@@ -132,9 +132,9 @@ public class HardOffsetTests
         }
     }
 
-    /// <summary>Of the drawing of an owl: a spline goes on nearly straight in a line, which is followed by a line so short that on the inside of their
-    /// corner nothing of it is left. The joint that was meant smooth has one node,
-    /// by which the long line lies a little too near; it is not taken for covered all the same.</summary>
+    /// <summary>From the drawing of an owl: a spline continues nearly straight in a line, which is followed by a line so short that it vanishes on the inside
+    /// of their corner. The joint that is treated as smooth has one node, by which the long line is slightly too near; it is nevertheless not treated as
+    /// covered.</summary>
     [Fact]
     public void A_loop_stays_closed_where_a_smooth_joint_and_a_short_line_follow_each_other()
     {

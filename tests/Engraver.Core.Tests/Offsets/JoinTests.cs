@@ -25,7 +25,7 @@ public class JoinTests
         Assert.Equal(70.0, loop.SignedArea, 9);
     }
 
-    /// <summary>The tip of a corner of 60 degrees lies two distances away.</summary>
+    /// <summary>The tip of a corner of 60 degrees is two distances away.</summary>
     [Theory]
     [InlineData(2.0, 3)]
     [InlineData(1.9, 6)]
@@ -47,7 +47,7 @@ public class JoinTests
         Assert.Equal((Math.PI * 18.0) + 12.0, loop.SignedArea, 9);
     }
 
-    /// <summary>Two mitres that run into each other are one loop: both enlarged squares less the square that they share.</summary>
+    /// <summary>Two overlapping mitres give one loop: both enlarged squares less the square that they share.</summary>
     [Fact]
     public void Mitres_of_two_parts_that_overlap_become_one()
     {
@@ -57,7 +57,8 @@ public class JoinTests
         Assert.Equal(49.0 + 49.0 - 0.25, loop.SignedArea, 9);
     }
 
-    /// <summary>The mitre of a corner of 2 degrees is 57 distances long: it is no part of the deviation, and what lies beside what was drawn is.</summary>
+    /// <summary>The mitre of a corner of 2 degrees is 57 distances long: it is not part of the deviation, which is measured beside the drawn
+    /// segments.</summary>
     [Theory]
     [InlineData(OffsetJoin.Mitre)]
     [InlineData(OffsetJoin.Bevel)]
@@ -72,7 +73,7 @@ public class JoinTests
         static Point2D Away(Point2D place) => new(place.X * 1.001, place.Y * 1.001);
     }
 
-    /// <summary>A circle that touches another with its seam: what lies behind the seam is no corner.</summary>
+    /// <summary>A circle that touches another with its seam: the part after the seam is not a corner.</summary>
     [Fact]
     public void A_seam_of_a_circle_is_no_mitre()
     {

@@ -5,7 +5,7 @@ using static Engraver.Core.Tests.Offsets.OffsetShapes;
 
 namespace Engraver.Core.Tests.Offsets;
 
-/// <summary>What holds for every offset, whatever its shape.</summary>
+/// <summary>Properties of every offset, independent of its shape.</summary>
 public class OffsetPropertyTests
 {
     private static readonly (string Name, OffsetContour Contour, double Distance)[] s_shapes =
@@ -103,7 +103,7 @@ public class OffsetPropertyTests
         Assert.Empty(ContourOffset.Offset([Polygon((1, 1), (1, 1)), new OffsetContour([], true)], 1, OffsetSide.Both, OffsetOptions.Default).Loops);
     }
 
-    /// <summary>Ends that are a rounding apart are one; tangent lines and arcs stay without a join.</summary>
+    /// <summary>Ends that differ by rounding are the same; tangent lines and arcs remain without a join.</summary>
     [Fact]
     public void Gaps_are_closed_without_joins_of_their_own()
     {
@@ -133,7 +133,8 @@ public class OffsetPropertyTests
         Assert.Equal((Math.PI * 50.0) + (2.0 * ellipse.PlanLength) + (4.0 * Math.PI), Assert.Single(loop.Loops).SignedArea, 1);
     }
 
-    /// <summary>The arcs that stand for it have radii of up to 400 m, on which an angle's cosine tells nothing (1e-6: nothing was left of it).</summary>
+    /// <summary>The arcs that replace it have radii of up to 400 m, for which the cosine of an angle is too inaccurate (1e-6: the whole contour
+    /// vanished).</summary>
     [Theory]
     [InlineData(1e-3)]
     [InlineData(1e-6)]

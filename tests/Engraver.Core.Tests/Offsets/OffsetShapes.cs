@@ -10,7 +10,7 @@ internal static class OffsetShapes
 
     public static OffsetContour Line(params (double X, double Y)[] corners) => Chain(closed: false, [.. corners.Select(corner => (corner.X, corner.Y, 0.0))]);
 
-    /// <summary>Vertices with bulges, as a polyline has them; the last bulge counts only when closed.</summary>
+    /// <summary>Vertices with bulges, as in a polyline; the last bulge counts only when closed.</summary>
     public static OffsetContour Chain(bool closed, params (double X, double Y, double Bulge)[] vertices)
     {
         var segments = new List<Segment>();
@@ -63,6 +63,6 @@ internal static class OffsetShapes
 
     public static OffsetContour Reversed(OffsetContour contour) => contour with { Segments = [.. contour.Segments.Reverse().Select(segment => segment.Reversed())] };
 
-    /// <summary>The same closed contour, beginning with another segment.</summary>
+    /// <summary>The same closed contour, starting with another segment.</summary>
     public static OffsetContour StartingAt(OffsetContour contour, int first) => contour with { Segments = [.. contour.Segments.Skip(first), .. contour.Segments.Take(first)] };
 }

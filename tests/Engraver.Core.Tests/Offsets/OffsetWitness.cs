@@ -3,7 +3,7 @@ using Engraver.Core.Offsets;
 
 namespace Engraver.Core.Tests.Offsets;
 
-/// <summary>Judges an offset by plain arithmetic that shares nothing with how it is computed: distances to every piece, winding numbers of finely divided
+/// <summary>Judges an offset by plain arithmetic that is independent of the product: distances to every piece, winding numbers of finely divided
 /// loops.</summary>
 internal sealed class OffsetWitness
 {
@@ -23,10 +23,10 @@ internal sealed class OffsetWitness
     /// <summary>Inside an odd number of the closed contours.</summary>
     public bool IsInside(double x, double y) => (_source.Sum(loop => Math.Abs(Winding(loop, x, y)) & 1) & 1) == 1;
 
-    /// <summary>The first thing wrong with a round-joined in or out of closed contours, null for none.</summary>
-    /// <param name="result">To be judged.</param>
-    /// <param name="distance">Asked for.</param>
-    /// <param name="inside">In, otherwise out.</param>
+    /// <summary>The first fault of a round-joined offset of closed contours, in or out; null for none.</summary>
+    /// <param name="result">The result to be judged.</param>
+    /// <param name="distance">The requested distance.</param>
+    /// <param name="inside">True for in, false for out.</param>
     /// <param name="grid">Points along the longer side of the box.</param>
     public string? FaultOfRegion(OffsetResult result, double distance, bool inside, int grid)
     {
@@ -72,8 +72,8 @@ internal sealed class OffsetWitness
         return null;
     }
 
-    /// <summary>A place at the distance on the left (or right) of a piece or corner that nothing drawn is nearer to, but that is not on the result; null
-    /// for none.</summary>
+    /// <summary>A point at the distance on the left (or right) of a piece or corner to which no drawn piece is nearer, but that is not on the result; null for
+    /// none.</summary>
     public string? Missing(OffsetResult result, double distance, bool left)
     {
         var found = result.Loops.SelectMany(loop => loop.Segments).ToArray();

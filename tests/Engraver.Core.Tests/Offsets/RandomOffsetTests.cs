@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Offsets;
 
-/// <summary>Seeded contours of every kind, judged by <see cref="OffsetWitness"/>: no open loop, no crash, no wrong side, no overlap, nothing missing.</summary>
+/// <summary>Seeded contours of every kind, judged by <see cref="OffsetWitness"/>: no open loop, no crash, no wrong side, no overlap, no missing part.</summary>
 public class RandomOffsetTests
 {
     /// <summary>Full run: 10,000 seeds.</summary>
@@ -21,8 +21,8 @@ public class RandomOffsetTests
         for (var seed = 0; seed < Seeds; seed++) JudgeOpen(seed);
     }
 
-    /// <summary>Drawings that were wrong once: on a lattice a run was judged in a tangent point (123 to 368), a wall belonged to one side alone (4); and
-    /// one on a circle of 29 m, where a crossing was reckoned from its far centre (4355); a line there and back counted as a contour with an inside (4717,
+    /// <summary>Drawings that failed before: on a lattice a run was judged in a tangent point (123 to 368), a wall was assigned to one side only (4); one on a
+    /// circle of 29 m, where a crossing was computed from its far centre (4355); a line forwards and back was treated as a contour with an inside (4717,
     /// 5787).</summary>
     [Theory]
     [InlineData(4)]

@@ -5,7 +5,7 @@ using Engraver.Core.Plots;
 
 namespace Engraver.Core.Tests.Plots;
 
-/// <summary>A picture of very many lines on a page: small, and still a picture of all of them.</summary>
+/// <summary>A picture of very many lines on a page: small, and still showing all of them.</summary>
 public partial class ThinnedPlotTests
 {
     private static readonly PlotStroke s_frame = new([Segment.FromLine(new(0.0, 0.0), new(1200.0, 0.0)), Segment.FromLine(new(1200.0, 0.0), new(1200.0, 1200.0))], false, 1);
@@ -21,7 +21,7 @@ public partial class ThinnedPlotTests
         Assert.Equal(whole.ToString(), within.ToString());
     }
 
-    /// <summary>A picture of 1200 units for 1200 mm: one is the other.</summary>
+    /// <summary>A picture of 1200 units for 1200 mm: one unit is one millimetre.</summary>
     [Theory]
     [InlineData(900_000, 0.5)]
     [InlineData(400_000, 4.0)]
@@ -35,7 +35,7 @@ public partial class ThinnedPlotTests
         var source = new NearField([.. lines.Select(line => (Place(line.Start), Place(line.End)))], 1288.0);
 
         Assert.Equal(expected, resolution);
-        Assert.InRange(text.Length, most / 4, most + 60_000); // numbers, arrows and the caption stand beside the lines
+        Assert.InRange(text.Length, most / 4, most + 60_000); // numbers, arrows and the caption are added to the lines
         Assert.All(lines, line => Assert.True(new[] { line.Start, line.PointAt(0.5), line.End }.All(place => field.Distance(Place(place)) <= (1.5 * Math.Sqrt(2.0) * expected) + 0.1), $"{line.Start} to {line.End}"));
         Assert.All(drawn, line => Assert.True(source.Distance(line.From) <= (0.5 * expected) + 0.1 && source.Distance(line.To) <= (0.5 * expected) + 0.1, $"{line.From} to {line.To}"));
     }
@@ -65,7 +65,7 @@ public partial class ThinnedPlotTests
         return (output.ToString(), resolution);
     }
 
-    /// <summary>Short lines at random, of which many lie on each other.</summary>
+    /// <summary>Short lines at random, many of them overlapping.</summary>
     private static PlotModel Picture(int lines, int seed)
     {
         var random = new Random(seed);

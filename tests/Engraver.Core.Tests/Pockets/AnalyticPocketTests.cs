@@ -70,7 +70,7 @@ public class AnalyticPocketTests
         IsNear(Math.PI * (400.0 - (9.8 * 9.8)), result.CoveredArea);
     }
 
-    /// <summary>The neck of 4 between two rooms of 10 takes no tool of 6: both rooms are cleared, and the neck is told.</summary>
+    /// <summary>A tool of 6 does not fit the neck of 4 between two rooms of 10: both rooms are cleared, and the neck is reported.</summary>
     [Fact]
     public void A_neck_that_is_too_narrow_is_told()
     {
@@ -93,7 +93,7 @@ public class AnalyticPocketTests
         IsNear(Math.PI * 25.0, result.CoveredArea);
     }
 
-    /// <summary>At a stepover of 1.9 radii concentric squares leave a sliver in every corner, which a pass of its own takes.</summary>
+    /// <summary>At a stepover of 1.9 radii concentric squares leave a sliver in every corner, which a separate pass removes.</summary>
     [Fact]
     public void Slivers_in_corners_are_cut()
     {
@@ -118,8 +118,7 @@ public class AnalyticPocketTests
         IsNear(result.ReachableArea, result.CoveredArea);
     }
 
-    /// <summary>Climb milling with a right-hand tool: the wall on the right, so that the outer wall is passed counter-clockwise and an island
-    /// clockwise.</summary>
+    /// <summary>Climb milling with a right-hand tool: the wall on the right, so that the outer wall is cut counter-clockwise and an island clockwise.</summary>
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

@@ -5,15 +5,15 @@ using Engraver.Core.Tests.Offsets;
 
 namespace Engraver.Core.Tests.Pockets;
 
-/// <summary>Judges a pocket by plain arithmetic on a raster that shares nothing with how it is planned: distances to walls and passes.</summary>
+/// <summary>Judges a pocket by plain arithmetic on a raster that is independent of the planner: distances to walls and passes.</summary>
 internal sealed class PocketWitness(IReadOnlyList<OffsetContour> drawn, PocketOptions options)
 {
     private const double Slack = 2e-6;
     private const int Parts = 40;
     private readonly OffsetWitness _walls = new(drawn);
 
-    /// <summary>The first thing wrong, null for none.</summary>
-    /// <param name="result">To be judged.</param>
+    /// <summary>The first fault; null for none.</summary>
+    /// <param name="result">The result to be judged.</param>
     /// <param name="grid">Raster points along the longer side.</param>
     public string? Fault(PocketResult result, int grid) =>
         FaultOfAreas(result) ?? FaultOfGouges(result) ?? FaultOfStrokes(result) ?? FaultOfLinks(result) ?? FaultOfRaster(result, grid);
@@ -25,7 +25,7 @@ internal sealed class PocketWitness(IReadOnlyList<OffsetContour> drawn, PocketOp
         return Math.Abs((result.Coverage ?? 1.0) - 1.0) > 1e-6 ? FormattableString.Invariant($"coverage {result.Coverage:R}: {result.CoveredArea:R} of {result.ReachableArea:R}") : null;
     }
 
-    /// <summary>Every place of the tool in every move is inside, the radius away from all walls.</summary>
+    /// <summary>Every position of the tool in every move is inside, the radius away from all walls.</summary>
     private string? FaultOfGouges(PocketResult result)
     {
         foreach (var segment in result.Passes.SelectMany(pass => pass.Segments).Concat(result.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment)))
@@ -41,7 +41,7 @@ internal sealed class PocketWitness(IReadOnlyList<OffsetContour> drawn, PocketOp
         return null;
     }
 
-    /// <summary>Moves follow each other and make up all the passes.</summary>
+    /// <summary>Moves are continuous and contain all the passes.</summary>
     private static string? FaultOfStrokes(PocketResult result)
     {
         foreach (var stroke in result.Strokes)
@@ -57,7 +57,7 @@ internal sealed class PocketWitness(IReadOnlyList<OffsetContour> drawn, PocketOp
         return cut < passes - 1e-3 ? FormattableString.Invariant($"{cut:R} mm are cut, the passes are {passes:R} long") : null;
     }
 
-    /// <summary>In the order of cutting no link leads farther through uncut material than the stepover is more than the radius.</summary>
+    /// <summary>In the order of cutting, a link crosses uncut material at most by the amount by which the stepover exceeds the radius.</summary>
     private string? FaultOfLinks(PocketResult result)
     {
         var most = Math.Max(0.0, options.PassDistance - options.ToolRadius) + (options.ToolRadius * 1e-3);
@@ -92,7 +92,7 @@ internal sealed class PocketWitness(IReadOnlyList<OffsetContour> drawn, PocketOp
 
     private static double Apart(Bounds2D a, Bounds2D b) => Math.Max(Math.Max(a.MinX - b.MaxX, b.MinX - a.MaxX), Math.Max(a.MinY - b.MaxY, b.MinY - a.MaxY));
 
-    /// <summary>Wherever a tool may stand, all of its disc is within the radius of a pass.</summary>
+    /// <summary>At every possible position of the tool its whole disc is within the radius of a pass.</summary>
     private string? FaultOfRaster(PocketResult result, int grid)
     {
         Segment[] passes = [.. result.Passes.SelectMany(pass => pass.Segments)];

@@ -6,8 +6,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Pockets;
 
-/// <summary>Seeded shapes with islands, judged by <see cref="PocketWitness"/>: all that the tool can reach is covered by exact area and by raster, no wall
-/// is touched, no link leads through the material.</summary>
+/// <summary>Seeded shapes with islands, judged by <see cref="PocketWitness"/>: the whole reachable area is covered by exact area and by raster, walls are not
+/// touched, links do not cross the material.</summary>
 public class RandomPocketTests
 {
     private static readonly int Seeds = TestExtent.Cases(perCommit: 8, full: 50, "ENGRAVER_POCKET_SEEDS");
@@ -23,8 +23,8 @@ public class RandomPocketTests
         for (var seed = 0; seed < Seeds; seed++) Judge(seed, strategy, fromCentre, allowance);
     }
 
-    /// <summary>An island across the wall, which an offset by a ten-millionth of a millimetre did not part from it: the island beside it was cleared and
-    /// the pocket not.</summary>
+    /// <summary>An island across the wall, which an offset by a ten-millionth of a millimetre did not separate from it: the island beside it was cleared
+    /// instead of the pocket.</summary>
     [Theory]
     [InlineData(19)]
     [InlineData(107)]

@@ -14,7 +14,7 @@ public class AgiePostTests
 
     private static readonly double s_belt = Math.Acos(5.0 / 30.0) * 180.0 / Math.PI;
 
-    /// <summary>The paper prints blocks 1 to 6 and 441 to 443 of its test component; between them stand any others here.</summary>
+    /// <summary>The paper prints blocks 1 to 6 and 441 to 443 of its test component; here other blocks are between them.</summary>
     [Fact]
     public void The_nine_rows_of_the_papers_table_come_from_the_segments_they_stand_for()
     {
@@ -94,7 +94,7 @@ public class AgiePostTests
         Assert.Equal("PST0004", Assert.Single(written.Diagnostics).Id);
     }
 
-    /// <summary>As it was found: a belt that is cut first and then left by its entering line was told to be closed, and was not.</summary>
+    /// <summary>Regression: a belt that is cut first and then left by its entry line was reported as closed, and was not.</summary>
     [Fact]
     public void A_contour_that_is_left_by_a_line_is_held_against_where_it_came_back()
     {
@@ -116,7 +116,8 @@ public class AgiePostTests
         Assert.Contains("the program has no closed contour", Assert.Single(written.Diagnostics).Sentence, StringComparison.Ordinal);
     }
 
-    /// <summary>Contours of arcs of any radius and angle, each begun where the one before ends; the machine is followed by the test's own arithmetic.</summary>
+    /// <summary>Contours of arcs of any radius and angle, each starting at the end of the previous one; the machine is followed by separate
+    /// arithmetic.</summary>
     [Fact]
     public void The_exact_style_never_leaves_the_path_by_more_than_it_promises()
     {

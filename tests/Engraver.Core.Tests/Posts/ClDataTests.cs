@@ -35,8 +35,8 @@ public class ClDataTests
             for (var i = 0; i < found.Count; i++) AssertSame(segments[i], found[i]);
         }).QuickCheckThrowOnFailure();
 
-    /// <summary>Other programs draw an ARC from 30 to 390 degrees as a point. Where the tool starts is in the extended data, which the reader of CL data
-    /// follows.</summary>
+    /// <summary>Other programs draw an ARC from 30 to 390 degrees as a point. The start of the tool is in the extended data, which the reader of CL data
+    /// uses.</summary>
     [Theory]
     [InlineData(0.0, 360.0)]
     [InlineData(180.0, 360.0)]
@@ -131,7 +131,7 @@ public class ClDataTests
     private static Segment Arc(double x, double y, double start, double sweep) =>
         Segment.FromArc(new ArcSegment(new Point2D(x, y), 1.0 + Math.Abs(x), Angle.FromDegrees(start), Angle.FromDegrees(sweep)));
 
-    /// <summary>Each segment a stroke of its own.</summary>
+    /// <summary>Each segment is a separate stroke.</summary>
     private static string ClDataText(IReadOnlyList<Segment> segments)
     {
         using var text = new StringWriter();

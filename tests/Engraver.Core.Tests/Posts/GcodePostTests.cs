@@ -9,7 +9,7 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Tests.Posts;
 
-/// <summary>What the G-code post writes, to the letter, and the limits of the controllers that read it (rs274-hpgl.md).</summary>
+/// <summary>The exact output of the G-code post, and the limits of the controllers that read it (rs274-hpgl.md).</summary>
 public class GcodePostTests
 {
     private static readonly Segment[] s_slot = [Line(0, 0, 20, 0), Arc(20, 5, 5, 270, 180), Line(20, 10, 0, 10)];
@@ -75,7 +75,7 @@ public class GcodePostTests
             G1 Z3.5 F300
             """.Split('\n')[..4], text.Split('\n')[5..9]);
         Assert.Equal(6, text.Split('\n').Count(row => row.StartsWith("G1 X3", StringComparison.Ordinal)));
-        Assert.Contains("\nG1 Z-1.5 F300\nG1 X3 Y0 Z-5.5 F375\nG0 Z5\nM5\nM2\n%\n", text, StringComparison.Ordinal); // 5 mm of way for 4 mm down
+        Assert.Contains("\nG1 Z-1.5 F300\nG1 X3 Y0 Z-5.5 F375\nG0 Z5\nM5\nM2\n%\n", text, StringComparison.Ordinal); // 5 mm of path for 4 mm down
     }
 
     [Fact]
@@ -87,8 +87,8 @@ public class GcodePostTests
         Assert.Equal("DOC0002", Ids(Written([])));
     }
 
-    /// <summary>Rounded ends, a rounded centre and small or flat arcs: whatever is drawn, both controllers take it, and nothing is farther from it than a
-    /// few units.</summary>
+    /// <summary>Rounded ends, a rounded centre and small or flat arcs: for any drawing both controllers accept the program, and its distance from the drawing
+    /// is at most a few units.</summary>
     [Theory]
     [InlineData("linuxcnc", GcodeController.LinuxCnc, 4e-6)]
     [InlineData("grbl", GcodeController.Grbl, 6e-4)]

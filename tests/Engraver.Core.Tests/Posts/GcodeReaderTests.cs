@@ -9,7 +9,7 @@ public class GcodeReaderTests
 {
     private const double Round = 1e-9;
 
-    /// <summary>The samples of the published pages of G2 and G3: centre, radius and sweep that they stand for.</summary>
+    /// <summary>The samples of the published pages of G2 and G3: centre, radius and sweep of each.</summary>
     [Theory]
     [InlineData("G0 X0 Y0\nM3\nG2 X1 Y1 I1 F10", 1, 0, 1, -90)]
     [InlineData("G0 X0 Y0\nM3\nG3 X1 Y1 J1 F10", 0, 1, 1, 90)]
@@ -60,7 +60,7 @@ public class GcodeReaderTests
     [InlineData("G64", "G1 X9", double.PositiveInfinity)]
     [InlineData("G64 P0", "G1 X9", double.PositiveInfinity)]
     [InlineData("G64 Q0.1", "G1 X9", double.PositiveInfinity)]
-    [InlineData("", "G1 X9", double.PositiveInfinity)] // as the controller starts
+    [InlineData("", "G1 X9", double.PositiveInfinity)] // as at the start of the controller
     [InlineData("G64\nG61", "G1 X9", 0.0)]
     [InlineData("G64", "M5 G1 X9", 0.0)] // nothing is cut
     public async Task How_far_path_control_may_leave_the_path_is_told_with_the_first_cut_under_it(string mode, string cut, double most)
@@ -73,7 +73,7 @@ public class GcodeReaderTests
         Assert.Equal(most == 0.0 ? 0 : text.Split('\n').ToList().IndexOf(cut) + 1, told.Blends.Line);
     }
 
-    /// <summary>As they were found: programs that plunge, or that cut with nothing on, were called the same as the drawing.</summary>
+    /// <summary>Regression: programs that plunge, or that cut with the tool off, were reported as equal to the drawing.</summary>
     [Theory]
     [InlineData("G1 X9 Z-5")]
     [InlineData("G1 Z-5")]
@@ -220,7 +220,7 @@ public class GcodeReaderTests
     [InlineData("%\nG0 X0 Y0\nM2\n%", "PST0001@1")]
     [InlineData("N9999999 G0 X0 Y0\nM2", "")]
     [InlineData("N10000000 G0 X0 Y0\nM2", "PST0001@1")]
-    [InlineData("G0 X0 Y0\nG2 I1 F5\nM2", "PST0001@2")] // grbl wants the end of an arc, of a circle too
+    [InlineData("G0 X0 Y0\nG2 I1 F5\nM2", "PST0001@2")] // grbl requires the end of an arc, also of a circle
     [InlineData("G0 X0 Y0\nG2 X0 I1 F5\nM2", "")]
     [InlineData("G90.1\nG0 X0 Y0\nM2", "PST0001@1")]
     [InlineData("G64 P0.1\nG0 X0 Y0\nM2", "PST0001@1")]

@@ -8,7 +8,7 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Tests.Posts;
 
-/// <summary>HP-GL/2 as it is written and as it is read back (rs274-hpgl.md 3).</summary>
+/// <summary>HP-GL/2 as written and as read back (rs274-hpgl.md 3).</summary>
 public class HpglTests
 {
     [Fact]

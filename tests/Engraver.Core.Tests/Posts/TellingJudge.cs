@@ -5,7 +5,7 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Tests.Posts;
 
-/// <summary>Keeps what a reader tells: the lines and arcs that are cut, and every place.</summary>
+/// <summary>Records the output of a reader: the cut lines and arcs, and every point.</summary>
 internal sealed class TellingJudge : ITraceJudge
 {
     public List<Segment> Cuts { get; } = [];
@@ -22,8 +22,8 @@ internal sealed class TellingJudge : ITraceJudge
 
     public TraceVerdict Verdict() => throw new NotSupportedException();
 
-    /// <summary>Reads a text, on the machine that stands at 0,0.</summary>
-    /// <returns>The ids of what was found, with their lines, and what was told.</returns>
+    /// <summary>Reads a text for a machine that is at 0,0.</summary>
+    /// <returns>The ids of the findings, with their lines, and the recorded output.</returns>
     public static async Task<(string Findings, TellingJudge Told)> ReadAsync(IProgramReader reader, string text, MachineProfile? machine = null)
     {
         var told = new TellingJudge();

@@ -6,7 +6,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Reshaping;
 
-/// <summary>The fillet arc against formulas of its own, and its tangency for every pair.</summary>
+/// <summary>The fillet arc compared with independent formulas, and its tangency for every pair.</summary>
 public class FilletTests
 {
     private static readonly Gen<Point2D> s_places = from x in Gen.Choose(-50_000, 50_000) from y in Gen.Choose(-50_000, 50_000) select new Point2D(x / 1000.0, y / 1000.0);
@@ -18,7 +18,7 @@ public class FilletTests
     private static readonly Arbitrary<(Segment A, Segment B, double Radius)> s_pairs =
         (from a in s_segments from b in s_segments from radius in Gen.Choose(1, 20_000) select (a, b, radius / 1000.0)).ToArbitrary();
 
-    /// <summary>Of lines that meet at an angle v the tangent places lie radius / tan(v / 2) from the corner.</summary>
+    /// <summary>For lines that meet at an angle v the tangent points are radius / tan(v / 2) from the corner.</summary>
     [Theory]
     [InlineData(90.0, 2.0)]
     [InlineData(60.0, 1.5)]
@@ -49,7 +49,7 @@ public class FilletTests
         Assert.Equal((new Point2D(0, -5), false), (crossed.Second!.Value.Joint, crossed.Second.Value.EndsThere));
     }
 
-    /// <summary>A line 3 above the middle of a circle of radius 10; a circle of radius 2 on the line and outside touches at a place found by
+    /// <summary>A line 3 above the middle of a circle of radius 10; a circle of radius 2 on the line and outside touches at a point found by
     /// Pythagoras.</summary>
     [Fact]
     public void A_line_and_a_circle()
@@ -96,7 +96,7 @@ public class FilletTests
         Assert.Null(Fillet.Bevel(a, new Point2D(20, 0), b, new Point2D(0, 20), 3.0, 40.0));
     }
 
-    /// <summary>Whatever is filleted: the arc has its radius, begins and ends on both, and goes on in their directions, within 1e-9 of its size.</summary>
+    /// <summary>For every pair: the arc has its radius, starts and ends on both, and continues in their directions, within 1e-9 of its size.</summary>
     [Fact]
     public void A_fillet_arc_is_tangent_to_both()
     {

@@ -6,7 +6,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Reshaping;
 
-/// <summary>TRIM, EXTEND and BREAK as geometry: known figures, and that what goes and what stays are the whole.</summary>
+/// <summary>TRIM, EXTEND and BREAK as geometry: known figures, and the removed and the remaining parts together are the whole.</summary>
 public class PathCutTests
 {
     private static readonly EntityPath s_circle = new([Segment.FromArc(new ArcSegment(default, 5.0, Angle.Zero, Angle.FullTurn))], true);
@@ -86,7 +86,8 @@ public class PathCutTests
         Assert.Null(PathExtension.Find(s_circle, edges, default));
     }
 
-    /// <summary>What goes and what stays have together the length of the whole, meet at the cuts, and every place of the whole lies on one of them.</summary>
+    /// <summary>The removed and the remaining parts together have the length of the whole, meet at the cuts, and every point of the whole is on one of
+    /// them.</summary>
     [Fact]
     public void What_is_trimmed_and_what_is_left_are_the_whole()
     {

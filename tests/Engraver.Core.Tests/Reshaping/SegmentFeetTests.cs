@@ -6,7 +6,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Reshaping;
 
-/// <summary>Feet, tangents and polar directions against arithmetic of their own.</summary>
+/// <summary>Perpendicular feet, tangents and polar directions compared with independent arithmetic.</summary>
 public class SegmentFeetTests
 {
     private static readonly Gen<Point2D> s_places = from x in Gen.Choose(-90_000, 90_000) from y in Gen.Choose(-90_000, 90_000) select new Point2D(x / 1000.0, y / 1000.0);
@@ -47,7 +47,7 @@ public class SegmentFeetTests
         Assert.True(found > 50, "Most arcs have feet.");
     }
 
-    /// <summary>A place on a whole ellipse just before its seam lies at the end of the parameter, one just behind it at the beginning.</summary>
+    /// <summary>A point on a whole ellipse just before its seam is at the end of the parameter, one just after it at the start.</summary>
     [Theory]
     [InlineData(0.9999)]
     [InlineData(0.99999)]

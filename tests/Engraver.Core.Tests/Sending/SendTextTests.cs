@@ -23,7 +23,7 @@ public class SendTextTests
         }
     }
 
-    /// <summary>The characters of the ISO tape code (ISO 646 with an even parity): 0 is 30 hexadecimal, 1 is B1, CR is 8D, LF is 0A, % is A5.</summary>
+    /// <summary>The characters of the ISO tape code (ISO 646 with even parity): 0 is 30 hexadecimal, 1 is B1, CR is 8D, LF is 0A, % is A5.</summary>
     [Theory]
     [InlineData('0', 0x30)]
     [InlineData('1', 0xB1)]

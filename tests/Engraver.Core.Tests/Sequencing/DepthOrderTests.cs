@@ -6,7 +6,7 @@ using Engraver.Core.Tests.Dxf;
 
 namespace Engraver.Core.Tests.Sequencing;
 
-/// <summary>Where heights are cut, the nearest start is not taken when it would plunge into what has not been cleared.</summary>
+/// <summary>If heights are cut, the nearest start is not chosen when it would plunge into uncleared material.</summary>
 public class DepthOrderTests
 {
     private static readonly SequencingOptions Cutting = SequencingOptions.Default with { CutsHeights = true };
@@ -57,7 +57,7 @@ public class DepthOrderTests
         Assert.Equal([-1.0, -2.0], cut.Where(one => one.Length == 30.0).Select(one => one.StartZ));
     }
 
-    /// <summary>The entering entity is the operator's word; what waits for others still comes, and each once.</summary>
+    /// <summary>The entry entity is the operator's choice; strokes that wait for others still follow, each once.</summary>
     [Fact]
     public void Entering_at_a_deep_one_leaves_nothing_out()
     {
@@ -80,7 +80,7 @@ public class DepthOrderTests
         Assert.Equal([3, 4, 5], strokes.Select(stroke => stroke.Segments));
     }
 
-    /// <summary>The outline lies over an edge of the innermost square, which lies in the middle one, which lies in the outline.</summary>
+    /// <summary>The outline crosses an edge of the innermost square, which is in the middle one, which is in the outline.</summary>
     [Fact]
     public void What_waits_for_each_other_is_cut_all_the_same()
     {

@@ -7,7 +7,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Sequencing;
 
-/// <summary>Ellipses and splines from the table to the toolpath: exact as long as they can be, arcs at the last moment.</summary>
+/// <summary>Ellipses and splines from the table to the toolpath: exact as long as possible, arcs in the last stage.</summary>
 public class FreeCurveSequencingTests
 {
     private static readonly RationalCurve HalfEllipse = FreeCurves.Ellipse(0, 0, 10, 0.5, 0, 0, 180).ToCurve();

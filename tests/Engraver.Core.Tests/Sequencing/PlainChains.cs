@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Tests.Sequencing;
 
-/// <summary>The rule of <see cref="ContourChainer"/> read plainly, for open segments at one height: every end is looked at in every step.</summary>
+/// <summary>The rule of <see cref="ContourChainer"/> in plain form, for open segments at one height: every end is tested in every step.</summary>
 internal static class PlainChains
 {
     private const double SameTurn = 1e-9;
@@ -47,7 +47,8 @@ internal static class PlainChains
         }
     }
 
-    /// <summary>The nearest of those no longer than the tolerance; else the straightest, of equals the lowest row, and of its two ends the nearer.</summary>
+    /// <summary>The nearest of those no longer than the tolerance; otherwise the straightest, of equals the lowest row, and of its two ends the
+    /// nearer.</summary>
     private static int Chosen(Segment[] segments, int[] near, Point2D here, Vector2D travel, double tolerance)
     {
         var tiny = near.Where(end => segments[end / 2].Length <= tolerance).ToArray();
@@ -57,7 +58,7 @@ internal static class PlainChains
         return near.Where(end => travel.Dot(Into(segments, end)) >= best - SameTurn).OrderBy(end => end / 2).ThenBy(end => here.DistanceTo(Place(segments, end))).ThenBy(end => end).First();
     }
 
-    /// <summary>The end at which a piece ends: 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+    /// <summary>The number of the end of a piece: 2 x row is a segment's start, 2 x row + 1 its end.</summary>
     private static int End(ContourPiece piece) => (2 * piece.Row) + (piece.Reversed ? 0 : 1);
 
     private static Point2D Place(Segment[] segments, int end) => end % 2 == 0 ? segments[end / 2].Start : segments[end / 2].End;

@@ -31,7 +31,7 @@ public class SequencerTests
         }
     }
 
-    /// <summary>What lies between the ends of one line is the line, and no gap.</summary>
+    /// <summary>The distance between the ends of one line is the line, and not a gap.</summary>
     [Fact]
     public void The_own_other_end_of_a_short_line_is_no_gap_and_that_of_a_nearly_closed_arc_is()
     {
@@ -164,8 +164,8 @@ public class SequencerTests
                 && result.Strokes.All(IsJoined);
         }).QuickCheckThrowOnFailure();
 
-    /// <summary>Many contours in a grid of cells, few in a tree of boxes, and nothing before what lies inside it: looked at one by one, no start that may
-    /// be taken is nearer than the one that is.</summary>
+    /// <summary>Many contours in a grid of cells, few in a tree of boxes, and inner contours first: compared one by one, no available start is nearer than the
+    /// chosen one.</summary>
     [Theory]
     [InlineData(1, 300, 40)]
     [InlineData(2, 900, 40)]
@@ -196,7 +196,7 @@ public class SequencerTests
         }
     }
 
-    /// <summary>Warnings stop at a hundred and are counted; the list of open ends stays whole.</summary>
+    /// <summary>Warnings stop at a hundred and are counted; the list of open ends is complete.</summary>
     [Fact]
     public void A_thousand_small_gaps_are_a_hundred_warnings_and_a_count()
     {
@@ -210,7 +210,7 @@ public class SequencerTests
         Assert.Equal((1002, 1000), (result.Discontinuities.Count, result.Discontinuities.Count(end => end.DiagnosticId == "SEQ0003")));
     }
 
-    /// <summary>They are counted without being measured one by one; the list measures them.</summary>
+    /// <summary>They are counted without being measured; the list measures them.</summary>
     [Theory]
     [InlineData(1, 400)]
     [InlineData(2, 40)]
@@ -395,7 +395,7 @@ public class SequencerTests
 
     private static bool IsJoined(SequencedStroke stroke) => stroke.Moves.Zip(stroke.Moves.Skip(1), (a, b) => a.Segment.End.IsNear(b.Segment.Start, 0.01)).All(joined => joined);
 
-    /// <summary>Stacks of squares in squares, some with a hole and an open line, in a random file order.</summary>
+    /// <summary>Nested squares, some with a hole and an open line, in a random file order.</summary>
     private static DrawingBuilder NestedSquares(int seed)
     {
         var random = new Random(seed);

@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Sequencing;
 
-/// <summary>Findings about entities that have no handle are whole sentences.</summary>
+/// <summary>Findings about entities without a handle are whole sentences.</summary>
 public class SequencingFindingsTests
 {
     [Fact]

@@ -5,7 +5,7 @@ using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Tests.Sequencing;
 
-/// <summary>What sequencing allocates for each segment: memory that is touched for the first time is what a large drawing waits for.</summary>
+/// <summary>Memory allocated by sequencing for each segment: the first access to new memory takes most of the time of a large drawing.</summary>
 public class SequencingWeightTests
 {
     private const int Squares = 2500;
@@ -49,7 +49,7 @@ public class SequencingWeightTests
         }
     }
 
-    /// <summary>Regular polygons side by side, none in another's box.</summary>
+    /// <summary>Regular polygons side by side, with separate boxes.</summary>
     private static Segment[] Grid(int sides = 4, int squares = Squares)
     {
         var segments = new Segment[sides * squares];

@@ -4,7 +4,7 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Tests.Toolpaths;
 
-/// <summary>The outline that a machine goes round before a job.</summary>
+/// <summary>The outline that a machine follows before a job.</summary>
 public class FrameOutlineTests
 {
     private static readonly Segment s_circle = Segment.FromArc(new ArcSegment(new Point2D(40, 0), 5, Angle.FromDegrees(0), Angle.FromDegrees(360)));

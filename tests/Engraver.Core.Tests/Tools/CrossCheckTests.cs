@@ -44,7 +44,7 @@ public class CrossCheckTests
         Assert.Single(differences, text => text.StartsWith("extents: ", StringComparison.Ordinal) && text.Split(" to ").Length == 3 && !text.Contains("Bounds2D", StringComparison.Ordinal));
     }
 
-    /// <summary>What stands outside of sections, or in the block that is model space, is the drawing's for both.</summary>
+    /// <summary>For both readers, content outside of sections, or in the block that is model space, belongs to the drawing.</summary>
     [Fact]
     public void Both_readings_take_the_same_for_the_drawing()
     {
@@ -71,7 +71,7 @@ public class CrossCheckTests
         Assert.Empty(Differences(new DxfText().Add((999, "made by hand")).Add([.. OddDrawings.OneOfEverything().Pairs]).ToBinary(oneByteCodes: true)));
     }
 
-    /// <summary>The tip of the thinnest ellipse there is: chords of two finenesses that both cut it short by the same amount are no proof.</summary>
+    /// <summary>The tip of the thinnest ellipse: two chord sums of different fineness that are too short by the same amount prove nothing.</summary>
     [Fact]
     public void Both_readings_measure_a_sharp_turn_alike() => Assert.Empty(Differences(DxfText.WithEntities(
         (0, "ELLIPSE"), (10, 0), (20, 0), (11, -16.446122721951824), (21, -16.702579524623026), (40, 1e-6), (41, 3.4845848090756792), (42, 1.296001523415514)).ToAscii()));
@@ -100,7 +100,7 @@ public class CrossCheckTests
         Assert.StartsWith("LINE: 1 curves, the second reading has 0", Differences(file)[0], StringComparison.Ordinal);
     }
 
-    /// <summary>More curves than fit into memory twice, blocks of 20,000 levels, an array in an array, entities ahead of the blocks.</summary>
+    /// <summary>More curves than fit into memory twice, blocks of 20,000 levels, an array in an array, entities before the blocks.</summary>
     [Fact]
     public void Both_readings_of_large_and_deep_drawings_agree()
     {

@@ -4,7 +4,7 @@ using Engraver.Core.Trajectories;
 
 namespace Engraver.Core.Tests.Trajectories;
 
-/// <summary>A bored hole: the spline in space against the helix itself, evaluated here from its own formula (sace-xps-agie.md 2.3 and 3.1).</summary>
+/// <summary>A bored hole: the spline in space compared with the helix itself, evaluated here from its formula (sace-xps-agie.md 2.3 and 3.1).</summary>
 public class HelixTests
 {
     [Theory]

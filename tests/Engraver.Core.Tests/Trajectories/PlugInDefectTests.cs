@@ -7,8 +7,8 @@ using Xunit.Sdk;
 
 namespace Engraver.Core.Tests.Trajectories;
 
-/// <summary>What the SACETraj plug-in does wrong (sace-xps-agie.md 1.4), each as a rule that our lines keep and those of the plug-in's generator
-/// break.</summary>
+/// <summary>The defects of the SACETraj plug-in (sace-xps-agie.md 1.4), each as a rule that this program fulfils and the plug-in's generator
+/// violates.</summary>
 public class PlugInDefectTests
 {
     /// <summary>"The guaranteed error is not met."</summary>
@@ -111,8 +111,8 @@ public class PlugInDefectTests
         Assert.Equal(40.0, ours.Sum(one => one.Length), precision: 9);
     }
 
-    /// <summary>"Every new point rescans to the end: scan work grew 62 x for 16 x length on a scaled ellipse." Ours is knots placed and steps measured,
-    /// counted and not timed.</summary>
+    /// <summary>"Every new point rescans to the end: scan work grew 62 x for 16 x length on a scaled ellipse." Here the work is the number of placed knots and
+    /// measured steps, counted and not timed.</summary>
     [Theory]
     [InlineData(0.02)]
     [InlineData(0.004)]
@@ -126,7 +126,7 @@ public class PlugInDefectTests
         Assert.InRange((double)WorkOn(large, closed: true, error) / WorkOn(small, closed: true, error), 0.1, 16.0);
     }
 
-    /// <summary>The same features sixteen times, with 127 joints for 7: as many more points, and no more work for each of them.</summary>
+    /// <summary>The same features sixteen times, with 127 joints instead of 7: proportionally more points, and the same work for each of them.</summary>
     [Fact]
     public void The_work_grows_with_the_number_of_features()
     {
@@ -218,21 +218,21 @@ public class PlugInDefectTests
         }
     }
 
-    /// <summary>A rule is a test of the defect only if the plug-in's lines break it.</summary>
+    /// <summary>A rule is a test of the defect only if the plug-in's lines violate it.</summary>
     private static void OnlyThePlugInBreaks(Action<IReadOnlyList<Point2D>> rule, IReadOnlyList<Point2D> ours, List<Point2D> plugIns)
     {
         rule(ours);
         Assert.ThrowsAny<XunitException>(() => rule(plugIns));
     }
 
-    /// <summary>The rounded rectangle, or the polyline run through its corners.</summary>
+    /// <summary>The rounded rectangle, or the polyline through its corners.</summary>
     private static (IReadOnlyList<Segment> Segments, Trajectory Ours) AtJoints(bool rounded)
     {
         var segments = rounded ? Shapes.RoundedRectangle(40.0, 20.0, 4.0) : Shapes.Polyline;
         return (segments, Assert.Single(TrajectoryPlanner.Plan(segments, rounded, new TrajectoryOptions(0.001) { Corners = CornerMode.Continuous }).Trajectories));
     }
 
-    /// <summary>Closed, beginning so far before a corner.</summary>
+    /// <summary>Closed, starting at the given distance before a corner.</summary>
     private static IReadOnlyList<Segment> Square(double first)
     {
         Segment[] sides = [Shapes.Line(10.0 - first, 0.0, 10.0, 0.0), Shapes.Line(10.0, 0.0, 10.0, 10.0), Shapes.Line(10.0, 10.0, 0.0, 10.0), Shapes.Line(0.0, 10.0, 0.0, 0.0), Shapes.Line(0.0, 0.0, 10.0 - first, 0.0)];

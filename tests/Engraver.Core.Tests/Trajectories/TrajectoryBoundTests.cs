@@ -7,7 +7,7 @@ namespace Engraver.Core.Tests.Trajectories;
 
 public class TrajectoryBoundTests
 {
-    /// <summary>Seeded curves that a commit tries, and the issue's hundred.</summary>
+    /// <summary>Seeded curves for a commit, and the issue's hundred.</summary>
     private static int Curves => TestExtent.Cases(12, 100, "ENGRAVER_TRAJECTORY_CURVES");
 
     /// <summary>The points of sace-xps-agie.md 3.4, column "centred", and the acceptance of issue 14.</summary>
@@ -119,7 +119,7 @@ public class TrajectoryBoundTests
         Assert.InRange(many, 3 * few, 4.5 * few);
     }
 
-    /// <summary>Steps that are long beside the bends of a curve of tens of metres: no cusp.</summary>
+    /// <summary>Steps that are long compared with the bends of a curve of tens of metres: no cusp.</summary>
     [Theory]
     [InlineData(50_000, 30_000, 120_000, -20_000, 180_000, 10_000)]
     [InlineData(60_000, 100, 120_000, -100, 190_000, 50)]
@@ -132,7 +132,7 @@ public class TrajectoryBoundTests
         HoldsItsBound(trajectory, 0.001);
     }
 
-    /// <summary>Knots placed and steps measured; a thousand million of them took ten seconds and more.</summary>
+    /// <summary>Placed knots and measured steps; a thousand million of them took ten seconds and more.</summary>
     [Theory]
     [InlineData(0.1)]
     [InlineData(0.001)]

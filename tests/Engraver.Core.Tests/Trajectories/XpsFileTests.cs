@@ -26,8 +26,8 @@ public class XpsFileTests
         Assert.InRange(file.VerifiedBound, 0.0, 1e-9);
     }
 
-    /// <summary>sace-xps-agie.md 2.4: from rest to rest, within speed and acceleration, and no element in less time than the controller takes: what is too
-    /// short for the speed is run slower.</summary>
+    /// <summary>sace-xps-agie.md 2.4: from rest to rest, within speed and acceleration, and no element shorter than the minimum time of the controller: an
+    /// element that is too short for the speed is run slower.</summary>
     [Fact]
     public void A_pvt_file_ends_at_rest_and_keeps_the_shortest_time()
     {
@@ -41,7 +41,7 @@ public class XpsFileTests
         Assert.All(tiny.Text.Trim().Split('\n'), row => Assert.InRange(double.Parse(row.Split(',')[0], CultureInfo.InvariantCulture), 0.0005, 0.001));
     }
 
-    /// <summary>The speed along a line says nothing about the distance from it.</summary>
+    /// <summary>The speed along a line is independent of the distance from it.</summary>
     [Fact]
     public void A_straight_line_run_from_rest_to_rest_has_the_bound_of_its_rounding()
     {
@@ -50,8 +50,8 @@ public class XpsFileTests
         Assert.InRange(file.VerifiedBound, 0.0, 1e-8);
     }
 
-    /// <summary>Near its inflection a long spline has arcs of many kilometres: a rounded angle of nine decimals moved their ends by a micrometre, and no
-    /// file was written.</summary>
+    /// <summary>Near its inflection a long spline has arcs of many kilometres: a rounded angle of nine decimals moved their ends by a micrometre, and the file
+    /// was not written.</summary>
     [Theory]
     [InlineData(TrajectoryFormat.XpsLineArc, 1_800.0)]
     [InlineData(TrajectoryFormat.XpsLineArc, 18_000.0)]
@@ -78,7 +78,7 @@ public class XpsFileTests
         Assert.InRange(file.SampledError, 0.25 * file.VerifiedBound, file.VerifiedBound);
     }
 
-    /// <summary>The first two control points are one: the curvature grows there without bound, as 1 over the root of the length.</summary>
+    /// <summary>The first two control points coincide: the curvature grows there without bound, as 1 over the root of the length.</summary>
     [Fact]
     public void A_spline_that_begins_at_a_doubled_control_point_is_divided_towards_it()
     {
@@ -91,8 +91,8 @@ public class XpsFileTests
         Assert.Empty(file.BrokenLimits);
     }
 
-    /// <summary>A bend below 0.05 degrees is gone through where the error allows; between long lines, which no file divides, it does not, and the machine
-    /// stops there.</summary>
+    /// <summary>A bend below 0.05 degrees is passed without a stop if the error allows it; between long lines, which the file does not divide, it does not, and
+    /// the machine stops there.</summary>
     [Theory]
     [InlineData(TrajectoryFormat.Sace, 120.0)]
     [InlineData(TrajectoryFormat.XpsSpline, 120.0)]
@@ -108,7 +108,7 @@ public class XpsFileTests
         Assert.All(files, file => Assert.InRange(file.VerifiedBound, 0.0, 0.001));
     }
 
-    /// <summary>Control points that are one, or nearly, at an end or inside; slow and fast machines.</summary>
+    /// <summary>Control points that coincide, or nearly, at an end or inside; slow and fast machines.</summary>
     [Fact]
     public void Splines_of_uneven_speed_keep_the_limits_of_the_machine()
     {
@@ -125,7 +125,7 @@ public class XpsFileTests
         }
     }
 
-    /// <summary>Two spans of a cubic spline; a random number of neighbouring control points is drawn together, wholly or to a thousandth.</summary>
+    /// <summary>Two spans of a cubic spline; a random number of neighbouring control points is moved together, completely or to a thousandth.</summary>
     private static Segment Uneven(Random random)
     {
         var points = Enumerable.Range(0, 5).Select(_ => new Point2D(40.0 * random.NextDouble(), 40.0 * random.NextDouble())).ToArray();
@@ -138,7 +138,7 @@ public class XpsFileTests
         return Segment.FromCurve(FreeCurves.Spline(3, points, [1, 1, 1, 1, 1]));
     }
 
-    /// <summary>Some programs write a polygon as a spline with triple points: straight pieces that stand still at their ends.</summary>
+    /// <summary>Some programs write a polygon as a spline with triple points: straight pieces with zero speed at their ends.</summary>
     [Theory]
     [InlineData(TrajectoryFormat.Sace)]
     [InlineData(TrajectoryFormat.XpsLineArc)]

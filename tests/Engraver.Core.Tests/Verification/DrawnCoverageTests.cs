@@ -5,15 +5,15 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>A run is compared with the segments nearest to it only, and what that leaves open with what was cut beside it. What that finds is held against
-/// every pair of a chord and a segment, on random runs along, across and beside random segments.</summary>
+/// <summary>A run is compared with the segments nearest to it only, and the remaining parts with the cuts beside them. The result is compared with every pair
+/// of a chord and a segment, on random runs along, across and beside random segments.</summary>
 public class DrawnCoverageTests
 {
     private const int Cases = 300;
 
     private static readonly TraceTolerances s_tolerances = TraceTolerances.Default;
 
-    /// <summary>Nothing is missing that a chord came within reach of. What a chord passed at a few reaches may be missing or not.</summary>
+    /// <summary>A part that a chord came within reach of is not missing. A part that a chord passed at a few reaches may be missing or not.</summary>
     [Fact]
     public void The_judge_covers_what_every_chord_covers_of_every_segment()
     {
@@ -34,10 +34,10 @@ public class DrawnCoverageTests
             if (most < whole - step) covered++;
         }
 
-        Assert.InRange(covered, Cases / 4, Cases); // runs that cover nothing would prove nothing
+        Assert.InRange(covered, Cases / 4, Cases); // without covered parts the test would prove nothing
     }
 
-    /// <summary>Lines closer together than a count are cut one by one; each is whole, whichever of them the samples are nearest to.</summary>
+    /// <summary>Lines closer together than a count are cut one by one; each is complete, whichever of them the samples are nearest to.</summary>
     [Theory]
     [InlineData(0.0, 0.0)]
     [InlineData(0.0004, 0.0)]
@@ -60,7 +60,7 @@ public class DrawnCoverageTests
         Assert.Equal((0.0, null, 0.0), (verdict.MissingLength, verdict.MissingAt, verdict.ExtraLength));
     }
 
-    /// <summary>A cut that leaves one segment follows the next that is near enough, and under a crowd that may be another's for a few samples.</summary>
+    /// <summary>A cut that leaves one segment follows the next that is near enough, and in a crowd it may be assigned to another for a few samples.</summary>
     [Fact]
     public void Short_lines_under_a_crowd_of_long_ones_are_whole_when_each_was_cut()
     {
@@ -88,7 +88,7 @@ public class DrawnCoverageTests
         }
     }
 
-    /// <summary>In its tight turns the arcs that are cut for a spline turn by more than the pieces that it is held against, and reach a little into the
+    /// <summary>In its tight turns the arcs that are cut for a spline turn by more than the pieces that they are compared with, and extend slightly into the
     /// next.</summary>
     [Fact]
     public void Tightly_turning_splines_are_whole_when_arcs_are_cut_for_them()
@@ -107,7 +107,7 @@ public class DrawnCoverageTests
         }
     }
 
-    /// <summary>At 20 mm/s samples lie 0.02 mm apart, and behind a span the next begins a sample later.</summary>
+    /// <summary>At 20 mm/s samples are 0.02 mm apart, and after a span the next starts a sample later.</summary>
     [Theory]
     [InlineData(0.006, false)]
     [InlineData(0.006, true)]
@@ -147,7 +147,7 @@ public class DrawnCoverageTests
         Assert.InRange(judge.Verdict().MissingLength, drawing[left].Length - 1.0, drawing[left].Length - 0.1);
     }
 
-    /// <summary>A spline over a circle and a line over a spline: the one that is cut stands for the other.</summary>
+    /// <summary>A spline over a circle and a line over a spline: the cut of one also counts for the other.</summary>
     [Fact]
     public void A_curve_that_lies_on_another_is_whole_when_that_was_cut()
     {
@@ -162,8 +162,8 @@ public class DrawnCoverageTests
         }
     }
 
-    /// <summary>As a real drawing has it: the control points at both ends of a straight spline coincide, so that it stands still there and a guess beside
-    /// its end leads nowhere.</summary>
+    /// <summary>From a real drawing: the control points at both ends of a straight spline coincide, so that its speed is zero there and a start value beside
+    /// its end does not converge.</summary>
     [Fact]
     public void The_foot_on_a_curve_that_stands_still_at_its_ends_is_found_from_every_guess()
     {
@@ -198,7 +198,7 @@ public class DrawnCoverageTests
 
     private static Point2D Place(Random random) => new(random.NextDouble() * 20.0, random.NextDouble() * 20.0);
 
-    /// <summary>Chords along a part of a segment, now and then beside it by about the reach, turned back, or away for a while.</summary>
+    /// <summary>Chords along a part of a segment, sometimes beside it by about the reach, reversed, or away for a while.</summary>
     private static List<Point2D> Run(Random random, Segment along)
     {
         var (places, at, off) = (new List<Point2D>(), random.NextDouble(), 0.0);

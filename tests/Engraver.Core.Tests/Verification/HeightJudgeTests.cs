@@ -5,7 +5,7 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>What a machine with a tool axis did, held against a drawing in three coordinates.</summary>
+/// <summary>The motion of a machine with a tool axis, compared with a drawing in three coordinates.</summary>
 public class HeightJudgeTests
 {
     private static readonly HeightDrive s_drive = new() { CutDepth = 0.0 };
@@ -80,7 +80,7 @@ public class HeightJudgeTests
         Assert.InRange(Judge([Level(-1.0)], s_drive, [.. found.Take(2), new(0.002, 49, 50, true, 0.5)]).MaxDeviation, 50.0, 80.0); // dragged along before it was up
     }
 
-    /// <summary>Sides of 28.6 um on a machine that counts in 1 um: neighbours lie within what is allowed beside each of them. Told by their corners, and by
+    /// <summary>Sides of 28.6 um on a machine that counts in 1 um: neighbours are within the tolerance of each of them. Distinguished by their corners, and by
     /// samples 6 um apart.</summary>
     [Theory]
     [InlineData(1)]

@@ -3,18 +3,18 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>However crowded and however large a drawing is, the judge looks at few of its segments for each cut: steps are counted, not timed.</summary>
+/// <summary>The judge tests few segments for each cut, however crowded and large a drawing is: steps are counted, not timed.</summary>
 public class JudgeStepsTests
 {
     private const int Count = 2000;
 
-    /// <summary>Steps of a question: nodes of the tree on the way to what is near, and distances.</summary>
+    /// <summary>Steps of a query: nodes of the tree down to the near ones, and distances.</summary>
     private const int FewSteps = 400;
 
-    /// <summary>Of a segment that was not cut: a handful for each of the thousands that cross it.</summary>
+    /// <summary>For an uncut segment: a few for each of the thousands that cross it.</summary>
     private const int MostStepsBeside = 10_000;
 
-    /// <summary>A cut of the machine: samples while it gathers speed, a span, samples while it brakes.</summary>
+    /// <summary>A cut of the machine: samples while it accelerates, a span, samples while it brakes.</summary>
     private const int SamplesOfRamp = 40;
 
     public static TheoryData<string> Crowded => ["diagonals", "fan", "rings", "shifted arcs", "ellipses", "hatch"];
@@ -39,7 +39,7 @@ public class JudgeStepsTests
         Assert.InRange(index.Steps / (drawing.Length / 7.0), 1.0, FewSteps);
     }
 
-    /// <summary>Where thousands meet or lie on one another, each is asked of its own cut, and not of the cut of each other.</summary>
+    /// <summary>Where thousands of segments meet or coincide, each is compared with its own cut, and not with those of the others.</summary>
     [Theory]
     [MemberData(nameof(Crossing))]
     public void A_faithful_run_is_judged_in_few_steps_a_cut(string name)
@@ -54,7 +54,7 @@ public class JudgeStepsTests
         Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, FewSteps + (2 * SamplesOfRamp * FewSteps / 20.0));
     }
 
-    /// <summary>The drawing of a run that was stopped: half of it was never cut.</summary>
+    /// <summary>The drawing of a run that was stopped: half of it is uncut.</summary>
     [Theory]
     [MemberData(nameof(Crossing))]
     public void What_was_not_cut_is_found_in_few_steps(string name)
@@ -68,7 +68,7 @@ public class JudgeStepsTests
         Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, MostStepsBeside);
     }
 
-    /// <summary>Along a segment as the machine goes, its samples rounded to counts.</summary>
+    /// <summary>Along a segment like the machine, samples rounded to counts.</summary>
     private static void Cut(TraceJudge judge, Segment segment)
     {
         var ramp = Math.Min(0.3, 1.0 / segment.Length);

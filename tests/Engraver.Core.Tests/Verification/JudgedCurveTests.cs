@@ -4,8 +4,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>The judge and the curves of <see cref="DrawnCurves"/>: what is cut on them is right, what is cut 5 counts beside them is not, and what is left
-/// out is missing.</summary>
+/// <summary>The judge and the curves of <see cref="DrawnCurves"/>: a cut on them is correct, a cut 5 counts beside them is not, and an omitted part is
+/// missing.</summary>
 public class JudgedCurveTests
 {
     private const double FiveCounts = 0.005;
@@ -64,7 +64,7 @@ public class JudgedCurveTests
 
     private static List<Point2D> Whole(DrawnCurve drawn) => drawn.Trace(drawn.Breaks[0], drawn.Breaks[^1], Step);
 
-    /// <summary>How much of a fine chain has no place of the others near it.</summary>
+    /// <summary>The length of the parts of a fine chain that are not near the points of the other.</summary>
     private static double LengthFarFrom(List<Point2D> chain, IReadOnlyList<Point2D>[] others)
     {
         var edges = others.SelectMany(other => other.Zip(other.Skip(1), (a, b) => new LineSegment(a, b))).ToArray();

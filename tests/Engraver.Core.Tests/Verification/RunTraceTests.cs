@@ -3,7 +3,7 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>What is kept of a run is bounded, and its worst place is in it.</summary>
+/// <summary>The stored part of a run is bounded, and contains the point of the largest deviation.</summary>
 public class RunTraceTests
 {
     private static readonly Segment[] s_line = [Segment.FromLine(new(0, 0), new(1000, 0))];

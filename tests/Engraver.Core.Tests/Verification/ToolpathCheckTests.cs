@@ -9,7 +9,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>Toolpaths as planned pass; spoiled ones are found, by the entity.</summary>
+/// <summary>Toolpaths as planned pass; damaged ones are found, with the entity.</summary>
 public class ToolpathCheckTests
 {
     private const double MaxError = 0.001;
@@ -110,9 +110,8 @@ public class ToolpathCheckTests
         }
     }
 
-    /// <summary>The spoiled piece moved along itself, or another part of the curve lies where it was put.</summary>
-    /// <summary>Splines that cross one another everywhere: an arc is held against its own spline and no other, in steps that do not grow with their
-    /// number.</summary>
+    /// <summary>The damaged piece was moved along itself, or another part of the curve is at its new position.</summary>
+    /// <summary>Splines that cross one another everywhere: an arc is compared only with its own spline, in steps that do not grow with their number.</summary>
     [Fact]
     public void An_arc_is_held_against_its_own_curve_however_many_cross_it()
     {

@@ -13,7 +13,7 @@ public class TraceComparisonTests
     private static readonly Segment Circle = Segment.FromArc(new ArcSegment(new Point2D(40, 0), 3, Angle.Zero, Angle.FullTurn));
     private static readonly Segment[] Drawing = [Line, Arc, Circle];
 
-    /// <summary>For tests that ask nothing about missing length.</summary>
+    /// <summary>For tests without missing length.</summary>
     private static readonly TraceTolerances Coarse = TraceTolerances.Default with { LargestStep = 100.0, FewestSteps = 1 };
 
     [Fact]

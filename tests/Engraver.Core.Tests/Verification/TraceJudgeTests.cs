@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>The listening judge: spans of any length, exact gaps, both directions of travel.</summary>
+/// <summary>The judge that receives samples during a run: spans of any length, exact gaps, both directions of travel.</summary>
 public class TraceJudgeTests
 {
     private static readonly TraceTolerances Tolerances = TraceTolerances.Default;
@@ -30,7 +30,7 @@ public class TraceJudgeTests
         }
     }
 
-    /// <summary>An arc of ten kilometres looks like a line, and its angles are as small as rounding: the ramps of its cut are samples a hundredth of a
+    /// <summary>An arc of ten kilometres is almost a line, and its angles are as small as rounding: the ramps of its cut are samples a hundredth of a
     /// millimetre apart.</summary>
     [Theory]
     [InlineData(1e5)]

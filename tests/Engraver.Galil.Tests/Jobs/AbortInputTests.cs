@@ -4,7 +4,7 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Somebody hits the abort input while a job runs: the machine stands at once, and the job has to see it, switch the tool off and say why
+/// <summary>The abort input is activated while a job runs: the machine stops at once, and the job must detect it, switch the tool off and report the reason
 /// (galil-dmc.md A.10, D).</summary>
 public class AbortInputTests
 {
@@ -48,8 +48,8 @@ public class AbortInputTests
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
-    /// <summary>An abort stops without a ramp: an encoder counts what a servo does then, and nothing counts the steps that a stepper loses. The stop code
-    /// stays, and does not tell of a job behind it.</summary>
+    /// <summary>An abort stops without a ramp: an encoder still counts the motion of a servo, but the lost steps of a stepper are not counted. The stop code
+    /// remains, and does not concern a later job.</summary>
     [Theory]
     [InlineData(JobMode.Stream, "2", true)]
     [InlineData(JobMode.Calls, "-2", true)]
@@ -71,7 +71,7 @@ public class AbortInputTests
         Assert.Equal((JobOutcome.Stopped, ""), (next.Outcome, next.PositionDoubt));
     }
 
-    /// <summary>The controller stops at once where it has no more segments.</summary>
+    /// <summary>The controller stops at once when it has no more segments.</summary>
     [Theory]
     [InlineData("2", JobOutcome.Refused)]
     [InlineData("1", JobOutcome.Complete)]
@@ -84,7 +84,7 @@ public class AbortInputTests
         var polls = 0;
         links[0].Sending = line =>
         {
-            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7)); // less than the watchdog bears
+            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7)); // less than the limit of the watchdog
         };
 
         var result = await JobRunner.RunAsync(MotionPrograms.ShortLines(1600), session, SimulatedBench.Job, null, CancellationToken.None);

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Two who look at the same job.</summary>
+/// <summary>Reports the progress of one job to two receivers.</summary>
 internal sealed class Both(IProgress<JobProgress> first, IProgress<JobProgress> second) : IProgress<JobProgress>
 {
     public void Report(JobProgress value)

@@ -10,7 +10,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The operator's stop beside a thread pool of which every thread is held up: it goes out over the socket from the thread that says it.</summary>
+/// <summary>The operator's stop while every thread of the thread pool is blocked: it is sent over the socket from the calling thread.</summary>
 [Collection(nameof(BusyPool))]
 public class BusyPoolTests
 {
@@ -38,7 +38,7 @@ public class BusyPoolTests
             stop.Cancel();
             while (served.Lines.TryTake(out said, s_patience) && !said.StartsWith("CB", StringComparison.Ordinal))
             {
-                // What the job had said before.
+                // Sent by the job before.
             }
 
             wasFree = busy.WasFree;
@@ -52,7 +52,7 @@ public class BusyPoolTests
         Assert.Equal(JobOutcome.Stopped, result.Outcome);
     }
 
-    /// <summary>Serves a simulated controller by threads of its own, and writes down what arrives over the second connection.</summary>
+    /// <summary>Serves a simulated controller on separate threads, and records the lines received over the second connection.</summary>
     private sealed class BlockingServer : IDisposable
     {
         private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -67,7 +67,7 @@ public class BusyPoolTests
 
         public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-        /// <summary>What arrived over the handle of the stop.</summary>
+        /// <summary>The lines received over the handle of the stop.</summary>
         public StopLines Lines { get; } = new();
 
         public void Dispose() => _listener.Dispose();
@@ -104,7 +104,7 @@ public class BusyPoolTests
             }
             catch (SocketException)
             {
-                // The host has gone.
+                // The host has disconnected.
             }
         }
     }
@@ -115,13 +115,13 @@ public class BusyPoolTests
         {
             while (TryTake(out _))
             {
-                // Not of the stop.
+                // Not part of the stop.
             }
         }
     }
 }
 
-/// <summary>Holds up every thread of the pool until it is disposed; what is queued behind does not run.</summary>
+/// <summary>Blocks every thread of the pool until it is disposed; queued work does not run.</summary>
 internal sealed class BusyPool : IDisposable
 {
     private const int Blockers = 256;
@@ -139,10 +139,10 @@ internal sealed class BusyPool : IDisposable
         _settled = new CountdownEvent(fewest);
         for (var i = 0; i < Blockers; i++) ThreadPool.UnsafeQueueUserWorkItem(_ => Hold(), null);
         ThreadPool.UnsafeQueueUserWorkItem(_ => _wasFree = true, null);
-        _settled.Wait(s_longest); // some threads may be held up by others
+        _settled.Wait(s_longest); // some threads may be delayed by others
     }
 
-    /// <summary>Something that was queued behind has run.</summary>
+    /// <summary>Queued work has run.</summary>
     public bool WasFree => _wasFree;
 
     public void Dispose()
@@ -162,6 +162,6 @@ internal sealed class BusyPool : IDisposable
     }
 }
 
-/// <summary>Tests that hold up the thread pool run alone.</summary>
+/// <summary>Tests that block the thread pool run alone.</summary>
 [CollectionDefinition(nameof(BusyPool), DisableParallelization = true)]
 public sealed class BusyPoolAlone;

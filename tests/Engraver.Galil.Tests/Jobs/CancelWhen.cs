@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The operator: presses stop at the first report of which the condition holds.</summary>
+/// <summary>The operator: presses stop at the first report for which the condition is true.</summary>
 internal sealed class CancelWhen(Func<JobProgress, bool> condition, Action press) : IProgress<JobProgress>
 {
     private bool _pressed;

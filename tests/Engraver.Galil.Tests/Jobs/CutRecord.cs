@@ -3,10 +3,10 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>What the simulator's record says about a run: the witness of these tests.</summary>
+/// <summary>Checks a run by the record of the simulator.</summary>
 internal static class CutRecord
 {
-    /// <summary>Every sample with the tool on lies within a count of the drawing, and the whole path was passed with the tool on.</summary>
+    /// <summary>Every sample with the tool on is within a count of the drawing, and the whole path was passed with the tool on.</summary>
     public static void AssertWholePathWasCut(SimulatedBench bench, MotionProgram program)
     {
         var cutting = AssertNothingElseWasCut(bench, program);
@@ -23,7 +23,7 @@ internal static class CutRecord
         return cutting;
     }
 
-    /// <summary>After <paramref name="sample"/> the tool is off within <paramref name="toolSeconds"/> and the machine stands within
+    /// <summary>After <paramref name="sample"/> the tool is off within <paramref name="toolSeconds"/> and the machine is at rest within
     /// <paramref name="restSeconds"/>, controller time.</summary>
     public static void AssertSafeAfter(SimulatedBench bench, long sample, double toolSeconds, double restSeconds)
     {

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The lines and arcs of a motion program as geometry, to say how far a sample is from them, in counts.</summary>
+/// <summary>The lines and arcs of a motion program as geometry, to compute the distance of a sample from them, in counts.</summary>
 internal sealed class EngravedPath
 {
     private readonly List<Func<double, double, double>> _distances = [];
@@ -29,7 +29,7 @@ internal sealed class EngravedPath
         return Math.Sqrt(Math.Pow(x - a.X - (along * dx), 2) + Math.Pow(y - a.Y - (along * dy), 2));
     };
 
-    /// <summary>Angles outside the sweep are not told apart: the arcs of these tests share their circles with nothing else.</summary>
+    /// <summary>Angles outside the sweep are not excluded: no other path of these tests is on the circles of the arcs.</summary>
     private static Func<double, double, double> ToArc(CountsPoint start, VectorSegment arc)
     {
         var theta = arc.ThetaDegrees * Math.PI / 180;

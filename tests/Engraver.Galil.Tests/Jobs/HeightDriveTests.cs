@@ -4,8 +4,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A tool that the Z axis holds: rapids at clearance height, down to the work, up again, and up on every way out that leaves the axes trustworthy
-/// (ADR 11). The programs are written by hand, the witness is the record.</summary>
+/// <summary>A tool that is moved by the Z axis: rapids at clearance height, down to the work, up again, and up at every end after which the positions of the
+/// axes are reliable (ADR 11). The programs are written by hand and checked by the record.</summary>
 public class HeightDriveTests
 {
     private const int Clearance = 3200;
@@ -183,8 +183,8 @@ public class HeightDriveTests
         Assert.Equal(1, bench.Last.Outputs);
     }
 
-    /// <summary>Each sample of the record in which the plane moved lies at clearance height or above, or on the path; one in which the height alone changed
-    /// stands over an end of a stroke or where the tool was found.</summary>
+    /// <summary>Each sample of the record in which the plane moved is at clearance height or above, or on the path; one in which only the height changed is
+    /// over an end of a stroke or over the initial position of the tool.</summary>
     private static void AssertMovesAsAllowed(SimulatedBench bench, MotionProgram program)
     {
         var path = program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(Points).ToList();
@@ -227,7 +227,7 @@ public class HeightDriveTests
         new MotionStroke(1, new(12000, 3000, -400), [Slope(new(12000, 3000, -400), 9000, new(12000, 6000, -2000), new(12000, 8000, -2000), new(12000, 9000, -800))]),
     ]) { Finish = default(CountsPoint) };
 
-    /// <summary>From 1000,0 along X to 101000, falling all the way.</summary>
+    /// <summary>From 1000,0 along X to 101000, descending all the way.</summary>
     private static MotionProgram LongSlope(MachineProfile profile) => new(profile, default, [new MotionStroke(0, new(1000, 0, -400), [Slope(new(1000, 0, -400), 20000, new CountsPoint(101000, 0, -2000))])]);
 
     private static VectorSequence Flat(CountsPoint start, params CountsPoint[] ends) => new(start, 20000, Lines(start, ends));

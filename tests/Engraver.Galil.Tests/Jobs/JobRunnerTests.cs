@@ -83,7 +83,7 @@ public class JobRunnerTests
         Assert.All(bench.Controller.Record.Snapshot(), sample => Assert.Equal(0, sample.Outputs));
     }
 
-    /// <summary>As it was found: every one was kept to the end of the job, 28 MB an hour.</summary>
+    /// <summary>Regression: every one was stored until the end of the job, 28 MB an hour.</summary>
     [Theory]
     [MemberData(nameof(Modes))]
     public async Task Every_polled_position_is_told_while_the_job_runs_and_only_the_last_ones_are_kept(JobMode mode)
@@ -172,7 +172,7 @@ public class JobRunnerTests
         var polls = 0;
         links[0].Sending = line =>
         {
-            // Less than the watchdog bears, again and again more than the buffer does.
+            // Less than the limit of the watchdog, repeatedly more than the buffer holds.
             if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7));
         };
 
@@ -185,8 +185,8 @@ public class JobRunnerTests
         CutRecord.AssertWholePathWasCut(bench, program);
     }
 
-    /// <summary>A circle that arrived as two turns of it ends where it should: only the length of the path tells, also where the sequence ran dry behind
-    /// it.</summary>
+    /// <summary>A circle that the controller received as two turns ends at the same point: only the length of the path shows the difference, also when the
+    /// sequence runs dry after it.</summary>
     [Fact]
     public async Task A_sequence_that_ran_dry_is_not_taken_up_again_when_its_path_was_longer_than_planned()
     {

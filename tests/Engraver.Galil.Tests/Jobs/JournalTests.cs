@@ -56,7 +56,7 @@ public class JournalTests
         Assert.Equal((0, 0), (result.SegmentsSent, bench.Controller.Record.Count));
     }
 
-    /// <summary>As it was found: the job was ended, and its part lost.</summary>
+    /// <summary>Regression: the job was ended, and its part lost.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -138,7 +138,7 @@ public class JournalTests
         }
     }
 
-    /// <summary>A file on a disk that has room for so many bytes more; what stands there can be written over.</summary>
+    /// <summary>A file on a disk with room for a limited number of further bytes; existing content can be overwritten.</summary>
     private sealed class FullDisk(string path) : FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0)
     {
         public long Room { get; set; } = 2000;

@@ -36,7 +36,7 @@ public class LeftAsFoundTests
         Assert.Equal(before, await bench.FingerprintAsync());
     }
 
-    /// <summary>DL beside a running thread is refused, and what follows it is taken for commands.</summary>
+    /// <summary>DL beside a running thread is refused, and the following lines are executed as commands.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Program)]

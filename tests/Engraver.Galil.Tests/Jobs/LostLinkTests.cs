@@ -40,7 +40,7 @@ public class LostLinkTests
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         Assert.NotNull(result.FinalPosition);
         if (result.FinalPosition.Value.X != bench.Last.A) Assert.Contains("more segments may be cut than are counted here", result.Sentence, StringComparison.Ordinal);
-        Assert.InRange(result.FinalPosition.Value.X, far, bench.Last.A); // known from between the cut and the standstill: a handle may be had again
+        Assert.InRange(result.FinalPosition.Value.X, far, bench.Last.A); // queried between the cut and the standstill: a handle may be available again
         CutRecord.AssertSafeAfter(bench, cutAt, toolSeconds: 1.5, restSeconds: 1.5);
     }
 

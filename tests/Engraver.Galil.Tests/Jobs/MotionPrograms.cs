@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Motion programs for jobs, written down by hand so that the generator has no part in them.</summary>
+/// <summary>Motion programs for jobs, written by hand so that they are independent of the generator.</summary>
 internal static class MotionPrograms
 {
     /// <summary>The paper's Table 3 drawing at 100 counts/mm (galil-dmc.md EX5), with a stop at its two sharp corners; 4 segments, ends at 5000,5000.</summary>
@@ -24,7 +24,7 @@ internal static class MotionPrograms
     public static MotionProgram ShortLines(int count, int step = 60) => One(Sequence(
         new(0, 0), [.. Enumerable.Range(1, count).Select(i => Line(i * step, i % 2, i - 1, Math.Sqrt((step * step) + 1)))]));
 
-    /// <summary>One sequence of a full circle of radius 1500 and the same short lines behind it.</summary>
+    /// <summary>One sequence of a full circle of radius 1500 followed by the same short lines.</summary>
     public static MotionProgram CircleAndShortLines(int count, int step = 60) => One(Sequence(
         new(0, 0), [Arc(0, 0, 1500, 180, 360, 0), .. Enumerable.Range(1, count).Select(i => Line(i * step, i % 2, i, Math.Sqrt((step * step) + 1)))]));
 
@@ -35,7 +35,7 @@ internal static class MotionPrograms
         new MotionStroke(1, new(4000, 3000), [Sequence(new(4000, 3000), Line(2000, 3000, 3, 2000))]),
     ]));
 
-    /// <summary>Strokes as the generator keeps them, which are made anew for everybody who looks at one.</summary>
+    /// <summary>Strokes as the generator stores them, which are created again on each access.</summary>
     public static IReadOnlyList<MotionStroke> InColumns(IReadOnlyList<MotionStroke> strokes)
     {
         var columns = new VectorColumns(strokes.Sum(stroke => stroke.SegmentCount));

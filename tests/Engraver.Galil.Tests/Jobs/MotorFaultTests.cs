@@ -3,8 +3,8 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A motor that cannot follow (a jammed axis, a drive that gave up) while a job runs: whether the controller switches it off (OE 1) or not, the
-/// job has to see it (galil-dmc.md A.10, C.3, OE, ER).</summary>
+/// <summary>A motor that cannot follow (a jammed axis, a failed drive) while a job runs: whether the controller switches it off (OE 1) or not, the job must
+/// detect it (galil-dmc.md A.10, C.3, OE, ER).</summary>
 public class MotorFaultTests
 {
     [Theory]
@@ -27,7 +27,7 @@ public class MotorFaultTests
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
     }
 
-    /// <summary>The job's ER is 4 mm at the default profile: of an axis that stands 2 mm beside its place the controller says nothing by itself.</summary>
+    /// <summary>The job's ER is 4 mm at the default profile: the controller does not report an axis that is 2 mm beside its position.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -46,7 +46,7 @@ public class MotorFaultTests
         Assert.Equal(0, (int)bench.Controller.Status.Outputs);
     }
 
-    /// <summary>0.5 mm and the way of 0.07 s at the fastest speed, 50 mm/s: 4 mm. The factory's limit would be 16 mm; OE stays as it is.</summary>
+    /// <summary>0.5 mm and the path of 0.07 s at the highest speed, 50 mm/s: 4 mm. The factory limit would be 16 mm; OE is not changed.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -92,7 +92,7 @@ public class MotorFaultTests
         Assert.NotEqual("", result.PositionDoubt);
     }
 
-    /// <summary>A servo that trails its command by a time constant comes to its place behind the end of the motion, and is waited for.</summary>
+    /// <summary>A servo that lags its command by a time constant reaches its position after the end of the motion, and is waited for.</summary>
     [Fact]
     public async Task A_motor_that_settles_late_is_waited_for()
     {

@@ -3,7 +3,7 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A controller that does not know an operand that a job needs refuses the question: that is a refusal, the link stands.</summary>
+/// <summary>A controller that does not support an operand that a job needs refuses the query: the job reports a refusal, and the link is not lost.</summary>
 public class RefusedQuestionTests
 {
     private static readonly string[] s_operands = ["_BGS", "_BGA", "_BGB", "_CSS", "seq", "_VMS", "_RPA", "_RPB", "TIME", "_SCA", "_XQ0", "_XQ1", "errcode", "wtrip", "_OP0"];
@@ -20,7 +20,7 @@ public class RefusedQuestionTests
         {
             await using var bench = new SimulatedBench();
             var unknown = "_" + new string('Z', operand.Length - 1);
-            string Harm(string line) => line.StartsWith("MG ", StringComparison.Ordinal) && line.IndexOf('\r') == line.Length - 1 ? line.Replace(operand, unknown, StringComparison.Ordinal) : line; // no part of a download
+            string Harm(string line) => line.StartsWith("MG ", StringComparison.Ordinal) && line.IndexOf('\r') == line.Length - 1 ? line.Replace(operand, unknown, StringComparison.Ordinal) : line; // not part of a download
             string Mend(string heard) => heard.Replace(unknown, operand, StringComparison.Ordinal); // the echo on a serial line
             await using var session = baud == 0 ? await bench.OpenAsync(opened: link => link.Harm = Harm) : await bench.OpenSerialAsync(baud, harm: Harm, mend: Mend);
 

@@ -1,7 +1,7 @@
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A wall clock of its own: every look at it takes a while, every short pause its length, and long time-outs never come. No run depends on the
-/// computer.</summary>
+/// <summary>An artificial wall clock: every reading takes a fixed time, every short pause its length, and long time-outs never fire. A run does not depend on
+/// the computer.</summary>
 internal sealed class RunningTime : TimeProvider
 {
     private static readonly TimeSpan PerLook = TimeSpan.FromMicroseconds(20);
@@ -9,7 +9,7 @@ internal sealed class RunningTime : TimeProvider
 
     private long _now;
 
-    /// <summary>The same clock for one who only looks at it: no timer of it ever comes.</summary>
+    /// <summary>The same clock for code that only reads it: its timers never fire.</summary>
     public TimeProvider WithoutTimers => new Onlooker(this);
 
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;

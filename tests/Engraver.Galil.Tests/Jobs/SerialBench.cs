@@ -6,15 +6,15 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The bench by its serial port: the same bytes and byte times as on a terminal, without one.</summary>
+/// <summary>The bench over its serial port: the same bytes and byte times as on a terminal, without one.</summary>
 internal static class SerialBench
 {
     public static IControllerLink OpenSerialLink(this SimulatedBench bench, int baud) =>
         new StreamLink(bench.Controller.OpenSerialConnection(baud), "serial memory") { Line = new SerialLine(baud) };
 
-    /// <param name="sending">Told each line before it goes out.</param>
-    /// <param name="harm">What arrives instead of a line.</param>
-    /// <param name="mend">What the host sees instead of what comes.</param>
+    /// <param name="sending">Called with each line before it is sent.</param>
+    /// <param name="harm">Returns the bytes that the controller receives instead of a line.</param>
+    /// <param name="mend">Returns the bytes that the host receives instead of the sent ones.</param>
     public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null, Func<string, string>? harm = null, Func<string, string>? mend = null) => ControllerSession.OpenAsync(
         _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending, Harm = harm, Mend = mend }),
         new SessionOptions(), bench.Clock, CancellationToken.None);

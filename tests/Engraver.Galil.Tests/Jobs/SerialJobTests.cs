@@ -6,7 +6,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Jobs over the single wire, every byte at the time it takes.</summary>
+/// <summary>Jobs over a serial line with the transmission time of every byte.</summary>
 public class SerialJobTests
 {
     [Theory]

@@ -11,17 +11,18 @@ using Engraver.Simulator.Clocks;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A simulated controller at full speed and the wires to it.</summary>
+/// <summary>A simulated controller at full speed and the connections to it.</summary>
 internal sealed class SimulatedBench : IAsyncDisposable
 {
     public static readonly JobOptions Job = new();
 
     private HostClock? _clock;
 
-    /// <param name="clock">The controller's wall clock: where one stands, silence of the host lets no time pass, however long this computer is held up.</param>
-    /// <param name="spacing">What divides a negative number from the one before it.</param>
-    /// <param name="lag">By which the motors trail their commands.</param>
-    /// <param name="model">What ^R^V answers; null for the usual one.</param>
+    /// <param name="clock">The controller's wall clock: with one that does not advance, silence of the host lets no time pass, independent of delays of this
+    /// computer.</param>
+    /// <param name="spacing">The separator before a negative number.</param>
+    /// <param name="lag">Lag of the motors behind their commands.</param>
+    /// <param name="model">The reply to ^R^V; null for the usual one.</param>
     public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank, TimeSpan lag = default, string? model = null, params AxisSwitches[] switches) => Controller = new SimulatedController(
         new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing, ServoLag = lag, Switches = switches, Model = model ?? new SimulatorOptions().Model });
 
@@ -29,17 +30,17 @@ internal sealed class SimulatedBench : IAsyncDisposable
 
     public MotionSample Last => Controller.Record[Controller.Record.Count - 1];
 
-    /// <summary>The controller's clock, which the bench's sessions go by; taken with the first of them.</summary>
+    /// <summary>The controller's clock, which the bench's sessions use; acquired with the first of them.</summary>
     public HostClock Clock => _clock ??= Controller.JoinClock();
 
-    /// <summary>The host is no more: time goes on without it.</summary>
+    /// <summary>The host is lost: time advances without it.</summary>
     public void GiveClockBack()
     {
         _clock?.Dispose();
         _clock = null;
     }
 
-    /// <param name="opened">Told each link as it is opened: the command handle, then the second one.</param>
+    /// <param name="opened">Called with each opened link: the command handle, then the second one.</param>
     public Task<ControllerSession> OpenAsync(Action<WithheldLink>? opened = null) => ControllerSession.OpenAsync(
         _ =>
         {
@@ -59,14 +60,14 @@ internal sealed class SimulatedBench : IAsyncDisposable
             new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) }, Clock, CancellationToken.None);
     }
 
-    /// <summary>Runs a job and closes the session behind it.</summary>
+    /// <summary>Runs a job and closes the session after it.</summary>
     public async Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress = null, CancellationToken stop = default)
     {
         await using var session = await OpenAsync();
         return await JobRunner.RunAsync(program, session, options, progress, stop);
     }
 
-    /// <summary>Everything that a job may change, asked over a wire of its own.</summary>
+    /// <summary>Everything that a job may change, queried over a separate connection.</summary>
     public async Task<string> FingerprintAsync()
     {
         string[] questions =
@@ -81,17 +82,17 @@ internal sealed class SimulatedBench : IAsyncDisposable
         return string.Join('\n', answers);
     }
 
-    /// <summary>VF as it stands, with one digit behind the point.</summary>
+    /// <summary>The present VF, with one decimal.</summary>
     public Task<string> NumberFormatAsync() => AskAsync("_VF{F3.1}");
 
-    /// <summary>A number with up to four decimals, whatever VF is.</summary>
+    /// <summary>A number with up to four decimals, independent of VF.</summary>
     public async Task<string> NumberAsync(string operand)
     {
         await using var channel = OpenChannel();
         return DmcFormat.Number((await channel.ReadAsync(operand + "{F10.4}", CancellationToken.None)).Values[0]);
     }
 
-    /// <summary>A whole number, whatever VF is.</summary>
+    /// <summary>A whole number, independent of VF.</summary>
     public Task<string> WholeAsync(string operand) => AskAsync(operand + "{F10.0}");
 
     private async Task<string> AskAsync(string operand)
@@ -101,14 +102,14 @@ internal sealed class SimulatedBench : IAsyncDisposable
         return answer is ['-', .. var digits] ? "-" + digits.TrimStart('0') : answer.TrimStart('0');
     }
 
-    /// <summary>Sends commands as somebody else would, before or beside our session.</summary>
+    /// <summary>Sends commands as another host would, before or beside the session.</summary>
     public async Task SendAsync(params string[] commands)
     {
         await using var channel = OpenChannel();
         foreach (var command in commands) Assert.IsType<Accepted>(await channel.SendAsync(command, CancellationToken.None));
     }
 
-    /// <summary>The same in the middle of a job, from where nobody can wait; what is answered is not looked at.</summary>
+    /// <summary>The same in the middle of a job, from code that cannot wait; the replies are ignored.</summary>
     public void Interfere(string command)
     {
         using var stream = Controller.OpenConnection();

@@ -5,15 +5,15 @@ using Engraver.Galil.Jobs.Execution;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Somebody else switches the tool or halts our watchdog in the middle of a job, or a command of ours for the tool arrives as another one: it is
-/// seen, told, and what was not cut counts as missing.</summary>
+/// <summary>Another host switches the tool or halts the watchdog in the middle of a job, or a tool command is damaged on its way: it is detected and reported,
+/// and the uncut part counts as missing.</summary>
 public class SomebodyElseTests
 {
     private const int Network = 0;
 
     public static TheoryData<JobMode, int> Everywhere => StalledJobTests.Everywhere;
 
-    /// <summary>Over a network by what the controller then does, on a serial line by the echo.</summary>
+    /// <summary>Over a network by the resulting state of the controller, on a serial line by the echo.</summary>
     private static JobOutcome Noticed(int baud) => baud == Network ? JobOutcome.Refused : JobOutcome.LinkLost;
 
     [Theory]
@@ -33,7 +33,7 @@ public class SomebodyElseTests
         Assert.Equal(JobOutcome.Refused, result.Outcome);
         Assert.Contains("off while cutting", result.Sentence, StringComparison.Ordinal);
         Assert.Contains("drawing entity 0", result.Sentence, StringComparison.Ordinal);
-        Assert.InRange(cut, at - 1000.0 - 3000.0, at - 1000.0); // up to a poll before
+        Assert.InRange(cut, at - 1000.0 - 3000.0, at - 1000.0); // at most one poll earlier
         CutRecord.AssertSafeAfter(bench, sample, toolSeconds: 0.1, restSeconds: 1.0);
     }
 
@@ -55,8 +55,8 @@ public class SomebodyElseTests
         Assert.InRange(result.SegmentsExecuted, 400, 1500);
     }
 
-    /// <summary>Command, operand that then tells it, and how long the tool may be on afterwards, s: what is too fast is seen in two polls, what is too slow
-    /// after half a second.</summary>
+    /// <summary>Command, operand that shows it, and how long the tool may be on afterwards, s: a speed that is too high is detected in two polls, one that is
+    /// too low after half a second.</summary>
     public static TheoryData<string, string, double, JobMode, int> Feeds()
     {
         var feeds = new TheoryData<string, string, double, JobMode, int>();
@@ -209,7 +209,7 @@ public class SomebodyElseTests
         return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(when, act), CancellationToken.None);
     }
 
-    /// <summary>What the motors went with the tool on, by the record, counts.</summary>
+    /// <summary>The path of the motors with the tool on, by the record, counts.</summary>
     private static double Cut(SimulatedBench bench)
     {
         var rows = bench.Controller.Record.Snapshot();

@@ -7,10 +7,11 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>While a program of a job is loaded nobody watches in the controller, so nothing turns that a lost host could not switch off.</summary>
+/// <summary>While a program of a job is loaded, no watchdog runs in the controller, so the spindle must not turn: a lost host could not switch it
+/// off.</summary>
 public class SpindleLoadingTests
 {
-    /// <summary>Room for the part as two programs, of which the subprograms take most.</summary>
+    /// <summary>Room for the part as two programs, most of it for the subprograms.</summary>
     private const int Lines = 130;
 
     private static readonly JobOptions s_program = SimulatedBench.Job with { Mode = JobMode.Program };

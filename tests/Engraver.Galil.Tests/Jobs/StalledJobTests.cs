@@ -3,7 +3,8 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Nothing moves and nothing is counted though it should: the job ends with the tool off and says where and why. What is only slow goes on.</summary>
+/// <summary>No motion and no progress although there should be: the job ends with the tool off and reports position and reason. A job that is only slow
+/// continues.</summary>
 public class StalledJobTests
 {
     private const int Network = 0;
@@ -40,8 +41,8 @@ public class StalledJobTests
     [Theory]
     [InlineData("go=1", "o=1", 1, JobMode.Calls, Network)] // the first is the empty call at the start, with the tool off
     [InlineData("go=1", "o=1", 0, JobMode.Calls, Network)]
-    [InlineData("go=1", "o=1", 1, JobMode.Calls, 19200)] // seen in the echo
-    [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Stream, Network)] // seen when it is read back
+    [InlineData("go=1", "o=1", 1, JobMode.Calls, 19200)] // detected by the echo
+    [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Stream, Network)] // detected when it is read back
     [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Calls, 19200)]
     public async Task A_command_that_arrived_as_another_one_does_not_keep_the_job_waiting_for_ever(string sent, string arrived, int nth, JobMode mode, int baud)
     {
@@ -49,7 +50,7 @@ public class StalledJobTests
         var seen = 0;
         string Harm(string line)
         {
-            if (!line.StartsWith(sent, StringComparison.Ordinal) || line.IndexOf('\r') != line.Length - 1 || seen++ != nth) return line; // no part of a download
+            if (!line.StartsWith(sent, StringComparison.Ordinal) || line.IndexOf('\r') != line.Length - 1 || seen++ != nth) return line; // not part of a download
             return arrived.Contains(';', StringComparison.Ordinal) ? arrived[..arrived.IndexOf(';', StringComparison.Ordinal)] + "\r" : arrived + line[sent.Length..];
         }
 
@@ -102,11 +103,11 @@ public class StalledJobTests
         var result = await RunAsync(bench, program, JobMode.Stream, 4800, _ => false, () => { });
 
         Assert.Equal((JobOutcome.Complete, 482), (result.Outcome, result.SegmentsExecuted));
-        Assert.InRange(result.Seconds, 15.0, 60.0); // the bytes of the second sequence, far longer than a standstill may last
+        Assert.InRange(result.Seconds, 15.0, 60.0); // the bytes of the second sequence take far longer than the standstill limit
     }
 
-    /// <summary>Runs a job in which <paramref name="act"/> happens once; the operator stops it after <paramref name="patience"/> seconds of the controller,
-    /// so that a test of something endless ends.</summary>
+    /// <summary>Runs a job in which <paramref name="act"/> is called once; the operator stops it after <paramref name="patience"/> seconds of the controller,
+    /// so that the test of an endless job ends.</summary>
     private static async Task<JobResult> RunAsync(
         SimulatedBench bench, MotionProgram program, JobMode mode, int baud, Func<JobProgress, bool> when, Action act, Func<string, string>? harm = null, double patience = 60.0)
     {

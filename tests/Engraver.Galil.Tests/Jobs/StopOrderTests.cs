@@ -2,7 +2,7 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The braking is the first thing that a stop does, whatever else waits for it.</summary>
+/// <summary>A stop sends the braking first, before anything else that waits for it.</summary>
 public class StopOrderTests
 {
     [Fact]

@@ -6,8 +6,8 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The operator's stop wins over every step that a job has under way or in mind, however busy this computer is: nothing of the job is sent behind
-/// it, and its own words wait for nobody.</summary>
+/// <summary>The operator's stop has priority over every present and pending step of a job, however busy this computer is: the job sends nothing after it, and
+/// its own commands are sent without waiting.</summary>
 public class StopWinsTests
 {
     public static TheoryData<JobMode, string> Steps => new()
@@ -64,7 +64,7 @@ public class StopWinsTests
         var press = new CancelWhen(progress => progress.X > 50000, () =>
         {
             links[1].Sending = said.Add;
-            links[1].Withhold(); // the thread that would take the answer does not come: all that is left is what is said at once
+            links[1].Withhold(); // the thread that would take the reply is blocked: only the bytes that are sent at once are sent
             links[0].Withhold();
             stop.Cancel();
             bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
@@ -74,7 +74,7 @@ public class StopWinsTests
         await links[1].SomebodyWaits;
         while (!running.IsCompleted)
         {
-            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
+            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles count as lost
             await Task.Yield();
         }
 
@@ -82,8 +82,8 @@ public class StopWinsTests
         Assert.Equal("CB 1;STS;ST AB;HX0\r", Assert.Single(said));
     }
 
-    /// <summary>A job that waits between two polls is woken by the stop as well: it must not unwind, by exceptions and with the stop's own registration,
-    /// before the stop is on the wire.</summary>
+    /// <summary>A job that waits between two polls is also woken by the stop: it must not unwind, by exceptions and with the stop's own registration, before
+    /// the stop is sent.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -105,7 +105,7 @@ public class StopWinsTests
         links[1].Sending = said.Add;
 
         time.GoOn();
-        var key = new Thread(stop.Cancel); // as the desktop's: nothing keeps what waits from going on at once on it
+        var key = new Thread(stop.Cancel); // like the desktop's: continuations can run on it at once
         key.Start();
         key.Join();
         var result = await running;
@@ -114,7 +114,7 @@ public class StopWinsTests
         Assert.Equal("CB 1;STS;ST AB;HX0\r", said[0]);
     }
 
-    /// <summary>Time whose next pause does not end.</summary>
+    /// <summary>A clock whose next pause does not end.</summary>
     private sealed class PausingTime(TimeProvider inner) : TimeProvider
     {
         private readonly TaskCompletionSource _paused = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -6,7 +6,7 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>A machine with a Z axis: every look, stop and rapid knows three axes, and those with two ask as before.</summary>
+/// <summary>A machine with a Z axis: every poll, stop and rapid uses three axes, and machines with two axes send the same queries as before.</summary>
 public class ThreeAxisTests
 {
     private static readonly MachineAxes s_axes = MachineAxes.Default with { Z = new MachineAxis('D', 400.0) };

@@ -7,13 +7,13 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>Where a millimetre of X and one of Y are different numbers of counts, the controller's vector speed is no speed in millimetres: what the motors
-/// do is held against the feed that was asked.</summary>
+/// <summary>If a millimetre of X and one of Y are different numbers of counts, the controller's vector speed is not a speed in millimetres: the motion of the
+/// motors is compared with the requested feed.</summary>
 public class UnequalAxesFeedTests
 {
     private const double FeedMmPerSecond = 10.0;
 
-    /// <summary>So many samples of 1 ms make rounding to counts a ten-thousandth of the way.</summary>
+    /// <summary>With this number of samples of 1 ms, rounding to counts is a ten-thousandth of the path.</summary>
     private const int Window = 100;
 
     [Theory]
@@ -44,7 +44,7 @@ public class UnequalAxesFeedTests
         return Toolpaths.OfStrokes([.. lines, [Toolpaths.Arc(0, 0, 6, 0, 360)]]);
     }
 
-    /// <summary>Over every window in which the tool is on all the time, mm/s; along the path it is at least the chord's.</summary>
+    /// <summary>Over every window in which the tool is always on, mm/s; the speed along the path is at least that of the chord.</summary>
     private static IEnumerable<(double Along, double X, double Y)> Speeds(IReadOnlyList<MotionSample> record, MachineProfile profile)
     {
         for (var i = Window; i < record.Count; i++)

@@ -7,13 +7,13 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
-/// <summary>The watchdog in the controller allows 1.0 s of the controller's own clock, whatever its speed, for a host in another process that has the clock
-/// (<c>?clock=PORT</c>) and dies.</summary>
+/// <summary>The watchdog in the controller allows 1.0 s of the controller's own clock, at any speed, for a host in another process that has the clock
+/// (<c>?clock=PORT</c>) and ends.</summary>
 public class WatchdogSpeedTests
 {
     private const byte Tool = 1;
 
-    /// <summary>Of the watchdog; one sample more for each of its lines, and what the heartbeat before the death was early.</summary>
+    /// <summary>Time of the watchdog; one additional sample for each of its lines, and the time by which the last heartbeat was early.</summary>
     private const int AllowedSamples = 1000;
     private const int LineSamples = 20;
     private const int HeartbeatSamples = 250;
@@ -45,7 +45,7 @@ public class WatchdogSpeedTests
             async cancellation => host.Over(new ClockedLink(await TcpLink.ConnectAsync("127.0.0.1", place.Port, s_patience, TimeProvider.System, cancellation), clock.Heard)), new SessionOptions(), clock, patience.Token);
 
         var result = await JobRunner.RunAsync(MotionPrograms.LongLine(400000), session, SimulatedBench.Job with { Mode = mode }, death, patience.Token).WaitAsync(patience.Token);
-        clock.Dispose(); // with the process goes its connection to the clock
+        clock.Dispose(); // the end of the process closes its connection to the clock
         await controller.WaitUntilAsync(status => (status.Outputs & Tool) == 0 && !status.IsMoving, patience.Token);
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
@@ -55,7 +55,7 @@ public class WatchdogSpeedTests
         Assert.InRange(off - died, AllowedSamples - HeartbeatSamples, AllowedSamples + LineSamples);
     }
 
-    /// <summary>Its process is killed: nothing of it is sent or heard any more.</summary>
+    /// <summary>Its process is killed: nothing more is sent or received.</summary>
     private sealed class DyingHost
     {
         private volatile bool _isDead;

@@ -5,7 +5,7 @@ using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>When a controller echoes a line that comes while it still answers another: nobody knows it of the real one (galil-dmc.md A.2).</summary>
+/// <summary>When a controller echoes a line that it receives while it still answers another: unknown for the real one (galil-dmc.md A.2).</summary>
 public enum EchoTime
 {
     BehindTheAnswer,
@@ -13,9 +13,9 @@ public enum EchoTime
     AmidTheAnswer,
 }
 
-/// <summary>A controller of a few lines on a serial line at 19,200 baud: it echoes what it hears, answers what it knows and prompts for the rest. The
-/// answer to one line it keeps until told.</summary>
-/// <param name="answers">What is answered to a command, its line end included; "" is a prompt alone.</param>
+/// <summary>A simple controller on a serial line at 19,200 baud: it echoes received lines, answers the known ones and sends a prompt for the others. It can
+/// delay the reply to one line until it is released.</summary>
+/// <param name="answers">The reply to a command, including its line end; "" is a prompt only.</param>
 internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) : IControllerLink
 {
     private readonly Channel<byte[]> _said = Channel.CreateUnbounded<byte[]>();
@@ -28,13 +28,13 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
 
     public SerialLine? Line { get; } = new(19200);
 
-    /// <summary>The line whose answer is kept, once; null for none.</summary>
+    /// <summary>The line whose reply is delayed, once; null for none.</summary>
     public string? Kept { private get; set; }
 
-    /// <summary>What arrives instead of a line.</summary>
+    /// <summary>Returns the bytes that arrive instead of a line.</summary>
     public Func<string, string> Harm { private get; set; } = line => line;
 
-    /// <summary>Lines as they came, in one piece or several.</summary>
+    /// <summary>Lines as received, in one piece or several.</summary>
     public List<string> Written { get; } = [];
 
     public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
@@ -45,7 +45,7 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
         return ValueTask.CompletedTask;
     }
 
-    /// <summary>The kept answer comes, and what waits behind it.</summary>
+    /// <summary>Sends the delayed reply and everything that waits after it.</summary>
     public void Release()
     {
         var answer = _keeps! + _behind;
@@ -84,7 +84,7 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
         else Overtake(heard, replies);
     }
 
-    /// <summary>A line behind the one whose answer is kept.</summary>
+    /// <summary>A line after the one whose reply is delayed.</summary>
     private void Overtake(string heard, string replies)
     {
         if (echo == EchoTime.BehindTheAnswer || heard.Length == 0)
@@ -101,6 +101,6 @@ internal sealed class EchoingLink(Func<string, string> answers, EchoTime echo) :
 
     private void Say(string text)
     {
-        if (text.Length > 0) _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // nothing would be the end of the link
+        if (text.Length > 0) _said.Writer.TryWrite(Encoding.Latin1.GetBytes(text)); // an empty read would be the end of the link
     }
 }

@@ -5,7 +5,7 @@ using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>What stands at the port of <c>clock=</c> may be nobody, somebody else, or gone in the middle.</summary>
+/// <summary>The port of <c>clock=</c> may have no listener, another service, or one that ends in the middle.</summary>
 public sealed class OfferedClockTests : IDisposable
 {
     private readonly TcpListener _other = new(IPAddress.Loopback, 0);
@@ -46,7 +46,7 @@ public sealed class OfferedClockTests : IDisposable
         }
     }
 
-    /// <summary>Its own words for the time: whole microseconds since the controller was switched on.</summary>
+    /// <summary>The times in the protocol: whole microseconds since the controller was switched on.</summary>
     [Fact]
     public async Task The_time_is_what_the_other_end_says()
     {
@@ -60,7 +60,7 @@ public sealed class OfferedClockTests : IDisposable
         Assert.Equal(TimeSpan.FromSeconds(4), clock.GetElapsedTime(0, await asking));
     }
 
-    /// <summary>Nobody would end the wait otherwise: the host would hang with its machine.</summary>
+    /// <summary>Otherwise the wait would never end, and the host would hang with its machine.</summary>
     [Fact]
     public async Task A_wait_ends_by_the_wall_when_the_other_end_is_gone()
     {
@@ -80,7 +80,7 @@ public sealed class OfferedClockTests : IDisposable
         Assert.True(clock.GetElapsedTime(0, clock.GetTimestamp()) >= TimeSpan.FromMilliseconds(1020));
     }
 
-    /// <summary>A controller that still counted the host would let no time pass: its machine would never come to rest.</summary>
+    /// <summary>A controller with a host that no longer waits would let no time pass: its machine would never come to rest.</summary>
     [Fact]
     public async Task A_clock_that_does_not_answer_as_one_is_given_back()
     {
@@ -96,7 +96,7 @@ public sealed class OfferedClockTests : IDisposable
         Assert.Equal("", await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1)));
     }
 
-    /// <summary>As where somebody goes on before the wait that he gave up is disposed.</summary>
+    /// <summary>The case of a host that continues before its cancelled wait is disposed.</summary>
     [Fact]
     public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
     {
@@ -116,7 +116,7 @@ public sealed class OfferedClockTests : IDisposable
         await other.SendAsync("1000000\n"u8.ToArray());
 
         var heard = await HeardAsync(other).WaitAsync(TimeSpan.FromMinutes(1));
-        if (heard == "stop\n") heard = await HeardAsync(other); // two of them may come one by one
+        if (heard == "stop\n") heard = await HeardAsync(other); // two of them may arrive separately
         Assert.EndsWith("wait 5000\n", heard, StringComparison.Ordinal);
         await other.SendAsync("1005000\n"u8.ToArray());
         await passed.Task;

@@ -4,7 +4,7 @@ using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>A controller of a few lines: answers each line it receives with what the script returns; null keeps silent.</summary>
+/// <summary>A simple controller: answers each received line with the result of the script; null sends nothing.</summary>
 internal sealed class ScriptedLink(Func<string, string?> script) : IControllerLink
 {
     private readonly Channel<byte[]> _answers = Channel.CreateUnbounded<byte[]>();
@@ -26,7 +26,7 @@ internal sealed class ScriptedLink(Func<string, string?> script) : IControllerLi
         return ValueTask.CompletedTask;
     }
 
-    /// <summary>Sends bytes that nobody asked for.</summary>
+    /// <summary>Sends unsolicited bytes.</summary>
     public void Say(string text) => _answers.Writer.TryWrite(Encoding.Latin1.GetBytes(text));
 
     public void Close() => _answers.Writer.TryComplete();

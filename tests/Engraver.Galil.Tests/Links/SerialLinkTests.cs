@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>The link against a bare pseudo-terminal.</summary>
+/// <summary>The link on a pseudo-terminal without a controller.</summary>
 public class SerialLinkTests
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
@@ -165,8 +165,8 @@ public class SerialLinkTests
 /// <summary>The link at the other end of a cable without a controller.</summary>
 internal static class PseudoTerminalLinks
 {
-    /// <param name="time">A clock of the test's, on which a line that takes no byte is given up after 2 s; null for the wall's, which a busy computer must
-    /// not run out of.</param>
+    /// <param name="time">A clock of the test, on which a line that accepts no byte is given up after 2 s; null for the wall clock, whose time-out must not be
+    /// reached on a busy computer.</param>
     public static SerialLink Open(this PseudoTerminalPair cable, TimeProvider? time = null) =>
         SerialLink.Open(new SerialAddress(cable.Device, 19200), TimeSpan.FromSeconds(time is null ? 60 : 2), time ?? TimeProvider.System);
 }

@@ -6,8 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>The serial line of a simulated controller takes ten bits at its rate for each byte, unless it is told that what it carries is of no
-/// interest.</summary>
+/// <summary>The serial line of a simulated controller takes ten bit times at its rate for each byte, unless the timing of its bytes is switched off.</summary>
 public sealed class SimulatedLineTests : IDisposable
 {
     private const int Baud = 9600;
@@ -38,13 +37,13 @@ public sealed class SimulatedLineTests : IDisposable
             await Task.Yield();
         }
 
-        var heard = await answer.WaitAsync(_limit.Token); // at once: while the wall stands still
-        var least = TimeSpan.FromSeconds(10.0 * heard.Length / Baud); // the echo goes back beside the command
+        var heard = await answer.WaitAsync(_limit.Token); // at once: the wall clock does not advance
+        var least = TimeSpan.FromSeconds(10.0 * heard.Length / Baud); // the echo is sent back at the same time as the command
         Assert.Contains("4711", heard, StringComparison.Ordinal);
         Assert.True(atOnce ? _wall.GetElapsedTime(begun) == TimeSpan.Zero : _wall.GetElapsedTime(begun) >= least, $"{_wall.GetElapsedTime(begun)} for {heard.Length} bytes");
     }
 
-    /// <summary>As it was found: the link was removed with the first cut, and no host could connect again.</summary>
+    /// <summary>Regression: the link was removed at the first disconnection, and hosts could not connect again.</summary>
     [Theory]
     [InlineData(FaultKind.Reset, "7.0000")]
     [InlineData(FaultKind.PowerCycle, "?")]
@@ -83,7 +82,7 @@ public sealed class SimulatedLineTests : IDisposable
         _limit.Dispose();
     }
 
-    /// <summary>The echo and the answer, up to its prompt.</summary>
+    /// <summary>The echo and the reply, up to its prompt.</summary>
     private async Task<string> AnswerAsync(SerialLink line)
     {
         var heard = new StringBuilder();

@@ -4,7 +4,7 @@ using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;
 
-/// <summary>A link whose replies can be held back: the host waits for a prompt that does not come.</summary>
+/// <summary>A link whose replies can be withheld: the host waits for a prompt that does not come.</summary>
 internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
 {
     private readonly TaskCompletionSource _waiting = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -15,25 +15,25 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
 
     public SerialLine? Line => inner.Line;
 
-    /// <summary>Completes when somebody waits for a reply that is held back.</summary>
+    /// <summary>Completes when the host waits for a withheld reply.</summary>
     public Task SomebodyWaits => _waiting.Task;
 
     public void Withhold() => _withhold = true;
 
-    /// <summary>What was held back comes now, and from here on everything.</summary>
+    /// <summary>Delivers the withheld bytes, and from now on everything.</summary>
     public void Release()
     {
         _withhold = false;
         _released.TrySetResult();
     }
 
-    /// <summary>Called with each line before it goes out.</summary>
+    /// <summary>Called with each line before it is sent.</summary>
     public Action<string>? Sending { get; set; }
 
-    /// <summary>What arrives instead of a line, its CR included; null leaves every line as it is.</summary>
+    /// <summary>Returns the bytes that the controller receives instead of a line, including its CR; null leaves every line unchanged.</summary>
     public Func<string, string>? Harm { get; set; }
 
-    /// <summary>What the host sees instead of what comes; null leaves it as it is.</summary>
+    /// <summary>Returns the bytes that the host receives instead of the sent ones; null leaves them unchanged.</summary>
     public Func<string, string>? Mend { get; set; }
 
     public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)

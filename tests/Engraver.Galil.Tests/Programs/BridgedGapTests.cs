@@ -5,7 +5,7 @@ using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>What becomes of a gap within the join tolerance (0.01 mm, ten counts of the default machine).</summary>
+/// <summary>How a gap within the join tolerance (0.01 mm, ten counts of the default machine) is handled.</summary>
 public class BridgedGapTests
 {
     private const double MaxError = 0.001;

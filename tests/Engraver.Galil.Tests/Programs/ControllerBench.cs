@@ -5,7 +5,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>A simulated controller with one client that sends text, in virtual time and with a wall clock that stands: every run is the same.</summary>
+/// <summary>A simulated controller with one client that sends text, in virtual time and with a wall clock that does not advance: every run is the
+/// same.</summary>
 internal sealed class ControllerBench : IAsyncDisposable
 {
     private readonly SimulatedController _controller = new(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider(), ProgramLines = 1000 });
@@ -13,7 +14,7 @@ internal sealed class ControllerBench : IAsyncDisposable
 
     private readonly StringBuilder _heard = new();
 
-    /// <summary>Everything that was there to read so far, messages without their eighth bit.</summary>
+    /// <summary>All output so far, messages without their eighth bit.</summary>
     public string Heard => _heard.Append(string.Concat(Read().Select(letter => (char)(letter & 0x7F)))).ToString();
 
     public ControllerBench() => _stream = _controller.OpenConnection();
@@ -24,7 +25,7 @@ internal sealed class ControllerBench : IAsyncDisposable
 
     public IReadOnlyList<MotionSample> Record => _controller.Record.Snapshot();
 
-    /// <summary>Sends bytes and returns all that is then there to read.</summary>
+    /// <summary>Sends bytes and returns the available output.</summary>
     public string Send(string bytes)
     {
         _stream.Write(Encoding.Latin1.GetBytes(bytes));

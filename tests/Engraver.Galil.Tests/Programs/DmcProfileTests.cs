@@ -15,9 +15,9 @@ public class DmcProfileTests
     }
 
     [Theory]
-    [InlineData(60.06, 1000.0, 1000.0, 1002, 1002, 1002)] // 1001 lies between two even numbers, and goes up
-    [InlineData(60.0, -640.0, 1000.0, 640, 640, 1000)] // the coarser axis decides the feed
-    [InlineData(0.001, 1000.0, 1000.0, 2, 2, 2)] // nothing is slower
+    [InlineData(60.06, 1000.0, 1000.0, 1002, 1002, 1002)] // 1001 is between two even numbers, and is rounded up
+    [InlineData(60.0, -640.0, 1000.0, 640, 640, 1000)] // the coarser axis determines the feed
+    [InlineData(0.001, 1000.0, 1000.0, 2, 2, 2)] // the lowest speed
     public void Speeds_are_even(double mmPerMinute, double x, double y, int vector, int rapidX, int rapidY)
     {
         var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(x, y), FeedMmPerMinute = mmPerMinute, RapidMmPerMinute = mmPerMinute };

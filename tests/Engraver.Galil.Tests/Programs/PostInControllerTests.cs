@@ -8,15 +8,15 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>The posts as a controller runs them, judged by what its axes and outputs did.</summary>
+/// <summary>The posts run in a simulated controller, judged by its axes and outputs.</summary>
 public class PostInControllerTests
 {
     private const byte Tool = 1;
 
-    /// <summary>Half a diagonal count of rounding at each sample on top of the count that an arc may be off, and some.</summary>
+    /// <summary>Half a diagonal count of rounding at each sample in addition to the count by which an arc may deviate, and a margin.</summary>
     private const double MostOff = 2.5;
 
-    /// <summary>Samples at 20 counts per ms lie so far apart.</summary>
+    /// <summary>Distance of samples at 20 counts per ms.</summary>
     private const double SampleSpacing = 25.0;
 
     private static readonly MachineProfile HundredCounts = MachineProfile.Default with { Axes = MachineAxes.FromScale(100, 100) };
@@ -45,7 +45,7 @@ public class PostInControllerTests
         AssertCutAsDrawn(toolpath, profile.Scale, bench.Record);
     }
 
-    /// <summary>MT needs the motor off, so that a program must not set it: it ends before anything moves and says what to send.</summary>
+    /// <summary>MT needs the motor off, so that a program must not set it: it ends before anything moves and names the command to send.</summary>
     [Theory]
     [InlineData(MotionStyle.Calls, 2.0)]
     [InlineData(MotionStyle.Continuous, -2.5)]
@@ -145,7 +145,7 @@ public class PostInControllerTests
         };
     }
 
-    /// <summary>Circles in both senses, an arc with a chord that makes corners, and a slot of lines and half circles.</summary>
+    /// <summary>Circles in both directions, an arc with a chord that forms corners, and a slot of lines and half circles.</summary>
     private static Toolpath Rings()
     {
         var sector = Toolpaths.Arc(12.3456, 3.1415, 2.7182, 33.3, 211.1);
@@ -156,11 +156,11 @@ public class PostInControllerTests
             [Toolpaths.Line(2, 12, 8, 12), Toolpaths.Arc(8, 13, 1, -90, 180), Toolpaths.Line(8, 14, 2, 14), Toolpaths.Arc(2, 13, 1, 90, 180)]);
     }
 
-    /// <summary>700 quarter arcs that flow into each other: more than the buffer holds, and no line that would absorb an error.</summary>
+    /// <summary>700 quarter arcs with smooth joints: more than the buffer holds, without a line that would absorb an error.</summary>
     private static Toolpath Wave() => Toolpaths.OfStroke(
         [.. Enumerable.Range(0, 700).Select(i => i % 2 == 0 ? Toolpaths.Arc(i * 0.13333, 0, 0.13333 / Math.Sqrt(2), 135, -90) : Toolpaths.Arc(i * 0.13333, 0.13333, 0.13333 / Math.Sqrt(2), -135, 90))]);
 
-    /// <summary>No cutting sample lies off the drawing, and no place of the drawing lies far from every cutting sample.</summary>
+    /// <summary>All cutting samples are on the drawing, and every point of the drawing is near a cutting sample.</summary>
     internal static void AssertCutAsDrawn(Toolpath toolpath, CountsScale scale, IReadOnlyList<MotionSample> record)
     {
         var drawn = toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment).ToList();

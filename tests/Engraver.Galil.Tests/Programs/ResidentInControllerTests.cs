@@ -3,7 +3,7 @@ using Engraver.Galil.Programs.Resident;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>The resident programs as a controller runs them beside a host.</summary>
+/// <summary>The resident programs run in a simulated controller with a host.</summary>
 public class ResidentInControllerTests
 {
     [Fact]
@@ -163,7 +163,7 @@ public class ResidentInControllerTests
         return bench;
     }
 
-    /// <summary>Lets time pass with a host that lives.</summary>
+    /// <summary>Lets time pass while the host sends heartbeats.</summary>
     private static void PassFed(ControllerBench bench, double seconds)
     {
         for (var passed = 0.0; passed < seconds; passed += 0.25)
@@ -173,7 +173,7 @@ public class ResidentInControllerTests
         }
     }
 
-    /// <summary>Assigns a call and waits for its end as the host does: by seq, with the heartbeat kept alive.</summary>
+    /// <summary>Assigns a call and waits for its end like the host: by seq, with heartbeats.</summary>
     private static void Call(ControllerBench bench, int seq, string assignments)
     {
         bench.Do($"{assignments};go=1");

@@ -5,21 +5,21 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>Executes VP and CR as the reference describes them (galil-dmc.md B.2, B.3), from the text that is sent. Written for the tests, with plain
-/// trigonometry, and shares nothing with the prediction.</summary>
+/// <summary>Executes VP and CR as described in the reference (galil-dmc.md B.2, B.3), from the text that is sent. Written for the tests with plain
+/// trigonometry, independent of the prediction.</summary>
 internal sealed class SegmentReplay(double angleQuantum)
 {
     private const double LongestStep = 3.0;
 
-    /// <summary>Real position in the job's frame.</summary>
+    /// <summary>Exact position in the job's frame.</summary>
     public double X { get; private set; }
 
     public double Y { get; private set; }
 
-    /// <summary>Places passed, 32 to 720 on a segment, with the entity that was being cut.</summary>
+    /// <summary>Points of the path, 32 to 720 on a segment, with the entity that was being cut.</summary>
     public List<(Point2D Place, int Entity)> Track { get; } = [];
 
-    /// <summary>Runs the sequence from where it says it starts; the controller is at rest there, on whole counts.</summary>
+    /// <summary>Runs the sequence from its start; the controller is at rest there, on whole counts.</summary>
     public void Run(VectorSequence sequence)
     {
         X = sequence.Start.X;
@@ -57,7 +57,7 @@ internal sealed class SegmentReplay(double angleQuantum)
         (X, Y) = (Track[^1].Place.X, Track[^1].Place.Y);
     }
 
-    /// <summary>A number in a command is cut off at 1/65536; CR may hold it more coarsely.</summary>
+    /// <summary>A number in a command is truncated at 1/65536; CR may store it with a coarser step.</summary>
     private double Kept(double degrees) => Math.Round(Math.Truncate(Math.Round(degrees * 65536.0, 6)) / 65536.0 / angleQuantum) * angleQuantum;
 
     private static int Steps(double length) => (int)Math.Clamp(length / LongestStep, 32, 720);

@@ -4,7 +4,7 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>Toolpaths for the tests: every segment is an entity of its own, counted from 0.</summary>
+/// <summary>Toolpaths for the tests: every segment is a separate entity, counted from 0.</summary>
 internal static class Toolpaths
 {
     /// <summary>Table 3 of paper 001: three lines and a half circle, a closed contour in millimetres.</summary>

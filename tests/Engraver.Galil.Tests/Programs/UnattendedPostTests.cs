@@ -8,7 +8,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>Posts that run from the controller's memory with nobody connected: started by XQ, and then nothing more is said to the controller.</summary>
+/// <summary>Posts that run from the controller's memory without a host: started by XQ, and then nothing more is sent to the controller.</summary>
 public class UnattendedPostTests
 {
     private const byte Tool = 1;

@@ -10,26 +10,24 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Programs;
 
-/// <summary>
-/// Damaged drawings all the way to the motion program. More of them: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Galil.Tests -c Release --filter
-/// WholeWayFuzzTests;
-/// ENGRAVER_FUZZ_FIRST names the first seed, ENGRAVER_FUZZ_LOG a file that is told after every thousand how many are done.
-/// </summary>
+/// <summary> Damaged drawings through all stages to the motion program. More of them: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Galil.Tests -c
+/// Release --filter WholeWayFuzzTests; ENGRAVER_FUZZ_FIRST sets the first seed, ENGRAVER_FUZZ_LOG a file to which the number of finished cases is written after
+/// every thousand. </summary>
 public class WholeWayFuzzTests
 {
     private const double MaxError = 0.01;
 
-    /// <summary>Small drawings, so that many are damaged in a second.</summary>
+    /// <summary>Small drawings, so that many can be damaged in a second.</summary>
     private const int LargestOriginal = 6_000;
 
     private const int MostCurves = 500;
 
     private const int LoggedCases = 1_000;
 
-    /// <summary>No drawing of this size needs so many; beyond it a stage does not come to its end.</summary>
+    /// <summary>A drawing of this size never needs so many; more means that a stage does not end.</summary>
     private const int MostSegments = 2_000_000;
 
-    /// <summary>No case takes a hundredth of it, even on a busy machine: beyond it is an endless loop.</summary>
+    /// <summary>A case takes less than a hundredth of it, even on a busy machine: a longer time is an endless loop.</summary>
     private static readonly TimeSpan LongestWay = TimeSpan.FromMinutes(2);
 
     [Fact]

@@ -193,7 +193,7 @@ public class CommandChannelTests
         Assert.IsType<Accepted>(await channel.SendAsync("STS", CancellationToken.None));
         Assert.IsType<Accepted>(await channel.SendAsync("CB 1", CancellationToken.None));
         var closing = trace.CloseAsync(stop.Token);
-        Assert.False(closing.IsCompleted); // without the operator's stop whoever reads has all the time of the world
+        Assert.False(closing.IsCompleted); // without the operator's stop the reader is waited for indefinitely
         await stop.CancelAsync();
         while (!closing.IsCompleted)
         {

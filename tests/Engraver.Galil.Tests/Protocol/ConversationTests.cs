@@ -4,7 +4,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Protocol;
 
-/// <summary>What is said over the links of a machine is kept byte by byte, and read back as it was said.</summary>
+/// <summary>The bytes sent over the links of a machine are recorded, and read back unchanged.</summary>
 public class ConversationTests
 {
     [Fact]

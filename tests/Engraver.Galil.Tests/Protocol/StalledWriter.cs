@@ -2,10 +2,10 @@ using System.Text;
 
 namespace Engraver.Galil.Tests.Protocol;
 
-/// <summary>A file whose reader has stopped reading: a line is not written until the test is over.</summary>
+/// <summary>A file whose reader has stopped reading: a line is not written until the test has ended.</summary>
 internal sealed class StalledWriter : TextWriter
 {
-    private readonly ManualResetEventSlim _over = new(); // stays: whoever writes may still be waking up
+    private readonly ManualResetEventSlim _over = new(); // not disposed: a writing thread may still be waking up
 
     public override Encoding Encoding => Encoding.UTF8;
 

@@ -2,7 +2,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Tests.Protocol;
 
-/// <summary>Why an axis stands, in words (galil-dmc.md A.10).</summary>
+/// <summary>The reason why an axis stopped, in words (galil-dmc.md A.10).</summary>
 public class StopCodesTests
 {
     [Theory]

@@ -5,7 +5,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Protocol;
 
-/// <summary>The stop on a serial line: past an answer that is late, with the echo compared (galil-dmc.md A.2).</summary>
+/// <summary>The stop on a serial line: sent before a late reply arrives, with the echo compared (galil-dmc.md A.2).</summary>
 public class UrgentLineTests
 {
     private const string Stop = "CB 1;STS;ST AB;HX0";
@@ -81,7 +81,7 @@ public class UrgentLineTests
         Assert.Equal(["CB 1\r", "STS\r", "ST AB\r", "HX0\r"], link.Written);
     }
 
-    /// <summary>A line that carries something else than was said is greeted again; a stop meanwhile does not wait for that.</summary>
+    /// <summary>After a damaged line the greeting is sent again; a stop meanwhile does not wait for that.</summary>
     [Fact]
     public async Task It_goes_out_while_a_harmed_line_is_greeted_again()
     {
@@ -98,8 +98,8 @@ public class UrgentLineTests
         Assert.Equal(new Accepted("5.0000"), await channel.SendAsync("MG x", CancellationToken.None));
     }
 
-    /// <summary>As it was found: behind garbage, when echoes are not compared any more, a stop on a free line waited for its turn, and one in 70 found that
-    /// the next question had taken it: 47 ms at 19,200 baud.</summary>
+    /// <summary>Regression: after garbage, when echoes are no longer compared, a stop on a free line waited for its turn, and one in 70 came after the next
+    /// query: 47 ms at 19,200 baud.</summary>
     [Fact]
     public async Task It_goes_out_at_once_on_a_line_without_echoes_whoever_takes_the_turn_next()
     {
@@ -126,7 +126,7 @@ public class UrgentLineTests
         return channel;
     }
 
-    /// <summary>A command that the controller hears otherwise is noticed.</summary>
+    /// <summary>A command that the controller receives differently is detected.</summary>
     private static async Task AssertComparesAsync(CommandChannel channel, EchoingLink link)
     {
         link.Harm = line => line == "VP 1,2" ? "VP 1,3" : line;

@@ -5,7 +5,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Sessions;
 
-/// <summary>Somebody else is there already.</summary>
+/// <summary>Another host uses the controller already.</summary>
 public class BusyControllerTests
 {
     [Theory]

@@ -121,7 +121,7 @@ public class OperatorStopTests
         CutRecord.AssertSafeAfter(bench, pressedAt, toolSeconds: 0.01, restSeconds: 0.5);
     }
 
-    /// <summary>A job tries its stop handle from time to time. Where that answer is late or lost, the stop does not wait for it.</summary>
+    /// <summary>A job tests its stop handle from time to time. If that reply is late or lost, the stop does not wait for it.</summary>
     [Fact]
     public async Task Stop_is_on_the_wire_at_once_while_its_own_handle_waits_for_an_answer()
     {
@@ -133,7 +133,7 @@ public class OperatorStopTests
         {
             links[1].Withhold();
             _ = session.CheckStopHandleAsync(CancellationToken.None);
-            links[0].Withhold(); // the feeder waits too, so that no time passes before the press
+            links[0].Withhold(); // the feeder waits as well: time must not pass before the press
         });
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, trial, stop.Token);
         await links[1].SomebodyWaits;
@@ -144,14 +144,14 @@ public class OperatorStopTests
         var rests = bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
         while (!running.IsCompleted)
         {
-            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
+            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles count as lost
             await Task.Yield();
         }
 
         Assert.Equal((0, true, JobOutcome.LinkLost), (atOnce, rests, (await running).Outcome));
     }
 
-    /// <summary>A serial line has one channel: the answer to a poll or a segment may be late there too.</summary>
+    /// <summary>A serial line has one channel: the reply to a poll or a segment may be late there as well.</summary>
     [Fact]
     public async Task Stop_over_a_serial_line_is_on_the_wire_at_once_while_an_answer_is_late()
     {
@@ -185,7 +185,7 @@ public class OperatorStopTests
 
         Assert.Equal("1.0000", Assert.IsType<Accepted>(await late).Data);
         Assert.Equal("4.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x+2", CancellationToken.None)).Data);
-        await session.Commands.UrgeAsync("x=7"); // nobody waits: it goes in its turn
+        await session.Commands.UrgeAsync("x=7"); // no command waits: it is sent in its turn
         Assert.Equal("2.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x", CancellationToken.None)).Data);
     }
 

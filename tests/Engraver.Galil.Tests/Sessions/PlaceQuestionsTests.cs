@@ -6,7 +6,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Sessions;
 
-/// <summary>Which axes nothing counts: the controller tells it, however it prints _MT (galil-dmc.md C; the number format is not known, hardware checklist
+/// <summary>The axes without an encoder: the controller reports them in any format of _MT (galil-dmc.md C; the number format is not known, hardware checklist
 /// 7.10).</summary>
 public class PlaceQuestionsTests
 {

@@ -8,7 +8,7 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Sessions;
 
-/// <summary>The conversation over a single wire with an echo (galil-dmc.md A.2, F.2, F.4).</summary>
+/// <summary>The conversation over a serial line with an echo (galil-dmc.md A.2, F.2, F.4).</summary>
 public class SerialSessionTests
 {
     [Fact]
@@ -137,7 +137,7 @@ public class SerialSessionTests
         Assert.Contains("flow=none", failure.Message, StringComparison.Ordinal);
     }
 
-    /// <summary>A new host on the cable of one that said something and died.</summary>
+    /// <summary>A new host on the cable of one that sent something and ended.</summary>
     private static Task<ControllerSession> OpenAfterAsync(SimulatedBench bench, string left)
     {
         var port = bench.Controller.OpenSerialConnection(19200);

@@ -6,7 +6,7 @@ using Engraver.Galil.Tests.Jobs;
 
 namespace Engraver.Galil.Tests.Setup;
 
-/// <summary>Motor types, encoders, switches and error limits: what is sent, what is read back, and what is refused (galil-dmc.md C).</summary>
+/// <summary>Motor types, encoders, switches and error limits: the sent commands, the values read back, and the refusals (galil-dmc.md C).</summary>
 public class GalilSetupTests
 {
     public static TheoryData<string, SetupValue> Values => new()
@@ -16,10 +16,10 @@ public class GalilSetupTests
         { "_MTB 2.5", new SetupValue.Motor('B', new MotorType(MotorSignal.LowPulses, true)) },
         { "_MTA -2", new SetupValue.Motor('A', new MotorType(MotorSignal.HighPulses, false)) },
         { "_MTA -2.5", new SetupValue.Motor('A', new MotorType(MotorSignal.HighPulses, true)) },
-        { "_CEA 6", new SetupValue.Encoder('A', new EncoderType(EncoderSignal.Quadrature, true)) }, // the auxiliary encoder's 4 stays
+        { "_CEA 6", new SetupValue.Encoder('A', new EncoderType(EncoderSignal.Quadrature, true)) }, // the 4 of the auxiliary encoder is kept
         { "_CEB 1", new SetupValue.Encoder('B', new EncoderType(EncoderSignal.PulseAndDirection, false)) },
         { "_ERB 250", new SetupValue.ErrorLimit('B', 250) },
-        { "_OEA 3", new SetupValue.OffOnError('A', true) }, // limit switches' 2 stays
+        { "_OEA 3", new SetupValue.OffOnError('A', true) }, // the 2 of the limit switches is kept
         { "_OEA 2", new SetupValue.OffOnError('A', false) },
         { "_CN0 1", new SetupValue.LimitSense(SwitchSense.High) },
         { "_CN1 1", new SetupValue.HomeSense(SwitchSense.High) },
@@ -115,7 +115,7 @@ public class GalilSetupTests
             var setup = new GalilSetup(session);
             Assert.Null(await setup.SetAsync(new SetupValue.ErrorLimit('A', 777), CancellationToken.None));
             Assert.Null(await setup.BurnAsync(CancellationToken.None));
-            Assert.Equal("_CW 1", await HasAsync(bench, "_CW")); // the session goes on as it had agreed
+            Assert.Equal("_CW 1", await HasAsync(bench, "_CW")); // the session continues with its settings
         }
 
         await bench.SendAsync("ERA=5", "CW 1", "RS");
@@ -161,7 +161,7 @@ public class GalilSetupTests
     }
 
     /// <summary>Tries output 3 for half a second.</summary>
-    /// <param name="meanwhile">Called once, when 20 lines were sent with the output on.</param>
+    /// <param name="meanwhile">Called once, after 20 lines were sent with the output on.</param>
     private static async Task<JobResult> PulseAsync(SimulatedBench bench, Action meanwhile, CancellationToken stop = default)
     {
         var lines = -1;
@@ -174,7 +174,7 @@ public class GalilSetupTests
         return await new GalilSetup(session).PulseAsync(new MotionProgram(test, default, []), new JobOptions(), stop);
     }
 
-    /// <summary>For how many samples output 3 was on; it is off at the end.</summary>
+    /// <summary>Number of samples for which output 3 was on; it is off at the end.</summary>
     private static long SamplesOn(SimulatedBench bench)
     {
         var rows = bench.Controller.Record.Snapshot();
@@ -183,6 +183,6 @@ public class GalilSetupTests
         return rows.First(row => row.Sample > on && row.Outputs == 0).Sample - on;
     }
 
-    /// <summary>An operand and what another host reads of it.</summary>
+    /// <summary>Compares an operand with the value read by another host.</summary>
     private static async Task<string> HasAsync(SimulatedBench bench, string operand) => $"{operand} {await bench.NumberAsync(operand)}";
 }

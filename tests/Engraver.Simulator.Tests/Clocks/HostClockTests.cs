@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Engraver.Simulator.Tests.Clocks;
 
-/// <summary>The clock that is given to a host: time goes on only by its commands and while it waits (docs/simulator-fidelity.md, "The clock").</summary>
+/// <summary>The clock that is given to a host: time advances only through its commands and while it waits (docs/simulator-fidelity.md, "The clock").</summary>
 public class HostClockTests
 {
     private const string MovingUnderWatchdog = "VMAB;VS 20000;VP 100000,0;VE;SB1;BGS";
@@ -39,8 +39,8 @@ public class HostClockTests
         Assert.Equal(TimeSpan.FromMilliseconds(16), clock.GetElapsedTime(begun));
     }
 
-    /// <summary>As it was found: beside busy processes a host that computed for ten seconds found time gone, and its watchdog tripped. A host of this
-    /// process is late only where this process is.</summary>
+    /// <summary>Regression: beside busy processes a host that computed for ten seconds lost this time, and its watchdog tripped. A host in this process is late
+    /// only when the process is.</summary>
     [Theory]
     [InlineData(1.0)]
     [InlineData(20.0)]
@@ -112,7 +112,7 @@ public class HostClockTests
         Assert.Equal((false, 0), (early.IsCompleted, rig.Controller.Status.Sample));
         var late = WaitAsync(second, TimeSpan.FromMilliseconds(50));
         await early;
-        Assert.Equal((false, 30), (late.IsCompleted, rig.Controller.Status.Sample)); // the first is at work again
+        Assert.Equal((false, 30), (late.IsCompleted, rig.Controller.Status.Sample)); // the first is active again
         var again = WaitAsync(first, TimeSpan.FromMilliseconds(100));
         await late;
         Assert.Equal((false, 50), (again.IsCompleted, rig.Controller.Status.Sample));
@@ -164,14 +164,14 @@ public class HostClockTests
 
         var wait = WaitAsync(clock, TimeSpan.FromSeconds(0.2 * speed));
         wall.Advance(TimeSpan.FromSeconds(0.1));
-        Assert.InRange(controller.Status.Sample, 99 * speed, 161 * speed); // twice the leeway of 20 ms: the host was at work, and waits are run ahead of
+        Assert.InRange(controller.Status.Sample, 99 * speed, 161 * speed); // twice the leeway of 20 ms: the host was active, and waits may run ahead
         Assert.False(wait.IsCompleted);
         wall.Advance(TimeSpan.FromSeconds(0.1));
         await wait;
         Assert.Equal(200 * speed, controller.Status.Sample);
     }
 
-    /// <summary>As where somebody goes on before the wait that he gave up is disposed.</summary>
+    /// <summary>The case of a host that continues before its cancelled wait is disposed.</summary>
     [Fact]
     public async Task A_wait_that_is_given_up_leaves_one_that_began_behind_it()
     {
@@ -198,7 +198,7 @@ public class HostClockTests
         rig.Do("x=1");
         Assert.Equal("", rig.Ask("x=2"));
         for (var step = 0; step < 40; step++) rig.Time.Advance(TimeSpan.FromMilliseconds(100));
-        Assert.False(fired.Task.IsCompleted); // it may be late and read in a moment
+        Assert.False(fired.Task.IsCompleted); // it may be late and read soon
 
         var reading = rig.Stream.ReadAsync(new byte[1]);
         for (var step = 0; step < 40; step++) rig.Time.Advance(TimeSpan.FromMilliseconds(100));
@@ -233,7 +233,7 @@ public class HostClockTests
             Assert.Equal("200", await AskAsync("wait 200")); // less than a sample
             Assert.Equal("1500000", await AskAsync("wait 1499800"));
             rig.Time.Advance(TimeSpan.FromSeconds(1));
-            Assert.Equal("1500000", await AskAsync("stop\nnow")); // nothing was to be stopped
+            Assert.Equal("1500000", await AskAsync("stop\nnow")); // there was no wait to stop
             rig.Download("WT 60000\nn=1\nEN").Do("n=0", "XQ");
             Assert.Equal(0, rig.Value("n"));
             Assert.Null(await AskAsync("later"));
@@ -248,7 +248,7 @@ public class HostClockTests
     {
         var rig = new Rig();
         var place = await rig.Controller.ListenClockAsync(CancellationToken.None);
-        var other = rig.Controller.JoinClock(); // a second host that is at work: no time passes
+        var other = rig.Controller.JoinClock(); // a second host that is active: no time passes
         using var client = new TcpClient();
         await client.ConnectAsync(place);
         using var reader = new StreamReader(client.GetStream(), Encoding.ASCII);
@@ -262,7 +262,7 @@ public class HostClockTests
         }
 
         other.Dispose();
-        await SayAsync("wait 5000\n"); // behind it: the rest of a wait that is under way passes by the wall, which stands here
+        await SayAsync("wait 5000\n"); // after it: the rest of a running wait passes by the wall clock, which does not advance here
         Assert.Equal("5000", await HearAsync());
         using var third = rig.Controller.JoinClock();
         await SayAsync("wait 1000000\n");
@@ -271,7 +271,7 @@ public class HostClockTests
         Assert.Null(await EndOfAsync(reader).WaitAsync(s_patience));
     }
 
-    /// <summary>What a connection still says; null when it is closed, with a reset too.</summary>
+    /// <summary>The remaining output of a connection; null when it is closed, also by a reset.</summary>
     private static async Task<string?> EndOfAsync(StreamReader reader)
     {
         try
@@ -284,7 +284,7 @@ public class HostClockTests
         }
     }
 
-    /// <summary>The same commands and waits, with the host held up at random between them: by the wall and by other threads.</summary>
+    /// <summary>The same commands and waits, with the host delayed at random between them: by the wall clock and by other threads.</summary>
     private static async Task<MotionSample[]> RecordAsync(int seed)
     {
         var random = new Random(seed);
@@ -311,7 +311,7 @@ public class HostClockTests
         return [.. rig.Controller.Record.Snapshot()];
     }
 
-    /// <summary>A wait of the host: a timer that is created with its time.</summary>
+    /// <summary>A wait of the host: a timer that is created with its due time.</summary>
     private static async Task WaitAsync(TimeProvider clock, TimeSpan time, CancellationToken stop = default)
     {
         var passed = new TaskCompletionSource();

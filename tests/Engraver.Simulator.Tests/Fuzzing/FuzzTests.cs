@@ -2,8 +2,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Simulator.Tests.Fuzzing;
 
-/// <summary>No command from a client, and no byte, may end the process or silence a connection. <c>ENGRAVER_FUZZ_LINES=5000000</c> and
-/// <c>ENGRAVER_FUZZ_SEED=n</c> go further.</summary>
+/// <summary>No command from a client, and no byte, may end the process or block a connection. <c>ENGRAVER_FUZZ_LINES=5000000</c> and
+/// <c>ENGRAVER_FUZZ_SEED=n</c> extend it.</summary>
 public class FuzzTests
 {
     private const int LinesOfOne = 1000;

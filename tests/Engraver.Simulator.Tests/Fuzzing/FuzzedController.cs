@@ -2,11 +2,11 @@ using System.Text;
 
 namespace Engraver.Simulator.Tests.Fuzzing;
 
-/// <summary>One controller in virtual time under a seeded storm of lines, bytes, hands at its switches and passing time. Whatever it survives it must
-/// answer afterwards.</summary>
+/// <summary>One controller in virtual time that receives seeded lines and bytes, operation of its switches and passing time. After each of them it must still
+/// reply.</summary>
 internal sealed class FuzzedController : IAsyncDisposable
 {
-    /// <summary>Lines between two questions that must be answered.</summary>
+    /// <summary>Lines between two queries that must be answered.</summary>
     private const int Round = 25;
 
     private readonly int _seed;
@@ -26,7 +26,7 @@ internal sealed class FuzzedController : IAsyncDisposable
         (_network, _serial) = (_controller.OpenConnection(), _controller.OpenSerialConnection(115200));
     }
 
-    /// <returns>Null; or the seed, what happened, and the lines that led to it.</returns>
+    /// <returns>Null; or the seed, the failure, and the lines that led to it.</returns>
     public string? Run(int lines)
     {
         var line = 0;
@@ -129,7 +129,7 @@ internal sealed class FuzzedController : IAsyncDisposable
         }
     }
 
-    /// <summary>Whatever was sent: the end of a text, the end of a line, and the next question has its answer, on every way in.</summary>
+    /// <summary>After any input: the end of a text and the end of a line are sent, and then the next query is answered, on every connection.</summary>
     private string? Unanswered()
     {
         Ask(() => _network, "\\\r\"\rCI0;\r"); // no program owns the serial port

@@ -4,8 +4,8 @@ using Engraver.Simulator.Language.Commands;
 
 namespace Engraver.Simulator.Tests.Fuzzing;
 
-/// <summary>Makes up lines as a client could send them: every command of the table, with one to eight axes, in every form of arguments, right and
-/// wrong.</summary>
+/// <summary>Generates lines as a client could send them: every command of the table, with one to eight axes, in every form of arguments, valid and
+/// invalid.</summary>
 internal sealed class StatementSource(Random random)
 {
     private const string Letters = "ABCDEFGHNMSTXYZW*";
@@ -29,7 +29,7 @@ internal sealed class StatementSource(Random random)
         return string.Join(';', Enumerable.Range(0, count).Select(_ => Statement()));
     }
 
-    /// <summary>A program of the lines that it makes up, each at most as long as the memory takes.</summary>
+    /// <summary>A program of generated lines, each at most as long as the memory accepts.</summary>
     public IEnumerable<string> Program()
     {
         foreach (var label in Labels.Where(_ => Chance(2)))
@@ -40,7 +40,7 @@ internal sealed class StatementSource(Random random)
         }
     }
 
-    /// <summary>What a client sends before and during a motion, in an order that often makes sense.</summary>
+    /// <summary>Commands before and during a motion, in an order that is often valid.</summary>
     public IEnumerable<string> Motion()
     {
         yield return Pick("", "", "MO", "SH", "CAS", "CAT", "MTA=2", "VT0.5", "ITA=0.1", "AB1", "ST", "RS");

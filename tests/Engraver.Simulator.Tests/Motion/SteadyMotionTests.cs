@@ -3,7 +3,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Simulator.Tests.Motion;
 
-/// <summary>Spans of constant speed are jumped over, and nothing tells it: two controllers get the same commands and the same time, one steps every
+/// <summary>Spans of constant speed are skipped, with the same result: two controllers receive the same commands and the same time, and one of them steps every
 /// sample.</summary>
 public class SteadyMotionTests
 {
@@ -48,7 +48,7 @@ public class SteadyMotionTests
         foreach (var operand in (string[])["t0", "t1", "t2", "t3", "t4", "ua", "ub", "_ED", "_ED1"]) Assert.Equal(stepping.Ask("MG " + operand), jumping.Ask("MG " + operand));
     }
 
-    /// <summary>A program that waits for room in the buffer asks for it every sample, and is taken round without being run.</summary>
+    /// <summary>A program that waits for room in the buffer tests it every sample; its loop is skipped without being executed.</summary>
     [Theory]
     [MemberData(nameof(Seeds))]
     public async Task A_program_that_waits_for_room_goes_on_in_the_same_sample(int seed)
@@ -74,8 +74,8 @@ public class SteadyMotionTests
         if (counter.Rows > 100_000) Assert.True(counter.Singles < counter.Rows / 2);
     }
 
-    /// <summary>A question that will be refused when its line is run is no reason to fail before: the thread ends with its error, as stepped, wherever in a
-    /// sample it comes to the line.</summary>
+    /// <summary>A query that will be refused when its line is executed does not fail earlier: the thread ends with its error, as when stepped, at the same
+    /// sample.</summary>
     [Theory]
     [InlineData("nosuch=0")]
     [InlineData("@OUT[9]=0")]
@@ -174,7 +174,7 @@ public class SteadyMotionTests
             + $"CR {random.Next(10, 20000)},{random.Next(-180, 180)},{sweep.ToString(CultureInfo.InvariantCulture)};VE";
     }
 
-    /// <summary>Waits of every kind in two threads while the axes go.</summary>
+    /// <summary>Waits of every kind in two threads while the axes move.</summary>
     private static string Program(Random random)
     {
         string Wait() => random.Next(10) switch

@@ -3,13 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit.Programs;
 
-/// <summary>DMC programs as a test reads them: statement by statement, what moves in plan or switches output 1, with calls and variables; everything else
-/// is passed over and nothing is checked.</summary>
+/// <summary>A simple reader of DMC programs for tests: statement by statement, motion in plan and switching of output 1, with calls and variables; everything
+/// else is skipped, without checks.</summary>
 public sealed class DmcLines
 {
     private const int MostStatements = 200_000;
 
-    /// <summary>Seconds in which a machine that stands goes three counts.</summary>
+    /// <summary>Time in which a machine from rest moves three counts, seconds.</summary>
     private const double Twitch = 0.008;
 
     private readonly List<(string Label, string Text)> _statements = [];
@@ -23,15 +23,15 @@ public sealed class DmcLines
     private double? _toY;
     private bool _isOn;
     private readonly List<(string Name, double Value)> _acts = [];
-    /// <summary>Speeds and accelerations; until a program says them those of power-on (galil-dmc.md C).</summary>
+    /// <summary>Speeds and accelerations; until a program sets them, those of power-on (galil-dmc.md C).</summary>
     private readonly Dictionary<string, double> _set = new() { ["VS"] = 25000, ["VA"] = 256000, ["VD"] = 256000, ["SPA"] = 25000, ["SPB"] = 25000, ["ACA"] = 256000, ["ACB"] = 256000, ["DCA"] = 256000, ["DCB"] = 256000 };
     private double _waited;
 
-    /// <summary>What is cut, millimetres by 1000 counts; null when a number cannot be read or the program does not end.</summary>
+    /// <summary>The cuts, millimetres at 1000 counts; null when a number cannot be read or the program does not end.</summary>
     public static IReadOnlyList<Segment>? Cuts(string text) => Read(text)?._cuts;
 
-    /// <summary>Every move with its seconds by the speeds and accelerations in force, and the waits of the program before it; a wait behind the last move
-    /// keeps nothing. Null as above.</summary>
+    /// <summary>Every move with its duration at the present speeds and accelerations, and the waits of the program before it; a wait after the last move is
+    /// ignored. Null as above.</summary>
     public static IReadOnlyList<(string Name, double Value)>? Acts(string text) => Read(text)?._acts;
 
     private static DmcLines? Read(string text)
@@ -71,7 +71,7 @@ public sealed class DmcLines
 
     private bool Do(string text)
     {
-        if (text.Length > 2 && text[..2] is "VP" or "CR" or "VS" or "VA" or "VD" or "WT" && text[2] is not (' ' or '=')) text = text.Insert(2, " "); // the blank means nothing
+        if (text.Length > 2 && text[..2] is "VP" or "CR" or "VS" or "VA" or "VD" or "WT" && text[2] is not (' ' or '=')) text = text.Insert(2, " "); // the blank is ignored
         if (text is "SB1" or "CB1") _isOn = text == "SB1";
         else if (text == "VMAB") (_from, _vector) = (_place, default);
         else if (text.StartsWith("VP ", StringComparison.Ordinal) && Values(text[3..]) is [var x, var y]) Add(Segment.FromLine(_vector, new Point2D(x, y)));
@@ -101,13 +101,13 @@ public sealed class DmcLines
 
     private void Move(double seconds)
     {
-        if (!(seconds > Twitch)) return; // within what a place may be off
+        if (!(seconds > Twitch)) return; // within the tolerance of a position
         _acts.Add(("rest", _waited));
         _acts.Add(("move", seconds));
         _waited = 0.0;
     }
 
-    /// <summary>Up to the speed and down again, or as far up as the length lets it.</summary>
+    /// <summary>Up to the speed and down again, or as far up as the length allows.</summary>
     private double Seconds(double length, string speed, string up, string down)
     {
         var (v, a, d) = (_set.GetValueOrDefault(speed, double.NaN), _set.GetValueOrDefault(up, double.NaN), _set.GetValueOrDefault(down, double.NaN));
@@ -152,7 +152,7 @@ public sealed class DmcLines
 
     private double[]? Values(string words) => words.Split(',').Select(Value).ToArray() is var values && values.All(value => value is not null) ? [.. values.Select(value => value!.Value)] : null;
 
-    /// <summary>Numbers and variables with + and - between them; the place of the machine is 0.</summary>
+    /// <summary>Numbers and variables with + and - between them; the position of the machine is 0.</summary>
     private double? Value(string words)
     {
         var (sum, sign, term) = (0.0, 1.0, "");

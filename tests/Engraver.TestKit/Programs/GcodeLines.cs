@@ -4,16 +4,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit.Programs;
 
-/// <summary>G-code as a test reads it: whatever can be read is followed in plan, nothing is checked.</summary>
+/// <summary>A simple reader of G-code for tests: everything that can be read is followed in plan, without checks.</summary>
 public static partial class GcodeLines
 {
-    /// <summary>Radii that differ by less, mm, are one: a rounded place.</summary>
+    /// <summary>Radii that differ by less, mm, are equal, because end points are rounded.</summary>
     private const double SameRadius = 2e-5;
 
-    /// <summary>In so many lines, which leave an arc of 100 mm by less than a micrometre.</summary>
+    /// <summary>Number of chords of an arc; for a radius of 100 mm the error is less than a micrometre.</summary>
     private const int Chords = 1000;
 
-    /// <summary>What is cut while a tool is switched on by M3 or M8; null when a number cannot be read.</summary>
+    /// <summary>The cuts made while a tool is switched on by M3 or M8; null when a number cannot be read.</summary>
     public static IReadOnlyList<Segment>? Cuts(string text)
     {
         var (cuts, place, motion, unit, isOn) = (new List<Segment>(), default(Point2D), 0, 1.0, false);
@@ -40,8 +40,8 @@ public static partial class GcodeLines
         return cuts;
     }
 
-    /// <summary>Round the centre with a radius that goes evenly from that of the start to that of the end, where the two are not quite the same
-    /// (rs274-hpgl.md 1.3).</summary>
+    /// <summary>Around the centre with a radius that changes evenly from that of the start to that of the end, if they differ slightly (rs274-hpgl.md
+    /// 1.3).</summary>
     private static IEnumerable<Segment> Arc(Point2D start, Point2D end, Point2D centre, bool clockwise)
     {
         var (from, to) = ((start - centre).Direction.Degrees, (end - centre).Direction.Degrees);

@@ -4,10 +4,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit.Programs;
 
-/// <summary>HP-GL as a test reads it: whatever can be read is followed, nothing is checked. Arcs are arcs here, not chords.</summary>
+/// <summary>A simple reader of HP-GL for tests: everything that can be read is followed, without checks. Arcs are kept as arcs, not as chords.</summary>
 public static partial class HpglLines
 {
-    /// <summary>What the pen draws, millimetres; null when a number cannot be read.</summary>
+    /// <summary>The lines drawn by the pen, millimetres; null when a number cannot be read.</summary>
     public static IReadOnlyList<Segment>? Cuts(string text)
     {
         var (cuts, place, isDown, isAbsolute, corner, unit) = (new List<Segment>(), default(Point2D), false, true, 4000.0, 0.025);

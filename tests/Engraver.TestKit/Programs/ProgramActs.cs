@@ -3,22 +3,22 @@ using System.Text.RegularExpressions;
 
 namespace Engraver.TestKit.Programs;
 
-/// <summary>What a program makes its machine do beside the places of its cuts, in its order, as a test reads it: tool, frame, speeds, waits, pen, heights,
-/// times. Nothing is checked; a state is told when it becomes another one.</summary>
+/// <summary>The actions of a program other than the positions of its cuts, in order, as a simple reader for tests finds them: tool, frame, speeds, waits, pen,
+/// heights, times. Nothing is checked; a state is listed when it changes.</summary>
 public static partial class ProgramActs
 {
-    /// <summary>Part of a feed or of a time that may be another, and what any number may.</summary>
+    /// <summary>Allowed relative difference of a feed or a time, and allowed difference of any number.</summary>
     private const double Share = 0.011;
     private const double FeedShare = 0.0011;
     private const double Exactly = 1.5e-4;
 
-    /// <summary>Feed of the usual machine, mm/s: a share of it is what a speed may be off anywhere on the ramp.</summary>
+    /// <summary>Feed of the usual machine, mm/s: a fraction of it is the allowed difference of a speed anywhere on the ramp.</summary>
     private const double FeedOfSamples = 20.0;
 
-    /// <summary>What a wait or a move on a controller may be longer, for the statements around it; seconds.</summary>
+    /// <summary>Allowed additional time of a wait or a move on a controller, for the statements around it; seconds.</summary>
     private const double Statements = 0.03;
 
-    /// <summary>An act; null of a program that cannot be read.</summary>
+    /// <summary>The actions; null for a program that cannot be read.</summary>
     public static IReadOnlyList<(string Name, double Value)>? Of(string text, string target) => target switch
     {
         "gcode" => Gcode(text),
@@ -30,11 +30,11 @@ public static partial class ProgramActs
         _ => [],
     };
 
-    /// <summary>The same acts, each within what does no harm.</summary>
+    /// <summary>True when the actions are the same, each within its allowed difference.</summary>
     public static bool AreSame(IReadOnlyList<(string Name, double Value)> good, IReadOnlyList<(string Name, double Value)>? other) =>
         other is not null && good.Count == other.Count && good.Zip(other).All(pair => pair.First.Name == pair.Second.Name && IsNear(pair.First.Name, pair.First.Value, pair.Second.Value));
 
-    /// <summary>Where the acts part, for the message of a test.</summary>
+    /// <summary>The first difference of the actions, for the message of a test.</summary>
     public static string FirstOther(IReadOnlyList<(string Name, double Value)> good, IReadOnlyList<(string Name, double Value)>? other)
     {
         if (other is null) return "cannot be read";
@@ -118,8 +118,8 @@ public static partial class ProgramActs
         return acts.All;
     }
 
-    /// <summary>The direction of a first line is its own, and of a first arc the path shows it. The allowed turn does nothing while it is larger than the
-    /// turns: of interest is whether it is.</summary>
+    /// <summary>A first line defines its own direction, and that of a first arc follows from the path. The allowed turn has no effect while it is larger than
+    /// the turns: only whether it is larger matters.</summary>
     private static List<(string Name, double Value)>? LineArc(string text)
     {
         var (acts, tangent) = (new Acts(), (double?)null);

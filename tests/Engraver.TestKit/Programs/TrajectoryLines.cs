@@ -3,12 +3,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.TestKit.Programs;
 
-/// <summary>XPS trajectory texts as a test reads them: whatever can be read is followed, nothing is checked.</summary>
+/// <summary>A simple reader of XPS trajectory texts for tests: everything that can be read is followed, without checks.</summary>
 public static class TrajectoryLines
 {
     private const int Chords = 24;
 
-    /// <summary>What is cut, millimetres; null when a number cannot be read.</summary>
+    /// <summary>The cuts, millimetres; null when a number cannot be read.</summary>
     /// <param name="target">xps-linearc, xps-spline or xps-pvt.</param>
     public static IReadOnlyList<Segment>? Cuts(string text, string target)
     {
@@ -54,7 +54,7 @@ public static class TrajectoryLines
         return cuts;
     }
 
-    /// <summary>Catmull-Rom as Bezier: the inner points lie a sixth of the neighbours' chord from the ends.</summary>
+    /// <summary>Catmull-Rom as Bezier: the inner points are a sixth of the neighbours' chord from the ends.</summary>
     private static List<Segment> Spline(Point2D start, List<double[]> rows)
     {
         var points = rows.Where(row => row.Length > 2).Select(row => new Point2D(start.X + row[1], start.Y + row[2])).ToList();

@@ -28,13 +28,13 @@ internal sealed class MemoryLine(TimeProvider time) : IProgramLine
         }
     }
 
-    public void Say(byte bits) => _said.Writer.TryWrite(bits);
+    public void Say(byte value) => _said.Writer.TryWrite(value);
 
-    public async ValueTask WriteAsync(ReadOnlyMemory<byte> bits, CancellationToken cancellation)
+    public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
-        if (Count + bits.Length > BreaksAt) throw new IOException("the cable was pulled");
-        lock (Heard) Heard.AddRange(bits.ToArray().Select(one => (time.GetElapsedTime(_begun), one)));
+        if (Count + bytes.Length > BreaksAt) throw new IOException("the cable was pulled");
+        lock (Heard) Heard.AddRange(bytes.ToArray().Select(one => (time.GetElapsedTime(_begun), one)));
         if (Answer is not { } answer || Count < answer.At) return;
         Answer = null;
         await _listens.WaitAsync(cancellation);
@@ -42,11 +42,11 @@ internal sealed class MemoryLine(TimeProvider time) : IProgramLine
         await _listens.WaitAsync(cancellation); // It was processed, and the sender listens again.
     }
 
-    public async ValueTask<int> ReadAsync(Memory<byte> bits, CancellationToken cancellation)
+    public async ValueTask<int> ReadAsync(Memory<byte> bytes, CancellationToken cancellation)
     {
         _listens.Release();
         var said = await _said.Reader.ReadAsync(cancellation);
-        bits.Span[0] = said;
+        bytes.Span[0] = said;
         return 1;
     }
 

@@ -15,27 +15,29 @@ internal static class ClCurves
     /// <summary>A larger ellipse parameter is not valid, radians.</summary>
     private const double MostParameter = 1000.0;
 
-    /// <param name="ratio">Shorter over longer axis; below 0 for an ellipse seen from below, which runs clockwise.</param>
-    /// <param name="start">Start parameter, radians.</param>
-    /// <param name="end">End parameter, radians.</param>
-    public static IEnumerable<Segment> Ellipse(Point2D centre, Vector2D major, double ratio, double start, double end)
+    /// <returns>Null when a number is missing or invalid; its group code is in the numbers.</returns>
+    public static IEnumerable<Segment>? Ellipse(GroupNumbers numbers)
     {
-        if (!(Math.Abs(ratio) is > 0.0 and <= 1.0)) throw new FormatException("40");
-        if (Math.Max(Math.Abs(start), Math.Abs(end)) > MostParameter) throw new FormatException("41");
+        var (centre, major) = (new Point2D(numbers.Single(10), numbers.Single(20)), new Vector2D(numbers.Single(11), numbers.Single(21)));
+        var ratio = numbers.Single(40) * numbers.Optional(230, 1.0); // below 0 for an ellipse seen from below, which runs clockwise
+        var (start, end) = (numbers.Single(41), numbers.Single(42)); // parameters, radians
+        if (!(Math.Abs(ratio) is > 0.0 and <= 1.0)) numbers.Reject(40);
+        if (Math.Max(Math.Abs(start), Math.Abs(end)) > MostParameter) numbers.Reject(41);
+        if (numbers.Invalid is not null) return null;
         while (end <= start) end += 2.0 * Math.PI;
         var minor = new Vector2D(-major.Y * ratio, major.X * ratio);
         return Chords(turn => centre + (major * Math.Cos(turn)) + (minor * Math.Sin(turn)), start, end);
     }
 
-    /// <param name="weights">One for each point, or none.</param>
-    /// <param name="arePairs">True when there are as many x as y values.</param>
-    public static IEnumerable<Segment> Spline(int degree, double[] knots, Point2D[] points, double[] weights, bool arePairs)
+    /// <returns>Null when a number is missing or invalid; its group code is in the numbers.</returns>
+    public static IEnumerable<Segment>? Spline(GroupNumbers numbers)
     {
-        if (degree is < 1 or > 25) throw new FormatException("71");
-        if (!arePairs || points.Length <= degree) throw new FormatException("10");
-        if (knots.Length != points.Length + degree + 1 || knots.Zip(knots.Skip(1)).Any(pair => pair.Second < pair.First)) throw new FormatException("40");
-        if (weights.Length != 0 && (weights.Length != points.Length || weights.Any(weight => !(weight > 0.0)))) throw new FormatException("41");
-        return Spans(degree, knots, points, weights);
+        var (degree, knots, xs, ys, weights) = (numbers.Single(71), numbers.All(40), numbers.All(10), numbers.All(20), numbers.All(41));
+        if (!((int)degree is >= 1 and <= 25)) numbers.Reject(71);
+        if (xs.Length != ys.Length || xs.Length <= (int)degree) numbers.Reject(10);
+        if (knots.Length != xs.Length + (int)degree + 1 || knots.Zip(knots.Skip(1)).Any(pair => pair.Second < pair.First)) numbers.Reject(40);
+        if (weights.Length != 0 && (weights.Length != xs.Length || weights.Any(weight => !(weight > 0.0)))) numbers.Reject(41);
+        return numbers.Invalid is null ? Spans((int)degree, knots, [.. xs.Zip(ys, (x, y) => new Point2D(x, y))], weights) : null;
     }
 
     private static IEnumerable<Segment> Spans(int degree, double[] knots, Point2D[] points, double[] weights)

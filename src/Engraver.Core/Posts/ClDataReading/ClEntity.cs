@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Globalization;
 using Engraver.Core.Geometry;
 
@@ -10,7 +11,7 @@ namespace Engraver.Core.Posts.ClDataReading;
 internal sealed record ClEntity(string Type, int Line)
 {
     /// <summary>Largest angle from the start of an arc to its end, degrees: a hundred turns.</summary>
-    private const double MostDegrees = 36_000.0;
+    private const double MaxDegrees = 36_000.0;
 
     private readonly List<(int Code, string Value)> _pairs = [];
 
@@ -21,53 +22,48 @@ internal sealed record ClEntity(string Type, int Line)
 
     public void Add(int code, string value) => _pairs.Add((code, value));
 
-    /// <summary>Lines and arcs, in the direction of travel; null when a number is missing, duplicate or invalid, with its name.</summary>
+    /// <summary>Lines and arcs, in the direction of travel; null when a number is missing, duplicate or invalid, with the reason.</summary>
     public IEnumerable<Segment>? Path(out string reason)
     {
-        reason = "";
-        try
-        {
-            if (_pairs.Any(pair => pair.Code is 60 or 67 && Parse(pair) != 0.0)) reason = Wording.Get("ClDataReader.HiddenOrOnPaper");
-            else if (Maybe(210, 0.0) != 0.0 || Maybe(220, 0.0) != 0.0 || Math.Abs(Maybe(230, 1.0)) != 1.0) reason = Wording.Get("ClDataReader.Tilted");
-            if (reason.Length > 0) return null;
-            return Type switch
-            {
-                "LINE" => [Segment.FromLine(new Point2D(One(10), One(20)), new Point2D(One(11), One(21)))],
-                "ARC" => Round(One(50), One(51)),
-                "CIRCLE" => Round(Maybe(1040, 0.0), Maybe(1040, 0.0) + 360.0), // its start is in the extended data
-                "ELLIPSE" => ClCurves.Ellipse(new Point2D(One(10), One(20)), new Vector2D(One(11), One(21)), One(40) * Maybe(230, 1.0), One(41), One(42)),
-                "SPLINE" => ClCurves.Spline((int)One(71), All(40), All(10).Zip(All(20), (x, y) => new Point2D(x, y)).ToArray(), All(41), All(10).Length == All(20).Length),
-                _ => throw new FormatException(Type),
-            };
-        }
-        catch (FormatException missing)
-        {
-            reason = Wording.Get("ClDataReader.BadGroupValue", missing.Message);
-            return null;
-        }
+        var numbers = new GroupNumbers(_pairs);
+        var isHidden = numbers.IsAnySet(60, 67);
+        var isTilted = !isHidden && (numbers.Optional(210, 0.0) != 0.0 || numbers.Optional(220, 0.0) != 0.0 || Math.Abs(numbers.Optional(230, 1.0)) != 1.0);
+        var path = numbers.Invalid is null && !isHidden && !isTilted ? Path(numbers) : null;
+        if (numbers.Invalid is { } code) reason = Wording.Get("ClDataReader.BadGroupValue", code.ToString(CultureInfo.InvariantCulture));
+        else reason = isHidden ? Wording.Get("ClDataReader.HiddenOrOnPaper") : isTilted ? Wording.Get("ClDataReader.Tilted") : "";
+        return reason.Length == 0 ? path : null;
+    }
+
+    private IEnumerable<Segment>? Path(GroupNumbers numbers) => Type switch
+    {
+        "LINE" => LineOf(numbers),
+        "ARC" => ArcOf(numbers, numbers.Single(50), numbers.Single(51)),
+        "CIRCLE" => ArcOf(numbers, numbers.Optional(1040, 0.0), numbers.Optional(1040, 0.0) + 360.0), // its start is in the extended data
+        "ELLIPSE" => ClCurves.Ellipse(numbers),
+        "SPLINE" => ClCurves.Spline(numbers),
+        _ => throw new UnreachableException(Type),
+    };
+
+    private static IEnumerable<Segment>? LineOf(GroupNumbers numbers)
+    {
+        var (start, end) = (new Point2D(numbers.Single(10), numbers.Single(20)), new Point2D(numbers.Single(11), numbers.Single(21)));
+        return numbers.Invalid is null ? [Segment.FromLine(start, end)] : null;
     }
 
     /// <summary>Counter-clockwise in the entity's own system, which is mirrored in x when it is seen from below. In quarters of a turn at most, as the judges
     /// require arcs.</summary>
-    private IEnumerable<Segment> Round(double start, double end)
+    private static IEnumerable<Segment>? ArcOf(GroupNumbers numbers, double start, double end)
     {
-        var (isBelow, radius, sweep) = (Maybe(230, 1.0) < 0.0, One(40), end - start);
-        if (!(radius > 0.0)) throw new FormatException("40");
-        if (Math.Abs(sweep) > MostDegrees) throw new FormatException("50");
+        var (isBelow, radius, sweep) = (numbers.Optional(230, 1.0) < 0.0, numbers.Single(40), end - start);
+        if (!(radius > 0.0)) numbers.Reject(40);
+        if (Math.Abs(sweep) > MaxDegrees) numbers.Reject(50);
+        var (x, y) = (numbers.Single(10), numbers.Single(20));
+        if (numbers.Invalid is not null) return null;
         while (sweep <= 0.0) sweep += 360.0;
         while (sweep > 360.0) sweep -= 360.0;
-        var centre = new Point2D(isBelow ? -One(10) : One(10), One(20));
+        var centre = new Point2D(isBelow ? -x : x, y);
         var (from, way) = isBelow ? (180.0 - start, -sweep) : (start, sweep);
         var parts = (int)Math.Ceiling(sweep / 90.0);
         return Enumerable.Range(0, parts).Select(i => Segment.FromArc(new ArcSegment(centre, radius, Angle.FromDegrees(from + (way * i / parts)), Angle.FromDegrees(way / parts))));
     }
-
-    private double One(int code) => All(code) is [var value] ? value : throw new FormatException(code.ToString(CultureInfo.InvariantCulture));
-
-    private double Maybe(int code, double otherwise) => All(code) is { Length: > 0 } values ? values[0] : otherwise;
-
-    private double[] All(int code) => [.. _pairs.Where(pair => pair.Code == code).Select(Parse)];
-
-    private static double Parse((int Code, string Value) pair) =>
-        double.TryParse(pair.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) && Math.Abs(value) < 1e12 ? value : throw new FormatException(pair.Code.ToString(CultureInfo.InvariantCulture));
 }

@@ -160,8 +160,8 @@ public readonly record struct Discontinuity
     /// <summary>The row that ends here.</summary>
     public int Row { get; }
 
-    /// <summary>Distance to the nearest other open end (it can be the other end of the same contour, but not that of a single short segment); null when there
-    /// is no other.</summary>
+    /// <summary>Distance to the nearest other open end (it can be the other end of the same contour, but not that of a single short segment); null without
+    /// another.</summary>
     public double? Gap => double.IsNaN(_gap) ? null : _gap;
 
     /// <summary>The row of that other end; -1 without one.</summary>

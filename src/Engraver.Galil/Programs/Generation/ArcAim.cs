@@ -3,26 +3,26 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Chooses the CR that follows a wanted arc from the controller's actual position, or none when a single CR would leave the arc.</summary>
-/// <remarks>All lengths are counts. The radius is the wanted one rounded; theta and delta are chosen.</remarks>
+/// <summary>Chooses the CR that follows a desired arc from the controller's actual position, or none if a single CR would deviate from the arc.</summary>
+/// <remarks>All lengths are counts. The radius is the desired one, rounded; theta and delta are chosen.</remarks>
 /// <param name="Quantum">The controller's resolution of angles.</param>
 internal readonly record struct ArcAim(AngleQuantum Quantum)
 {
-    /// <summary>Largest distance of a path from the wanted arc, counts; the rest up to one count allows for the controller's arithmetic.</summary>
+    /// <summary>Largest distance of a path from the desired arc, counts; the remainder to one count allows for the controller's arithmetic.</summary>
     private const double MostOff = 0.98;
 
-    /// <summary>The first candidate within this distance is taken, so that arcs on whole counts keep the numbers of the drawing.</summary>
+    /// <summary>The first candidate within this distance is used, so that arcs on whole counts keep the numbers of the drawing.</summary>
     private const double GoodEnough = 0.75;
 
-    /// <summary>An end this near to the border between two counts might be rounded either way by the controller.</summary>
+    /// <summary>The controller might round an end this close to the middle between two counts either way.</summary>
     private const double UnsureHalf = 0.02;
 
-    /// <summary>An inner piece may end before or after its mark by this part of its length: the next piece starts from there.</summary>
+    /// <summary>An inner piece may end before or after its target by this fraction of its length, because the next piece starts from there.</summary>
     private const double InnerMiss = 0.25;
 
     private const double ShortestArc = 2.0;
 
-    /// <summary>The CR that cuts the whole wanted arc and ends within a count of <paramref name="trueEnd"/>, at a point whose rounding is certain.</summary>
+    /// <summary>The CR that cuts the whole desired arc and ends within a count of <paramref name="trueEnd"/>, at a point whose rounding is certain.</summary>
     public ArcPrediction? ToEnd(Point2D from, ArcSegment wanted, Point2D target, Point2D trueEnd)
     {
         return Best(from, wanted, target, arc => IsSurelyRounded(arc.End) ? Math.Max(arc.DeviationFrom(wanted), arc.End.DistanceTo(trueEnd)) : double.PositiveInfinity);
@@ -54,7 +54,7 @@ internal readonly record struct ArcAim(AngleQuantum Quantum)
         return best;
     }
 
-    /// <summary>Candidates in order: as drawn; towards the drawn centre; through both ends.</summary>
+    /// <summary>Candidates in order: as drawn; around the drawn centre; through both ends.</summary>
     private IEnumerable<ArcPrediction> Candidates(Point2D from, ArcSegment wanted, Point2D target)
     {
         var radius = (int)Math.Round(wanted.Radius, MidpointRounding.AwayFromZero);
@@ -73,7 +73,7 @@ internal readonly record struct ArcAim(AngleQuantum Quantum)
         return new ArcPrediction(from, radius, kept, Quantum.Keep(sweep + Math.IEEERemainder(turn - sweep, 360.0)));
     }
 
-    /// <summary>The centre at distance <paramref name="radius"/> from both points, on the side of the wanted arc's; null when they are too far apart or
+    /// <summary>The centre at distance <paramref name="radius"/> from both points, on the side of the desired arc's centre; null when they are too far apart or
     /// coincide.</summary>
     private static Point2D? CentreThrough(Point2D from, Point2D to, int radius, ArcSegment wanted)
     {
@@ -95,16 +95,16 @@ internal readonly record struct ArcAim(AngleQuantum Quantum)
     private static bool IsSurelyRounded(double value) => Math.Abs(value - Math.Floor(value) - 0.5) >= UnsureHalf;
 }
 
-/// <summary>How an angle changes on its way into the controller: four decimals in the text, truncated to 1/65536 like every number (0.6 becomes 0.59999),
-/// then the steps of CR (galil-dmc.md B.3, E).</summary>
+/// <summary>How the controller quantizes an angle: four decimals in the text, truncated to 1/65536 like every number (0.6 becomes 0.59999), then to the steps
+/// of CR (galil-dmc.md B.3, E).</summary>
 /// <param name="Degrees">The controller's step, 1/65536 or, in older manuals, 1/256 degree.</param>
 public readonly record struct AngleQuantum(double Degrees)
 {
     private const decimal NumberSteps = 65536;
     private const int DecimalsInText = 4;
 
-    /// <summary>The angle that the controller has after it is sent this one. On a circle of 700,000 counts one step is a fifth of a count, and a chain of
-    /// arcs adds them up.</summary>
+    /// <summary>The angle that the controller uses when this one is sent. On a circle of 700,000 counts one step is a fifth of a count, and errors add up along
+    /// a chain of arcs.</summary>
     public double Keep(double degrees)
     {
         var text = Math.Round((decimal)degrees, DecimalsInText, MidpointRounding.AwayFromZero);

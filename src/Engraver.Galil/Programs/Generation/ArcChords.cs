@@ -6,13 +6,13 @@ namespace Engraver.Galil.Programs.Generation;
 /// <summary>Approximates an arc that CR cannot cut by chords.</summary>
 internal static class ArcChords
 {
-    /// <summary>Chords with a smaller sagitta, counts, are no better, because their vertices are whole counts.</summary>
+    /// <summary>Chords with a smaller sagitta, counts, give no improvement, because their vertices are whole counts.</summary>
     private const double FinestSagitta = 0.25;
 
-    /// <summary>Allowed distance of chords from the arc, millimetres: as wanted, but not finer than counts can represent.</summary>
+    /// <summary>Allowed distance of chords from the arc, millimetres: as requested, but not finer than counts can represent.</summary>
     public static double ErrorOf(double wantedMm, CountsScale scale) => Math.Max(wantedMm, FinestSagitta / scale.Largest);
 
-    /// <summary>Inner vertices and end of the chords whose sagitta stays within <paramref name="maxError"/> (same unit as the arc).</summary>
+    /// <summary>Inner vertices and end of the chords whose sagitta is at most <paramref name="maxError"/> (same unit as the arc).</summary>
     public static IEnumerable<Point2D> Vertices(ArcSegment arc, double maxError)
     {
         var count = Count(arc, maxError);
@@ -20,7 +20,7 @@ internal static class ArcChords
         yield return arc.EndPoint;
     }
 
-    /// <summary>Number of those chords, a whole number; for a huge arc more than an integer holds.</summary>
+    /// <summary>Number of these chords, a whole number; for a huge arc more than an integer can hold.</summary>
     public static double Count(ArcSegment arc, double maxError)
     {
         // 1 - cos(half angle) = e, solved with the sine of a quarter, which keeps its digits when the error is tiny compared with the radius.

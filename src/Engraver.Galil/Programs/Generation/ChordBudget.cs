@@ -8,13 +8,13 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Counts the chords that arcs will need before any is generated: arcs of huge radius could need too many for time and memory.</summary>
+/// <summary>Counts the chords that arcs will need before any is generated, because arcs of huge radius could need too much time and memory.</summary>
 internal static class ChordBudget
 {
-    /// <summary>Most chords of a drawing; a program with more lines is never posted or sent.</summary>
+    /// <summary>Maximum number of chords of a drawing; a program with more lines is never posted or sent.</summary>
     public const int Most = 1_000_000;
 
-    /// <summary>The error that names the arc with the most chords, or null while the drawing needs no more than <see cref="Most"/>.</summary>
+    /// <summary>The error that names the arc with the most chords; null while the drawing needs at most <see cref="Most"/>.</summary>
     /// <param name="toolpath">All coordinates are finite and fit counts at this scale.</param>
     /// <param name="scale">Counts per millimetre.</param>
     /// <param name="maxErrorMm">Largest distance of chords from an arc, millimetres.</param>

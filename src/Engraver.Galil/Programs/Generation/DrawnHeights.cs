@@ -6,12 +6,14 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>The heights of a toolpath on a machine whose tool is moved by an axis: what of them cannot be cut, and in which passes the rest is.</summary>
+/// <summary>The heights of a toolpath on a machine whose tool is moved by an axis: findings for those that cannot be cut, and the passes for the
+/// others.</summary>
 internal static class DrawnHeights
 {
     private static readonly double[] s_atDepth = [0.0];
 
-    /// <summary>Curves that rise, heights that are not below the retract height or cannot be counted; a warning when the tool takes nothing off.</summary>
+    /// <summary>Errors for curves that rise and for heights that are not below the retract height or cannot be expressed in counts; a warning when the tool
+    /// removes no material.</summary>
     public static IEnumerable<Diagnostic> Findings(Toolpath toolpath, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
     {
         var (told, isAnyCut, isAnyBelow) = (new HashSet<int>(), false, false);
@@ -28,7 +30,7 @@ internal static class DrawnHeights
         if (isAnyCut && !isAnyBelow) yield return MotionRules.NoDepth.At(default);
     }
 
-    /// <summary>How far above its depth each pass of a stroke runs, millimetres, the highest first.</summary>
+    /// <summary>Height of each pass of a stroke above its depth, millimetres, the highest first.</summary>
     public static IReadOnlyList<double> Lifts(ToolpathStroke stroke, MachineProfile profile) => profile.Height is { } drive ? [.. CutHeights.Lifts(stroke, drive)] : s_atDepth;
 
     private static Diagnostic? Finding(in StrokeMove move, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)

@@ -3,8 +3,8 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>The speed at which the host can still send a long sequence: a segment needs about 1.6 ms (galil-dmc.md B.7), and a buffer that runs dry stops
-/// the machine at once.</summary>
+/// <summary>The speed at which the host can still send a long sequence: a segment needs about 1.6 ms (galil-dmc.md B.7), and a buffer that runs dry stops the
+/// machine at once.</summary>
 internal static class FeedLimit
 {
     /// <summary>A sequence of up to this many segments is in the buffer before it starts.</summary>
@@ -15,7 +15,7 @@ internal static class FeedLimit
     /// <summary>Average time of a segment over any window, seconds.</summary>
     private const double SecondsPerSegment = 0.0025;
 
-    /// <summary>The wanted speed, or the fastest even one at which every window of segments lasts long enough (counts/s).</summary>
+    /// <summary>The desired speed, or the highest even one at which every window of segments takes long enough (counts/s).</summary>
     public static int For(IReadOnlyList<VectorSegment> segments, int wanted)
     {
         if (segments.Count <= SegmentsSentAhead) return wanted;

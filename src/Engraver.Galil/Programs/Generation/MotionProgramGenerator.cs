@@ -9,13 +9,11 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Toolpath in millimetres to motion program in counts. What the controller cannot do as drawn is converted (split, chords); what cannot be
-/// converted is refused with the entity named.</summary>
-/// <remarks>
-/// Every end point is the rounded drawing point; arcs are computed from the predicted position of the controller and stay within one count of the drawn arc
-/// (galil-dmc.md B.3).
-/// A move without length in counts gives no segment: its entity counts as cut when the next segment of the stroke is, or when the stroke ends.
-/// </remarks>
+/// <summary>Converts a toolpath in millimetres to a motion program in counts. What the controller cannot do as drawn is converted (split, chords); what cannot
+/// be converted is an error that names the entity.</summary>
+/// <remarks> Every end point is the rounded drawing point. Arcs are computed from the predicted position of the controller and are within one count of the
+/// drawn arc (galil-dmc.md B.3). A move shorter than a count gives no segment: its entity counts as cut when the next segment of the stroke is cut, or when the
+/// stroke ends. </remarks>
 public static class MotionProgramGenerator
 {
     /// <summary>Generates the program for one machine.</summary>

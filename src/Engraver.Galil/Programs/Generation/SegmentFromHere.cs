@@ -3,13 +3,13 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Adapts a segment that is cut by itself to the position at which the machine really came to rest; its end stays as planned.</summary>
+/// <summary>Adapts a segment that is cut separately to the position at which the machine actually came to rest; its end is unchanged.</summary>
 public static class SegmentFromHere
 {
     /// <param name="planned">The segment as computed from <paramref name="start"/>.</param>
     /// <param name="start">Planned position of the machine.</param>
     /// <param name="here">Actual position.</param>
-    /// <returns>A CR computed anew for the same end; the planned one where none stays within a count of the arc. A line needs no change.</returns>
+    /// <returns>A CR recalculated for the same end; the planned one if no CR is within a count of the arc. A line needs no change.</returns>
     public static VectorSegment Aim(in VectorSegment planned, CountsPoint start, CountsPoint here, AngleQuantum quantum)
     {
         if (here == start || planned.Kind == VectorSegmentKind.Line) return planned;

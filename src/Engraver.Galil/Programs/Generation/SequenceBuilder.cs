@@ -4,14 +4,14 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Collects the segments of one stroke after another into sequences and tracks the controller's predicted position after each.</summary>
+/// <summary>Collects the segments of consecutive strokes into sequences and tracks the controller's predicted position after each.</summary>
 /// <param name="wantedSpeed">VS in plan, unless a sequence needs a lower one.</param>
 /// <param name="slope">Speed of lines that rise or fall.</param>
 /// <param name="style">With Calls the sequence ends after every segment.</param>
-/// <param name="columns">Of the whole program; the sequences are appended to them.</param>
+/// <param name="columns">Columns of the whole program; the sequences are appended to them.</param>
 internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionStyle style, VectorColumns columns)
 {
-    /// <summary>Counts. The controller may refuse a shorter segment (TC 30).</summary>
+    /// <summary>Counts. The controller may reject a shorter segment (TC 30).</summary>
     private const double ShortestLine = 1.0;
 
     private readonly List<VectorSegment> _segments = [];
@@ -23,13 +23,13 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
     /// <summary>A line of this sequence rises or falls.</summary>
     private bool ChangesHeight => _slopeSpeed < int.MaxValue;
 
-    /// <summary>Predicted position: whole counts after VP, the real end point after CR.</summary>
+    /// <summary>Predicted position: whole counts after VP, the exact end point after CR.</summary>
     public Point2D Position { get; private set; }
 
     /// <summary>Height of the tool, counts.</summary>
     public int Height { get; private set; }
 
-    /// <summary>A stroke begins; the one before was finished.</summary>
+    /// <summary>Starts a stroke; the previous one must be finished.</summary>
     public void Begin(CountsPoint start)
     {
         _start = start;
@@ -38,15 +38,15 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
     }
 
     /// <summary>Appends the stroke.</summary>
-    /// <param name="index">Of the stroke of the toolpath.</param>
-    /// <returns>False when everything was shorter than a count: there is no stroke.</returns>
+    /// <param name="index">Index of the stroke in the toolpath.</param>
+    /// <returns>False when the whole stroke is shorter than a count: nothing is appended.</returns>
     public bool Finish(int index)
     {
         EndSequence();
         return columns.EndStroke(index, _start);
     }
 
-    /// <summary>VE: the machine stops here, and the next sequence begins at whole counts.</summary>
+    /// <summary>VE: the machine stops here, and the next sequence starts at whole counts.</summary>
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
@@ -57,7 +57,7 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
         (_length, _slopeSpeed, _hasArcs) = (0.0, int.MaxValue, false);
     }
 
-    /// <summary>Adds VP, in equal pieces when it is too long for one. A target less than a count away is not sent.</summary>
+    /// <summary>Adds VP, divided equally if it is too long for one. A target less than a count away is not sent.</summary>
     public void Line(CountsPoint target, int entity)
     {
         if (target.Z != Height && _hasArcs) EndSequence(); // LM takes no arcs (galil-dmc.md B.7)
@@ -94,11 +94,11 @@ internal sealed class SequenceBuilder(int wantedSpeed, SlopeSpeed slope, MotionS
     }
 }
 
-/// <summary>VS of lines in three axes: the feed along the path in millimetres, whatever the axes' counts (galil-dmc.md B.5: VS is the root of the sum over
-/// all axes of LM), and downwards no faster than the plunge feed.</summary>
+/// <summary>VS of lines in three axes: the feed along the path in millimetres, independent of the scales of the axes (galil-dmc.md B.5: VS is the root of the
+/// sum over all axes of LM), and downwards at most the plunge feed.</summary>
 internal readonly record struct SlopeSpeed(MachineProfile Profile)
 {
-    /// <param name="way">In plan, counts.</param>
+    /// <param name="way">Vector in plan, counts.</param>
     /// <param name="rise">Counts of the Z axis, not 0.</param>
     /// <returns>Even counts/s.</returns>
     public int Of(Vector2D way, int rise)

@@ -7,10 +7,10 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Turns one stroke after another into vector sequences.</summary>
+/// <summary>Converts strokes to vector sequences, one after the other.</summary>
 internal sealed class StrokeGenerator
 {
-    /// <summary>An arc is halved at most this often before it is cut as chords.</summary>
+    /// <summary>Maximum number of halvings of an arc before it is cut as chords.</summary>
     private const int MostHalvings = 8;
 
     private const double ShortestPiece = 8.0;
@@ -29,7 +29,7 @@ internal sealed class StrokeGenerator
     /// <param name="profile">The machine.</param>
     /// <param name="maxErrorMm">Largest distance of chords from an arc, millimetres.</param>
     /// <param name="style">How segments are grouped.</param>
-    /// <param name="columns">Of the whole program; the strokes are appended to them.</param>
+    /// <param name="columns">Columns of the whole program; the strokes are appended to them.</param>
     public StrokeGenerator(MachineProfile profile, double maxErrorMm, MotionStyle style, VectorColumns columns)
     {
         _profile = profile;
@@ -41,8 +41,8 @@ internal sealed class StrokeGenerator
     }
 
     /// <summary>Appends a pass of the stroke, in counts.</summary>
-    /// <param name="lift">How far above its depth the pass runs, millimetres; 0 for the last one, and for a machine without a tool axis.</param>
-    /// <returns>False when all of it is shorter than a count: nothing is appended.</returns>
+    /// <param name="lift">Height of the pass above the depth of the stroke, millimetres; 0 for the last pass, and for a machine without a tool axis.</param>
+    /// <returns>False when the whole stroke is shorter than a count: nothing is appended.</returns>
     public bool Generate(ToolpathStroke stroke, double lift)
     {
         var first = stroke.Moves[0];
@@ -66,14 +66,14 @@ internal sealed class StrokeGenerator
         }
 
         _entity = move.EntityIndex;
-        if (IsBentUpOrDown(move) | _corners.IsCornerBefore(segment)) _builder.EndSequence(); // both take note of the move
+        if (IsBentUpOrDown(move) | _corners.IsCornerBefore(segment)) _builder.EndSequence(); // no short circuit: both calls record the move
         BridgeGapTo(from);
         Cut(segment, from.Z, to);
         _reached = to;
         _corners.Cut(segment);
     }
 
-    /// <summary>A change of slope is a corner like one in plan, where heights are cut.</summary>
+    /// <summary>Where heights are cut, a change of slope is a corner like one in plan.</summary>
     private bool IsBentUpOrDown(in StrokeMove move)
     {
         if (_profile.Height is null) return false;
@@ -85,14 +85,14 @@ internal sealed class StrokeGenerator
 
     private CountsPoint Place(Point2D millimetres, double z) => _scale.ToCounts(millimetres) with { Z = HeightOf(z, _profile, _lift) };
 
-    /// <summary>Where an axis brings the tool to the work it cuts below the drawn height; otherwise heights are not cut.</summary>
+    /// <summary>The height at which the tool axis cuts, below the drawn height; on other machines heights are not cut.</summary>
     private static int HeightOf(double drawn, MachineProfile profile, double lift) => profile.Height is { } drive ? profile.Scale.ToHeight(drawn - drive.CutDepth + lift) : 0;
 
-    /// <summary>True when the move is shorter than a count and does not complete a count together with those before.</summary>
+    /// <summary>True when the move is shorter than a count and does not add up to a count together with the previous ones.</summary>
     private bool Vanishes(in Segment segment) =>
         segment.Length * _scale.Largest < 1.0 && _builder.Position.DistanceTo(_scale.Exact(segment.End)) < 1.0;
 
-    /// <summary>Cuts across a gap within the join tolerance. Measured from the drawn end of the last move, not from the predicted end of its arc.</summary>
+    /// <summary>Cuts across a gap within the join tolerance. Measured from the drawn end of the previous move, not from the predicted end of its arc.</summary>
     private void BridgeGapTo(CountsPoint start)
     {
         if (start != _reached) _builder.Line(start, _entity);
@@ -120,7 +120,7 @@ internal sealed class StrokeGenerator
         else Chords(wanted);
     }
 
-    /// <summary>The piece that ends where the move ends: one CR; otherwise the arc is halved, and its second half treated again.</summary>
+    /// <summary>The piece that ends at the end of the move: one CR; otherwise the arc is halved, and its second half is processed in the same way.</summary>
     private void LastPiece(ArcSegment wanted, Point2D trueEnd, int halvings)
     {
         var target = CountsScale.Round(trueEnd);

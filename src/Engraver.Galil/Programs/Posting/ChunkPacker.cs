@@ -9,7 +9,7 @@ namespace Engraver.Galil.Programs.Posting;
 /// <summary>Packs strokes into programs that fit the controller's memory, whole strokes where possible.</summary>
 internal sealed class ChunkPacker
 {
-    /// <summary>Fewer lines of job than this would cut every stroke to pieces.</summary>
+    /// <summary>With fewer lines for the job, every stroke would have to be divided.</summary>
     private const int LeastRoom = 16;
 
     private readonly PostForm _form;
@@ -27,7 +27,7 @@ internal sealed class ChunkPacker
         _room = options.MemoryLines - FixedLines(form);
     }
 
-    /// <summary>The job as chunks. The memory must have room for the subprograms and a few lines of job (<see cref="FewestLines"/>).</summary>
+    /// <summary>The job as chunks. The memory must hold the subprograms and a few lines of the job (<see cref="FewestLines"/>).</summary>
     public static PackedJob Pack(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
         var packer = new ChunkPacker(form, options, sourceOf);
@@ -36,7 +36,7 @@ internal sealed class ChunkPacker
         return packer.Finish();
     }
 
-    /// <summary>The findings of <see cref="Pack"/>. A stroke that certainly fits is not written: only those that do not fit are found.</summary>
+    /// <summary>The findings of <see cref="Pack"/>. Strokes that certainly fit are not written, only those that may not fit.</summary>
     public static IReadOnlyList<Diagnostic> Findings(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
         var packer = new ChunkPacker(form, options, sourceOf);
@@ -50,7 +50,7 @@ internal sealed class ChunkPacker
         return packer._diagnostics;
     }
 
-    /// <summary>The smallest memory that a job of this form can be packed for, lines.</summary>
+    /// <summary>The smallest memory for which a job of this form can be packed, lines.</summary>
     public static int FewestLines(PostForm form) => FixedLines(form) + LeastRoom;
 
     private static int FixedLines(PostForm form)
@@ -79,7 +79,7 @@ internal sealed class ChunkPacker
         return lines.Count > 0 && lines.Count <= _room;
     }
 
-    /// <summary>The longest beginning of the stroke that fits a chunk, found from above by proportion.</summary>
+    /// <summary>The longest first part of the stroke that fits a chunk, searched from above by proportion.</summary>
     private (MotionStroke First, MotionStroke Tail) LargestPart(MotionStroke stroke)
     {
         const double Shrink = 0.97;
@@ -130,12 +130,12 @@ internal sealed class ChunkPacker
 
 /// <summary>A job as chunks that fit the controller's memory.</summary>
 /// <param name="Chunks">In order of cutting.</param>
-/// <param name="Diagnostics">Strokes that had to be cut to fit the memory.</param>
+/// <param name="Diagnostics">Strokes that had to be divided to fit the memory.</param>
 internal sealed record PackedJob(IReadOnlyList<ProgramChunk> Chunks, IReadOnlyList<Diagnostic> Diagnostics);
 
 /// <summary>One program of a job that does not fit the controller's memory at once.</summary>
 /// <param name="Text">Complete with its subprograms; ends with a line end (LF).</param>
-/// <param name="Parts">The strokes it cuts, in order; a stroke longer than the memory comes in several parts, each in a chunk of its own.</param>
+/// <param name="Parts">The strokes that it cuts, in order; a stroke longer than the memory is divided into several parts, each in a separate chunk.</param>
 internal sealed record ProgramChunk(string Text, IReadOnlyList<MotionStroke> Parts)
 {
     /// <summary>Every segment in the order of cutting, which is the order of the VP and CR commands in the text.</summary>

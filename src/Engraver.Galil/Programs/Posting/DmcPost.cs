@@ -7,19 +7,19 @@ using static Engraver.Galil.Programs.Subprograms;
 namespace Engraver.Galil.Programs.Posting;
 
 /// <summary>Writes a motion program as self-contained controller programs, started with XQ #JOB.</summary>
-/// <remarks>One or more chunks, each complete with its subprograms, to be downloaded and run (XQ #JOB) in order; with more than one, each begins with a
-/// comment line "'CHUNK 2 OF 3".
-/// Where the machine stands when the job starts is the drawing's start point, whatever the controller's position reads there: the first chunk keeps that
-/// position in ox and oy, rapids count from it, and later chunks find it still there, for a download leaves the variables alone.</remarks>
+/// <remarks>One or more chunks, each complete with its subprograms, to be downloaded and run (XQ #JOB) in order. With more than one, each starts with a comment
+/// line "'CHUNK 2 OF 3". The machine's position at the start of the job is the drawing's start point, at any reading of the controller's position: the first
+/// chunk stores this reading in ox and oy, rapids are relative to it, and later chunks still find it there, because a download does not change the
+/// variables.</remarks>
 public static class DmcPost
 {
     private const string CountCall = "seq=seq+1";
 
-    /// <summary>The paper's way (section 5.2): variables are assigned and #LINEAR or #CIRC is called, a line for each; seq counts the calls, rapids and
-    /// tool changes included.</summary>
-    /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs must be aimed from there.</param>
+    /// <summary>The method of the paper (section 5.2): variables are assigned and #LINEAR or #CIRC is called, in one line each; seq counts the calls, including
+    /// rapids and tool changes.</summary>
+    /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs are computed from there.</param>
     /// <param name="options">The controller's memory.</param>
-    /// <param name="sourceOf">Where an entity stands in the drawing, for diagnostics.</param>
+    /// <param name="sourceOf">Position of an entity in the drawing's file, for diagnostics.</param>
     public static PostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
@@ -29,7 +29,7 @@ public static class DmcPost
     /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
     public static PostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null) => Posted(program, SequencesForm(program, options), options, sourceOf);
 
-    /// <summary>What the post in the style of the program would find. Only strokes that may be too long for the memory are written for it.</summary>
+    /// <summary>The findings of the post in the style of the program. Only strokes that may be too long for the memory are written for this.</summary>
     internal static IReadOnlyList<Diagnostic> Findings(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
         var form = program.Style == MotionStyle.Calls ? CallsForm(program, options) : SequencesForm(program, options);
@@ -61,10 +61,10 @@ public static class DmcPost
         ? MotionRules.MemoryTooSmall.At(default, Text($"{needed}"), Text($"{options.MemoryLines}"))
         : null;
 
-    /// <summary>Places relative to where the machine stands when the job starts.</summary>
+    /// <summary>Positions relative to the position of the machine at the start of the job.</summary>
     private static ControllerFrame FromStart(MotionProgram program) => new(program.Start, default);
 
-    /// <param name="variables">Their first values; #UP counts as well, so that they are set before it and behind it.</param>
+    /// <param name="variables">Their initial values; #UP counts as well, so they are set both before and after it.</param>
     private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables, DmcPostOptions options)
     {
         var types = MotorTypeTest.Lines(program.Profile);
@@ -77,8 +77,8 @@ public static class DmcPost
         return lines.Line(variables).Line(options.Unattended ? UnattendedProgram.Start : string.Empty).Lines;
     }
 
-    /// <summary>Where the drawing's start point is by the controller's own zero: where the machine stands, or where the operator says that the drawing's
-    /// zero is.</summary>
+    /// <summary>The drawing's start point by the controller's own zero: the present position of the machine, or a position derived from the given drawing
+    /// zero.</summary>
     private static string TakeOrigin(MotionProgram program, DmcPostOptions options) => string.Join(';', "xyz".Zip(program.Profile.Axes.All, (name, axis) => (name, options.Origin) switch
     {
         ('x', { } origin) => Text($"ox={origin.X + program.Start.X}"),
@@ -102,7 +102,7 @@ public static class DmcPost
         return lines.Line(isHeld ? "JS" + Up : "JS#TOOLOFF").Lines;
     }
 
-    /// <summary>A slope has a speed of its own; behind it f is as before.</summary>
+    /// <summary>A slope has a separate speed; after it f is restored.</summary>
     private static string SlopeCall(in VectorSegment segment, VectorSequence sequence) => Text(
         $"x={(long)segment.End.X - sequence.Start.X};y={(long)segment.End.Y - sequence.Start.Y};z={(long)segment.End.Z - sequence.Start.Z};f={sequence.Speed};JS{Slope}");
 
@@ -144,38 +144,39 @@ public static class DmcPost
 
     private static IReadOnlyList<string> End(MotionProgram program, DmcPostOptions options) => new ProgramLines().Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line(ToolOff(program.Profile)).Line(SpindleOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
 
-    /// <summary>Without HX0 the controller would go on behind the refused command, from a place the program does not expect (galil-dmc.md C.3).</summary>
+    /// <summary>Without HX0 the controller would continue after the refused command, from a position that the program does not expect (galil-dmc.md
+    /// C.3).</summary>
     private static IReadOnlyList<string> CommandErrorEndsTheJob(MotionProgram program, DmcPostOptions options) =>
         new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line(program.Profile.Height is null ? string.Empty : SpindleOff(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line(options.Unattended ? UnattendedProgram.End : string.Empty).Line("HX0").Line("EN").Lines;
 }
 
-/// <summary>What a post needs to know beside the motion program.</summary>
+/// <summary>Inputs of a post in addition to the motion program.</summary>
 public sealed record DmcPostOptions
 {
     public static DmcPostOptions Default { get; } = new();
 
-    /// <summary>Lines the controller's program memory holds, subprograms included; a longer job comes in chunks.</summary>
+    /// <summary>Number of lines of the controller's program memory, including subprograms; a longer job is written in chunks.</summary>
     public int MemoryLines { get; init; } = DmcLimits.ProgramLines;
 
-    /// <summary>The program watches itself and ends with the tool off whatever happens, with nobody connected (<see cref="UnattendedProgram"/>).</summary>
+    /// <summary>The program supervises itself and ends with the tool off in every case, with no host connected (<see cref="UnattendedProgram"/>).</summary>
     public bool Unattended { get; init; }
 
-    /// <summary>Counts of the drawing's zero by the controller's own zero; null: the drawing's start point is where the machine stands when the job
-    /// starts.</summary>
+    /// <summary>The drawing's zero by the controller's own zero, counts; null: the drawing's start point is the position of the machine at the start of the
+    /// job.</summary>
     public PostOrigin? Origin { get; init; }
 }
 
 /// <summary>A work origin that is written into a program, counts by the controller's own zero.</summary>
-/// <param name="Z">Of the drawing's height 0; null: where the tool stands when the job starts.</param>
+/// <param name="Z">Of the drawing's height 0; null: the height of the tool at the start of the job.</param>
 public sealed record PostOrigin(long X, long Y, int? Z);
 
-/// <summary>How one way of posting spells its parts; packing them into chunks is the same for all.</summary>
-/// <param name="Opening">From the label #JOB to before the first stroke; the argument is how many stroke lines earlier chunks have run.</param>
+/// <summary>The parts of a program in one way of posting; packing them into chunks is the same for all.</summary>
+/// <param name="Opening">From the label #JOB to before the first stroke; the argument is the number of stroke lines that earlier chunks have run.</param>
 /// <param name="Stroke">Rapid, tool on, cut, tool off.</param>
 /// <param name="Closing">End of the job and every subprogram.</param>
 internal sealed record PostForm(
     Func<int, IReadOnlyList<string>> Opening, Func<MotionStroke, IReadOnlyList<string>> Stroke, IReadOnlyList<string> Closing)
 {
-    /// <summary>A number of lines that a stroke certainly does not exceed, found without writing it.</summary>
+    /// <summary>Upper bound of the number of lines of a stroke, determined without writing it.</summary>
     public required Func<MotionStroke, int> MostLines { get; init; }
 }

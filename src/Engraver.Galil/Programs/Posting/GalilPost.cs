@@ -8,10 +8,10 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>The two ways in which a job becomes a program for the controller (<see cref="DmcPost"/>), for the table of posts.</summary>
+/// <summary>The two ways to write a job as a program for the controller (<see cref="DmcPost"/>), for the table of posts.</summary>
 public sealed class GalilPost : IPost
 {
-    /// <summary>The subprograms of either way and some strokes need so many.</summary>
+    /// <summary>Number of lines needed by the subprograms of either way and a few strokes.</summary>
     private const int FewestLines = 100;
 
     private static PostOption Memory => new(
@@ -63,7 +63,7 @@ public sealed class GalilPost : IPost
         return text with { SegmentLines = Posting.SegmentLines.Map(text.Chunks, _style) };
     }
 
-    /// <summary>Without options nearly every stroke is known to fit the memory by its number of segments, so that a million of them need not be
+    /// <summary>Without options the number of segments shows for nearly every stroke that it fits the memory, so that a million of them need not be
     /// written.</summary>
     /// <exception cref="ArgumentException">The request has no program in this style.</exception>
     public IReadOnlyList<Diagnostic> Findings(PostRequest request)
@@ -78,7 +78,7 @@ public sealed class GalilPost : IPost
         return request.Program is { } program && program.Style == _style ? program : throw new ArgumentException($"{Name} is written from a motion program in the style {_style}.", nameof(request));
     }
 
-    /// <summary>Two or three finite numbers apart by commas, mm; null for anything else.</summary>
+    /// <summary>Two or three finite numbers separated by commas, mm; null for anything else.</summary>
     private static double[]? Place(string text)
     {
         var words = text.Split(',');
@@ -86,7 +86,7 @@ public sealed class GalilPost : IPost
         return words.Length is 2 or 3 && !numbers.Any(double.IsNaN) ? numbers : null;
     }
 
-    /// <summary>The place in counts; null when the controller cannot count from its own zero to all of the job.</summary>
+    /// <summary>The position in counts; null when part of the job is outside the controller's range of counts.</summary>
     private static PostOrigin? OriginOf(MotionProgram program, double[] place)
     {
         const double Room = int.MaxValue / 2;

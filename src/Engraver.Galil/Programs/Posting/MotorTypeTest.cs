@@ -4,14 +4,14 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>What a posted program does about the motor types of the profile: it compares them with those of the controller and ends with a message where
-/// one differs. It cannot set them, because MT needs the motor off, and an axis may then count from another place (galil-dmc.md C, MT).</summary>
+/// <summary>Compares the motor types of the profile with those of the controller in a posted program, which ends with a message if one differs. A program
+/// cannot set them, because MT needs the motor off, and the position of an axis may change while it is off (galil-dmc.md C, MT).</summary>
 internal static class MotorTypeTest
 {
-    /// <summary>Before the motors are switched on; empty for a profile without motor types.</summary>
+    /// <summary>Run before the motors are switched on; empty for a profile without motor types.</summary>
     public static IReadOnlyList<string> Lines(MachineProfile profile) => [.. Typed(profile).Select(axis => $"JP{Label(axis)},_MT{axis.Letter}<>{Type(axis)}")];
 
-    /// <summary>Where these lead: nothing was moved yet, and the tool is off.</summary>
+    /// <summary>The targets of the jumps in these lines: nothing has been moved yet, and the tool is off.</summary>
     public static IReadOnlyList<string> Ends(MachineProfile profile)
     {
         var lines = new ProgramLines();

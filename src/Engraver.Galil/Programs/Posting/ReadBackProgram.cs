@@ -6,14 +6,14 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>A posted file taken apart, while it is read, into the programs that are to be loaded and run one after the other (docs of <c>engraver post</c>:
-/// comment lines <c>'CHUNK 2 OF 3</c>). One program is held at a time.</summary>
-/// <remarks>Marks count up from 1 to the number they name, the first one before everything else.</remarks>
+/// <summary>Divides a posted file, while it is read, into the programs that are to be downloaded and run one after the other (help of <c>engraver post</c>:
+/// comment lines <c>'CHUNK 2 OF 3</c>). Only one program is in memory at a time.</summary>
+/// <remarks>Marks count from 1 to the number that they name; the first one is at the start of the file.</remarks>
 public sealed partial class ReadBackProgram(TextReader text)
 {
     private const string Entry = "#JOB";
 
-    /// <summary>Lines of a program that are kept. A controller holds half as many, so that a longer one is refused whatever stands behind them.</summary>
+    /// <summary>Maximum number of stored lines of a program. A controller holds half as many, so that a longer program is rejected in any case.</summary>
     private const int MostLines = 2 * DmcLimits.ProgramLines;
 
     private readonly ProgramRows _lines = new(text);
@@ -22,11 +22,11 @@ public sealed partial class ReadBackProgram(TextReader text)
     private int _marks;
     private bool _hasAny;
 
-    /// <summary>Programs of the file, as its marks say; 1 without marks.</summary>
+    /// <summary>Number of programs in the file according to its marks; 1 without marks.</summary>
     public int Count => int.TryParse(_count, NumberStyles.None, CultureInfo.InvariantCulture, out var count) ? Math.Max(1, count) : 1;
 
-    /// <summary>Takes the next program from the text, whatever it is.</summary>
-    /// <returns>No chunk behind the last one; nor where the file cannot be run on, and the fault says why.</returns>
+    /// <summary>Takes the next program from the text, with any content.</summary>
+    /// <returns>No chunk after the last one, or if the rest of the file cannot be run; then the fault states the reason.</returns>
     public (ReadBackChunk? Chunk, Diagnostic? Fault) Next()
     {
         var (lines, first, full) = (new List<string>(), 0, 0);
@@ -52,7 +52,7 @@ public sealed partial class ReadBackProgram(TextReader text)
         return Last(first, lines, full);
     }
 
-    /// <summary>At the end of the file blank lines and blanks mean nothing.</summary>
+    /// <summary>Blank lines and blanks at the end of the file are ignored.</summary>
     /// <param name="full">Number of the last line that is not blank, from 1; 0 for none.</param>
     private (ReadBackChunk? Chunk, Diagnostic? Fault) Last(int first, List<string> lines, int full)
     {

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>Which line of a posted program commands each segment: its VP, CR and LI, or its calls of #LINEAR, #CIRC and #SLOPE, stand in the order of
+/// <summary>The line of a posted program that commands each segment: its VP, CR and LI, or its calls of #LINEAR, #CIRC and #SLOPE, are in the order of
 /// cutting.</summary>
 public static class SegmentLines
 {
@@ -12,9 +12,9 @@ public static class SegmentLines
     /// <returns>Line numbers from 1, one for each segment.</returns>
     public static int[] Map(string text, MotionStyle style) => Map([text], style);
 
-    /// <param name="chunks">One after the other, each ended by a line end.</param>
-    /// <param name="style">Of the motion program.</param>
-    /// <returns>Line numbers of the whole text from 1, one for each segment.</returns>
+    /// <param name="chunks">In order, each terminated by a line end.</param>
+    /// <param name="style">Style of the motion program.</param>
+    /// <returns>Line numbers in the whole text from 1, one for each segment.</returns>
     public static int[] Map(IReadOnlyList<string> chunks, MotionStyle style)
     {
         ArgumentNullException.ThrowIfNull(chunks);
@@ -47,6 +47,6 @@ public static class SegmentLines
         return count;
     }
 
-    /// <summary>How the commands of the kinds of segment begin.</summary>
+    /// <summary>First characters of the commands of each kind of segment.</summary>
     private sealed record SearchStarts(string Line, string Arc, string Slope);
 }

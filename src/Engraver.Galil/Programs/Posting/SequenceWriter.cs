@@ -5,20 +5,22 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>Spells the strokes of a motion program as vector sequences, several segments a line.</summary>
+/// <summary>Writes the strokes of a motion program as vector sequences, several segments a line.</summary>
 internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame frame, SequenceSpelling spelling)
 {
-    /// <summary>Buffered before the machine starts; the rest follows while it moves.</summary>
+    /// <summary>Number of segments buffered before the machine starts; the rest follows while it moves.</summary>
     internal const int SentBeforeStart = 480;
 
-    /// <summary>Between two looks at the buffer no more segments are sent than #ROOM has waited for.</summary>
+    /// <summary>Maximum number of segments sent between two tests of the buffer; #ROOM has waited for as many free places.</summary>
     private const int RoomWaitedFor = 50;
 
-    /// <summary>Waits until the buffer has room (never tests for equality: what an empty buffer reads differs between manuals, galil-dmc.md 0.3).</summary>
-    /// <param name="check">Statement before each look, or empty.</param>
+    /// <summary>Waits until the buffer has room. The test never uses equality, because the value for an empty buffer differs between manuals (galil-dmc.md
+    /// 0.3).</summary>
+    /// <param name="check">Statement before each test, or empty.</param>
     public static IReadOnlyList<string> RoomLines(string check) => new ProgramLines().Line("#ROOM").Line(check).Line(Text($"JP#ROOM,_LMS<{RoomWaitedFor}")).Line("EN").Lines;
 
-    /// <summary>Rapid, sequences, tool off. The tool goes on when the first sequence is in the buffer, so that it does not burn a spot meanwhile.</summary>
+    /// <summary>Rapid, sequences, tool off. The tool is switched on when the first sequence is in the buffer, so that it does not burn a spot
+    /// meanwhile.</summary>
     public IReadOnlyList<string> Stroke(MotionStroke stroke)
     {
         var lines = new ProgramLines().Line(spelling.Rapid(frame.Of(stroke.Start)));
@@ -26,8 +28,8 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
         return lines.Line([.. spelling.ToolOff]).Lines;
     }
 
-    /// <summary>A number of lines that <see cref="Stroke"/> does not exceed: a line for each segment, one before and one behind the sequence, and in one
-    /// that is longer than the buffer a wait before each line.</summary>
+    /// <summary>Upper bound of the number of lines of <see cref="Stroke"/>: a line for each segment, one before and one after the sequence, and in a sequence
+    /// longer than the buffer a wait before each line.</summary>
     public static int MostLines(MotionStroke stroke)
     {
         var lines = 2;
@@ -61,7 +63,7 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
         lines.Line(ending);
     }
 
-    /// <summary>The segments' commands, as many together as a line holds.</summary>
+    /// <summary>The commands of the segments, as many as fit in one line.</summary>
     private IEnumerable<List<string>> Groups(VectorSequence sequence)
     {
         var group = new List<string>();
@@ -83,39 +85,40 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     }
 }
 
-/// <summary>From the job's frame to the controller's own coordinates, which rapids (PA) need: both meet where the machine stands when the job starts.</summary>
-/// <param name="JobStart">That place in the job's frame.</param>
-/// <param name="ControllerAtStart">What the controller's position reads there.</param>
+/// <summary>Converts from the job's frame to the controller's own coordinates, which rapids (PA) need: both describe the position of the machine at the start
+/// of the job.</summary>
+/// <param name="JobStart">This position in the job's frame.</param>
+/// <param name="ControllerAtStart">The reading of the controller at this position.</param>
 public readonly record struct ControllerFrame(CountsPoint JobStart, CountsPoint ControllerAtStart)
 {
-    /// <summary>True when the controller can count to this place of the job's frame.</summary>
+    /// <summary>True when this position of the job's frame is within the controller's range of counts.</summary>
     public bool Holds(CountsPoint job) => Holds(job, 0) && Holds(job, 1) && Holds(job, 2);
 
-    /// <summary>Throws <see cref="OverflowException"/> when the controller could not count that far from where it stands.</summary>
+    /// <summary>Throws <see cref="OverflowException"/> when the position is outside the controller's range of counts.</summary>
     public CountsPoint Of(CountsPoint job) => new(
         checked((int)(job.X - JobStart.X + ControllerAtStart.X)),
         checked((int)(job.Y - JobStart.Y + ControllerAtStart.Y)),
         HeightOf(job.Z));
 
-    /// <summary>The same of a height alone.</summary>
+    /// <summary>The same for a height only.</summary>
     public int HeightOf(int job) => checked((int)((long)job - JobStart.Z + ControllerAtStart.Z));
 
-    /// <summary>True when the controller can count to every place of these extents.</summary>
+    /// <summary>True when all of these extents are within the controller's range of counts.</summary>
     public bool Holds(MotionExtents job) => Holds(new CountsPoint(job.LeastX, job.LeastY)) && Holds(new CountsPoint(job.MostX, job.MostY));
 
     private bool Holds(CountsPoint job, int axis) => Math.Abs(job[axis] - JobStart[axis] + ControllerAtStart[axis]) <= int.MaxValue;
 }
 
-/// <summary>Where two ways of writing vector sequences differ.</summary>
+/// <summary>The differences between two ways of writing vector sequences.</summary>
 /// <param name="Open">Statements before VM; may be empty.</param>
 /// <param name="AwaitEnd">The statement that waits for the end of the sequence.</param>
-/// <param name="Rapid">The line that travels to a place in the controller's coordinates, tool off, and waits.</param>
-/// <param name="ToolOn">The statements that bring the tool to a place in the controller's coordinates; empty for a dry run of a tool that is switched.</param>
-/// <param name="ToolOff">The statements that take it away.</param>
+/// <param name="Rapid">The line that travels to a position in the controller's coordinates, tool off, and waits.</param>
+/// <param name="ToolOn">The statements that bring the tool to a position in the controller's coordinates; empty for a dry run of a switched tool.</param>
+/// <param name="ToolOff">The statements that raise the tool or switch it off.</param>
 internal sealed record SequenceSpelling(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff)
 {
-    /// <summary>The statements of the profile's tool drive: the output with its settle, or the subprograms that move the axis.</summary>
-    /// <param name="height">Spells a height of the controller.</param>
+    /// <summary>The statements of the profile's tool drive: the output with its settle time, or the subprograms that move the axis.</summary>
+    /// <param name="height">Formats a height of the controller.</param>
     public static (Func<CountsPoint, IReadOnlyList<string>> On, IReadOnlyList<string> Off) ToolOf(MachineProfile profile, bool dryRun, Func<int, string> height) => profile.Height is null
         ? (_ => dryRun ? [] : [Subprograms.ToolOn(profile), Settle(profile)], [Subprograms.ToolOff(profile), Settle(profile, on: false)])
         : (place => [$"z={height(place.Z)}", "JS" + Down], ["JS" + Up]);

@@ -2,13 +2,13 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>Cuts a stroke in two at a standstill, for a memory that cannot hold all of it.</summary>
+/// <summary>Divides a stroke in two at a standstill, for a memory that cannot hold the whole stroke.</summary>
 internal static class StrokeCut
 {
-    /// <summary>Between two sequences nothing changes. Inside a sequence the cut looks back for a VP, after which the machine stands on whole counts,
-    /// so that the arcs behind it are met exactly as they were aimed.</summary>
+    /// <summary>Nothing changes between two sequences. Inside a sequence the cut is moved back to a VP, after which the machine is on whole counts, so that the
+    /// following arcs start exactly where they were computed.</summary>
     /// <param name="stroke">A stroke of more than one segment.</param>
-    /// <param name="segments">How many segments the first part may have, at least 1.</param>
+    /// <param name="segments">Maximum number of segments of the first part, at least 1.</param>
     public static (MotionStroke First, MotionStroke Tail) Before(MotionStroke stroke, int segments)
     {
         var whole = 0;

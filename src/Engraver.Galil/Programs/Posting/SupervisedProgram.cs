@@ -7,14 +7,11 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>A job as programs that cut on their own while a host watches (paper 001's own use; galil-dmc.md F.1 method 2): counted, checked after every
+/// <summary>A job as programs that cut independently while a host watches (the method of paper 001; galil-dmc.md F.1 method 2): counted, checked after every
 /// motion, with the watchdog, #POSERR and #CMDERR.</summary>
-/// <remarks>
-/// <c>seq</c> is counted twice for each vector sequence: odd while it is under way, so that <c>_CSS</c> is known to belong to it, even in between; once
-/// more when the chunk
-/// is done and the tool has settled. A motion that did not end where it should (a limit switch, an ST from elsewhere) ends in #STRAY: tool off, stop,
-/// <c>errcode</c> -1; without this check the
-/// program would go on from the wrong place.
+/// <remarks> <c>seq</c> is incremented twice for each vector sequence. It is odd while the sequence runs, so that <c>_CSS</c> is known to belong to it, and
+/// even between sequences. It is incremented again when the chunk is complete and the tool has settled. A motion that did not end at its target (a limit
+/// switch, an ST of another host) ends in #STRAY: tool off, stop, <c>errcode</c> -1. Without this check the program would continue from the wrong position.
 /// </remarks>
 internal sealed class SupervisedProgram
 {
@@ -30,7 +27,7 @@ internal sealed class SupervisedProgram
     private readonly PostForm _form;
 
     /// <param name="program">Continuous or calls, as generated.</param>
-    /// <param name="frame">Where the controller's zero stands.</param>
+    /// <param name="frame">Position of the job's frame by the controller's zero.</param>
     /// <param name="dryRun">The tool is never switched on.</param>
     public SupervisedProgram(MotionProgram program, ControllerFrame frame, bool dryRun)
     {
@@ -40,16 +37,16 @@ internal sealed class SupervisedProgram
         _form = new PostForm(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile)) { MostLines = SequenceWriter.MostLines };
     }
 
-    /// <summary>The smallest memory that the job can be packed for, lines.</summary>
+    /// <summary>The smallest memory for which the job can be packed, lines.</summary>
     public int FewestLines => ChunkPacker.FewestLines(_form);
 
-    /// <summary>What seq reads when the chunk is done.</summary>
+    /// <summary>Value of seq when the chunk is complete.</summary>
     public static int EndMark(ProgramChunk chunk) => (2 * chunk.Parts.Sum(part => part.Sequences.Count)) + 1;
 
     public PackedJob Pack(IEnumerable<MotionStroke> strokes, int memoryLines, Func<int, SourceRef>? sourceOf) =>
         ChunkPacker.Pack(strokes, _form, DmcPostOptions.Default with { MemoryLines = memoryLines }, sourceOf);
 
-    /// <summary>True for a chunk of such a job on this machine: its subprograms are these.</summary>
+    /// <summary>True for a chunk of such a job on this machine: it contains these subprograms.</summary>
     public static bool IsChunk(string program, MachineProfile profile)
     {
         var lines = program.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
@@ -67,10 +64,10 @@ internal sealed class SupervisedProgram
         .. profile.Height is null ? [] : HeightOpening(profile, frame.HeightOf(0)),
     ];
 
-    /// <summary>The heights by the controller's own zero, and the tool up before the first rapid.</summary>
+    /// <summary>Assigns the heights by the controller's own zero, and raises the tool before the first rapid.</summary>
     private static IReadOnlyList<string> HeightOpening(MachineProfile profile, int zero) => [Text($"{ClearanceHeight}={zero + profile.ClearanceCounts};zr={zero + profile.RetractCounts}"), "JS" + Up];
 
-    /// <summary>The end of a rapid: while the host holds the job, nothing that would switch the tool on is begun.</summary>
+    /// <summary>The end of a rapid: during a hold by the host, no step that would switch the tool on is started.</summary>
     private static IReadOnlyList<string> GateLines { get; } =
         new ProgramLines().Line("#GATE").Line($"{Variables.AtGate}={Variables.Hold}").Line($"JP#GATE,{Variables.AtGate}<>0").Line("EN").Lines;
 

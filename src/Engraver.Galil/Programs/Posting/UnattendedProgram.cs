@@ -5,23 +5,20 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>What a posted program needs to run from the controller's memory with nobody connected: a watchdog that knows of no host, and handlers that
-/// switch the tool off, stop and end the job whatever happens (galil-dmc.md C.3).</summary>
-/// <remarks>
-/// The watchdog (thread 1) trips when the tool works and nothing moves for the time of <see cref="StandstillLimit"/>: a job that waits for ever. It counts
-/// no heartbeat, so the silence of a host is nothing to it, and it ends with the job.
-/// #TCPERR says nothing: a message that nobody takes would be the next error. None of the handlers goes back to where it came from, for the program would
-/// go on from the wrong place.
-/// </remarks>
+/// <summary>The parts that a posted program needs to run without a host: a watchdog that needs no heartbeat, and handlers that switch the tool off, stop and
+/// end the job in every case (galil-dmc.md C.3).</summary>
+/// <remarks> The watchdog (thread 1) trips when the tool is on and nothing moves for the time of <see cref="StandstillLimit"/>: a job that waits indefinitely.
+/// It counts no heartbeat, so that it is independent of a host, and it ends with the job. #TCPERR prints no message, because a message that is not received
+/// would cause the next error. No handler returns to the interrupted line, because the program would continue from the wrong position. </remarks>
 internal static class UnattendedProgram
 {
-    /// <summary>Starts the watchdog; behind everything that it reads.</summary>
+    /// <summary>Starts the watchdog; after the assignment of all variables that it reads.</summary>
     public static string Start => WatchdogProgram.StartStatement;
 
     /// <summary>Ends the watchdog, before the job ends or in a handler.</summary>
     public static string End { get; } = Text($"HX{ResidentProgram.WatchdogThread}");
 
-    /// <summary>The watchdog and the handlers beside #CMDERR.</summary>
+    /// <summary>The watchdog and the handlers other than #CMDERR.</summary>
     public static IReadOnlyList<string> Lines(MachineProfile profile)
     {
         var stop = StopEverything(profile);

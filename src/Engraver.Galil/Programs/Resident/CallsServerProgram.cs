@@ -4,7 +4,7 @@ using static Engraver.Galil.Programs.Resident.ResidentProgram;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>The paper's method with a host (galil-dmc.md EX11 made safe): the host assigns variables, then go=1; thread 0 calls the subprogram and
+/// <summary>The method of the paper with a host (galil-dmc.md EX11 with safeguards): the host assigns variables, then go=1; thread 0 calls the subprogram and
 /// increments seq.</summary>
 /// <remarks>go is cleared at the beginning of a call, and seq is incremented at its end: when the host sends the next call as soon as seq has changed, no
 /// go is lost and no call runs twice.</remarks>

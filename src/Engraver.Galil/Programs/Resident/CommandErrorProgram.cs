@@ -2,12 +2,12 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>#CMDERR of the resident programs: without it one refused line stops every thread, the watchdog too (galil-dmc.md J.15).</summary>
+/// <summary>#CMDERR of the resident programs: without it one refused line stops every thread, including the watchdog (galil-dmc.md J.15).</summary>
 /// <remarks>After a return thread 0 would continue after the refused line, so the handler does not return: it clears the stack and loops in #HALT until the
 /// host halts the thread.</remarks>
 public static class CommandErrorProgram
 {
-    /// <summary>A loop that does nothing, for a thread that must live so that #POSERR and #CMDERR run (galil-dmc.md C.3).</summary>
+    /// <summary>A loop without effect, for a thread that must run so that #POSERR and #CMDERR can run (galil-dmc.md C.3).</summary>
     internal const string Halted = "#HALT";
 
     /// <summary>Must run at the start of thread 0.</summary>
@@ -29,8 +29,8 @@ public static class CommandErrorProgram
         "EN",
     ];
 
-    /// <summary>While the host lives it raises the tool and then switches the spindle off; behind a trip of the watchdog it was the raising that was
-    /// refused, and nobody else is there.</summary>
+    /// <summary>While the host is connected, it raises the tool and then switches the spindle off. After a trip of the watchdog the refused line was the one
+    /// that raises the tool, and no host is connected.</summary>
     private static IReadOnlyList<string> SpindleOff(MachineProfile profile) =>
         profile is { Height: not null, Spindle: not null } ? [$"IF ({ResidentProgram.Variables.WatchdogTripped}<>0)", Subprograms.SpindleOff(profile), "ENDIF"] : [];
 }

@@ -24,8 +24,8 @@ internal sealed class Heartbeat(TimeProvider time)
     /// <summary>True when a heartbeat is due; it then counts as sent.</summary>
     public bool IsDue() => IsSilentFor(Between);
 
-    /// <summary>True when the watchdog would have to wait too long if this exchange came first; the heartbeat then counts as sent.</summary>
-    /// <param name="exchange">Time of a query and its answer on the serial line.</param>
+    /// <summary>True when the heartbeat would be too late after this exchange; the heartbeat then counts as sent.</summary>
+    /// <param name="exchange">Time of a query and its reply on the serial line.</param>
     public bool IsDueBefore(TimeSpan exchange) => IsSilentFor(Latest - exchange);
 
     private bool IsSilentFor(TimeSpan limit)

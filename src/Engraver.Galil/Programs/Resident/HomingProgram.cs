@@ -6,15 +6,11 @@ using Variables = Engraver.Galil.Programs.Resident.ResidentProgram.Variables;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>#HOME in thread 0: homes one axis after the other by JG, BG and the inputs (galil-dmc.md C.1, C.2, EX8), and gives each its zero.</summary>
-/// <remarks>
-/// An explicit program and not HM or FE: those choose their direction by the level of the input, creep at a speed that the 21x3 does not let one set, and
-/// know no limit switch (C.2).
-/// Each axis: off the switch, if it stands on it; towards it, fast, until it is hit; back, slowly, until it is left: that edge is the mark. Where the mark
-/// is an index pulse, the axis goes on
-/// slowly until the latch has it (ALT; C, AL). At rest DP gives the mark its machine position; the axis then backs off. Every wait ends too when the axis
-/// stops for another reason.
-/// </remarks>
+/// <summary>#HOME in thread 0: homes the axes one after the other by JG, BG and the inputs (galil-dmc.md C.1, C.2, EX8), and sets the zero of each.</summary>
+/// <remarks> An explicit program and not HM or FE: those choose their direction by the level of the input, creep at a speed that cannot be set on the 21x3, and
+/// ignore limit switches (C.2). Steps for each axis: off the switch, if the axis is on it; towards the switch at the fast speed until it is hit; back at the
+/// slow speed until it is released: this edge is the mark. If the mark is an index pulse, the axis continues slowly until the latch has captured it (ALT; C,
+/// AL). At rest DP sets the machine position of the mark; then the axis backs off. Every wait also ends when the axis stops for another reason. </remarks>
 internal static class HomingProgram
 {
     public const string Entry = "#HOME";
@@ -22,16 +18,16 @@ internal static class HomingProgram
     /// <summary>1 when every axis is homed.</summary>
     public const string Done = "hok";
 
-    /// <summary>Why it ended before; one of <see cref="HomingFault"/>, 0 for none.</summary>
+    /// <summary>Reason of an early end; one of <see cref="HomingFault"/>, 0 for none.</summary>
     public const string Fault = "herr";
 
-    /// <summary>Place in the order of homing of the axis under way.</summary>
+    /// <summary>Index, in the order of homing, of the axis that is being homed.</summary>
     public const string Axis = "hax";
 
-    /// <summary>What was added to the counts of an axis, by its place in the order of homing.</summary>
+    /// <summary>The change of an axis' counts, by its index in the order of homing.</summary>
     public static string Shift(int place) => Text($"hs{(char)('a' + place)}");
 
-    /// <summary>The axes that are homed, in their order.</summary>
+    /// <summary>The axes to be homed, in their order.</summary>
     public static IReadOnlyList<MachineAxis> Axes(MachineProfile profile) => [.. profile.Axes.All.Where(axis => axis.Homing is not null).OrderBy(axis => axis.Homing!.Order)];
 
     public static IReadOnlyList<string> Lines(MachineProfile profile)
@@ -70,7 +66,7 @@ internal static class HomingProgram
             SetZero();
         }
 
-        /// <summary>Off the switch, onto it, and back over its edge.</summary>
+        /// <summary>Moves off the switch, onto it, and back over its edge.</summary>
         private void FindEdge()
         {
             var input = _homing.ByLimit ? $"_L{(_forward ? 'F' : 'R')}{_letter}" : $"_HM{_letter}";
@@ -94,12 +90,12 @@ internal static class HomingProgram
             lines.Line($"hp=_RL{_letter}");
         }
 
-        /// <summary>The mark gets its machine position, and the axis backs off.</summary>
+        /// <summary>Sets the machine position of the mark; then the axis backs off.</summary>
         private void SetZero()
         {
             var zero = Counts(_homing.Zero * axis.CountsPerMillimetre);
             var rest = Counts((_homing.Zero + ((_homing.Plus ? -1.0 : 1.0) * _homing.BackOff)) * axis.CountsPerMillimetre);
-            lines.Line("WT 100") // pulses of a stepper come out behind the profile (galil-dmc.md C, KS)
+            lines.Line("WT 100") // pulses of a stepper lag the profile (galil-dmc.md C, KS)
                 .Line(Text($"DP{_letter}=_RP{_letter}-hp+{zero}"))
                 .Line(Text($"{Shift(place)}={zero}-hp"))
                 .Line(Text($"SP{_letter}={_fast};PA{_letter}={rest}"))
@@ -113,7 +109,7 @@ internal static class HomingProgram
 
         private void Brake() => lines.Line("ST" + _letter).Line("AM" + _letter);
 
-        /// <summary>Moves the axis until the condition holds; the lines after it then run while it still moves.</summary>
+        /// <summary>Moves the axis until the condition is true; the lines after it run while it still moves.</summary>
         /// <param name="speed">Counts per second; positive towards the switch.</param>
         private void Move(string label, int speed, string until, HomingFault otherwise) => lines
             .Line(Text($"JG{_letter}={(_forward ? speed : -speed)}"))
@@ -127,26 +123,26 @@ internal static class HomingProgram
     }
 }
 
-/// <summary>Why the homing of an axis ended before its end.</summary>
+/// <summary>The reason why the homing of an axis ended early.</summary>
 internal enum HomingFault
 {
     None = 0,
 
-    /// <summary>It stood on the switch and came to a stop before it had left it.</summary>
+    /// <summary>The axis was on the switch and stopped before it had left it.</summary>
     NotLeft = 1,
 
-    /// <summary>It stopped before it found the switch.</summary>
+    /// <summary>The axis stopped before it reached the switch.</summary>
     NotFound = 2,
 
-    /// <summary>It ran over the switch while it braked.</summary>
+    /// <summary>The axis passed the switch while it braked.</summary>
     Passed = 3,
 
-    /// <summary>It stopped on the way back before it had left the switch.</summary>
+    /// <summary>The axis stopped on the way back before it had left the switch.</summary>
     NoEdge = 4,
 
-    /// <summary>It stopped before an index pulse came.</summary>
+    /// <summary>The axis stopped before an index pulse was captured.</summary>
     NoIndex = 5,
 
-    /// <summary>It did not come to the end of its back-off.</summary>
+    /// <summary>The axis did not reach the end of its back-off.</summary>
     NoBackOff = 6,
 }

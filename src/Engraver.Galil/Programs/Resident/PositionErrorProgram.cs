@@ -3,7 +3,7 @@ using Engraver.Core.Machines;
 namespace Engraver.Galil.Programs.Resident;
 
 /// <summary>#POSERR of the resident programs: an axis whose position error exceeds ER ends the job (galil-dmc.md C.3, ER).</summary>
-/// <remarks>Without it the job would continue with a jammed axis: the host polls the reference position, and a controller with OE 0 leaves the motors
+/// <remarks>Without it the job would continue with a jammed axis: the host polls the reference position, and a controller with OE 0 keeps the motors
 /// on.</remarks>
 internal static class PositionErrorProgram
 {
@@ -21,6 +21,6 @@ internal static class PositionErrorProgram
         "JP#HALT",
     ];
 
-    /// <summary>The tool is not raised, because nobody knows where the axes are: then it must not turn either.</summary>
+    /// <summary>The tool is not raised, because the positions of the axes are unknown; therefore the spindle must not turn either.</summary>
     private static IReadOnlyList<string> SpindleOff(MachineProfile profile) => profile is { Height: not null, Spindle: not null } ? [Subprograms.SpindleOff(profile)] : [];
 }

@@ -2,8 +2,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>The program in the controller while the host runs a job: a loop in thread 0 (on older firmware handlers run only beside one, galil-dmc.md C.3),
-/// the watchdog in thread 1, #POSERR and #CMDERR.</summary>
+/// <summary>The program in the controller while the host runs a job: a loop in thread 0 (on older firmware handlers run only while thread 0 runs, galil-dmc.md
+/// C.3), the watchdog in thread 1, #POSERR and #CMDERR.</summary>
 /// <remarks>
 /// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/> and <see cref="Variables.StillLimit"/>, <c>XQ</c>
 /// <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
@@ -20,7 +20,7 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
     /// <summary>Value to assign to the heartbeat: ticks of 50 ms (1.0 s in all) until the next assignment is overdue.</summary>
     public const int HeartbeatTicks = 20;
 
-    /// <summary>The same for a jog, which must not outlive its key: 0.25 s in all, and never less than four of its ticks.</summary>
+    /// <summary>The same for a jog, which must end when its key is released: 0.25 s in all, and never less than four ticks.</summary>
     public const int CloseHeartbeatTicks = 5;
 
     /// <summary>For a host that streams segments; the controller runs only the watchdog.</summary>
@@ -31,7 +31,7 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
     public static ResidentProgram ForCalls(MachineProfile profile) =>
         Compose(CallsServerProgram.Entry, CallsServerProgram.Lines(profile), Guards(profile));
 
-    /// <summary>For homing, which the controller does by itself once the host says go.</summary>
+    /// <summary>For homing, which the controller does alone after the host has assigned go.</summary>
     public static ResidentProgram ForHoming(MachineProfile profile) =>
         Compose(HomingProgram.Entry, HomingProgram.Lines(profile), Guards(profile));
 
@@ -50,53 +50,53 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         /// <summary>Ticks left until the watchdog trips.</summary>
         public const string Heartbeat = "hb";
 
-        /// <summary>Ticks for which the tool has been on while nothing moved.</summary>
+        /// <summary>Number of ticks for which the tool has been on without motion.</summary>
         public const string Still = "still";
 
-        /// <summary>Number of those ticks that trips the watchdog.</summary>
+        /// <summary>Number of these ticks that trips the watchdog.</summary>
         public const string StillLimit = "stillmax";
 
         /// <summary>0 until the watchdog has stopped the machine: <see cref="WatchdogProgram.HostLost"/> or
         /// <see cref="WatchdogProgram.ToolForgotten"/>.</summary>
         public const string WatchdogTripped = "wtrip";
 
-        /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 for neither. When it is
-        /// not 0, the server has ended.</summary>
+        /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 for neither. If it is not 0,
+        /// the server has ended.</summary>
         public const string ErrorCode = "errcode";
 
         /// <summary>Line of the program that was refused.</summary>
         public const string ErrorLine = "errline";
 
-        /// <summary>1 while the host holds the job: a program that runs it waits behind its next rapid.</summary>
+        /// <summary>1 during a hold by the host: a program that runs the job waits after its next rapid.</summary>
         public const string Hold = "wh";
 
-        /// <summary>1 while the program waits there.</summary>
+        /// <summary>1 while the program waits after a rapid.</summary>
         public const string AtGate = "wg";
 
-        /// <summary>The number of the job under way, 0 for a move by hand; it stands in the job's journal.</summary>
+        /// <summary>Number of the running job, also in its journal; 0 for a move by hand.</summary>
         public const string JobMark = "jm";
 
-        /// <summary>The job that the watchdog stopped last; assigned last of the trip's variables.</summary>
+        /// <summary>Number of the job that the watchdog stopped last; the last of the trip's variables to be assigned.</summary>
         public const string TripMark = "wj";
 
-        /// <summary>_CSS as the watchdog tripped.</summary>
+        /// <summary>_CSS when the watchdog tripped.</summary>
         public const string TripCounter = "wc";
 
-        /// <summary>Where the first axis was then, controller's counts.</summary>
+        /// <summary>Position of the first axis at that time, controller's counts.</summary>
         public const string TripX = "wx";
 
         public const string TripY = "wy";
 
-        /// <summary>The height then, where an axis holds the tool.</summary>
+        /// <summary>Height at that time, if an axis holds the tool.</summary>
         public const string TripZ = "wz";
 
-        /// <summary>_AVS then: counts along the sequence.</summary>
+        /// <summary>_AVS at that time: counts along the sequence.</summary>
         public const string TripDistance = "wd";
 
         /// <summary>The requested operation: one of <see cref="Operations"/>.</summary>
         public const string Operation = "op";
 
-        /// <summary>Assigned 1 last: the server clears it and begins.</summary>
+        /// <summary>Assigned 1 last: the server clears it and starts the operation.</summary>
         public const string Go = "go";
 
         /// <summary>1 while the server waits.</summary>
@@ -110,7 +110,7 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
 
         public const string Y = "y";
 
-        /// <summary>Of a line that rises or falls: counts from the machine's height.</summary>
+        /// <summary>For a line that changes height: counts from the machine's height.</summary>
         public const string Z = "z";
 
         public const string Radius = "r";
@@ -134,7 +134,7 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
     }
 }
 
-/// <summary>Thread 0 while the host streams: it starts the watchdog and then only loops, so that #CMDERR can interrupt it.</summary>
+/// <summary>Thread 0 while the host streams: it starts the watchdog and then loops, so that #CMDERR can interrupt it.</summary>
 public static class IdleProgram
 {
     public const string Entry = "#IDLE";

@@ -3,18 +3,14 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>#WDOG in thread 1 (galil-dmc.md EX12): stops the machine when the host has not assigned the heartbeat for 1.0 s (host lost), and when the tool
-/// has been on for too long while nothing
-/// moves (tool forgotten), with or without a host.</summary>
-/// <remarks>
-/// The trip is one line, which no other thread can interrupt: tool off first; then the place is kept in variables, from which a later session resumes the
-/// job (ADR 10); then thread 0 is halted, because a server that waits for the end of a motion would go on
-/// with its next statement as soon as the stop is done; then the plane and every axis are stopped. STS drops the rest of the sequence in the buffer (B.8);
-/// the host clears it with CSS when it is back. The host assigns the heartbeat and the longest standstill before it starts the watchdog: undefined, either
-/// is a refused line, and nothing moves.
-/// Standstill means that no axis moves and the buffer (<c>_LMS</c>) does not change: a host that sends a sequence over a slow line while the tool is on is
-/// at work.
-/// </remarks>
+/// <summary>#WDOG in thread 1 (galil-dmc.md EX12): stops the machine when the host has not assigned the heartbeat for 1.0 s (host lost), and when the tool has
+/// been on for too long without motion (tool forgotten), with or without a host.</summary>
+/// <remarks> The trip is one line, which no other thread can interrupt. First the tool is switched off. Then the position is stored in variables, from which a
+/// later session resumes the job (ADR 10). Then thread 0 is halted, because a server that waits for the end of a motion would continue with its next statement
+/// as soon as the stop is complete. Then the plane and every axis are stopped. STS discards the rest of the sequence in the buffer (B.8); the host clears it
+/// with CSS when it is connected again. The host assigns the heartbeat and the longest standstill before it starts the watchdog: with an undefined variable the
+/// line is refused, and nothing moves. Standstill means that no axis moves and the buffer (<c>_LMS</c>) does not change: a host that sends a sequence over a
+/// slow line while the tool is on is active. </remarks>
 public static class WatchdogProgram
 {
     /// <summary>Values of <see cref="ResidentProgram.Variables.WatchdogTripped"/>.</summary>
@@ -52,16 +48,16 @@ public static class WatchdogProgram
             .Lines.Concat(RaiseLines(profile)).ToList();
     }
 
-    /// <summary>Keeps where the machine is and begins to count its standstill anew.</summary>
+    /// <summary>Stores the position of the machine and restarts the count of its standstill.</summary>
     internal static string Keep(MachineProfile profile) => string.Join(';', [$"{ResidentProgram.Variables.Still}=0", .. Watched(profile).Select(axis => $"{axis.Kept}={axis.Operand}"), "wl=_LMS"]);
 
-    /// <summary>True while the machine moves, takes segments, or has its tool away from the work, as a condition of JP.</summary>
+    /// <summary>True while the machine moves, receives segments, or has its tool off the work, as a condition of JP.</summary>
     internal static string Lives(MachineProfile profile) => $"{string.Concat(Watched(profile).Select(axis => $"({axis.Operand}<>{axis.Kept})|"))}(_LMS<>wl)|({ToolIsAway(profile)})";
 
     private static IEnumerable<(string Operand, string Kept)> Watched(MachineProfile profile) => profile.Axes.Letters.Select((letter, i) => ($"_RP{letter}", $"w{"abc"[i]}"));
 
-    /// <summary>Where an axis holds the tool: when the machine has braked the tool is raised straight up, out of the cut it came by, and then the spindle
-    /// stands (ADR 11). A sequence that ran dry is still open then, and only AB1 ends it (galil-dmc.md B.7).</summary>
+    /// <summary>If an axis holds the tool: when the machine has braked, the tool is raised vertically out of its cut, and then the spindle is switched off (ADR
+    /// 11). A sequence that ran dry is still open then, and only AB1 ends it (galil-dmc.md B.7).</summary>
     private static IReadOnlyList<string> RaiseLines(MachineProfile profile) => profile.Axes.Z is not { } z || profile.Height is null ? [] : new ProgramLines()
         .Line("#WUP")
         .Line(Subprograms.Text($"WT {DmcProfile.EvenMilliseconds(LongestBrake(profile) + 0.1)}"))
@@ -75,11 +71,11 @@ public static class WatchdogProgram
         .Line("EN")
         .Lines;
 
-    /// <summary>Seconds from the fastest motion of a job to rest.</summary>
+    /// <summary>Time from the fastest motion of a job to rest, seconds.</summary>
     private static double LongestBrake(MachineProfile profile) =>
         Math.Max(profile.FeedMmPerMinute, profile.RapidMmPerMinute) / 60.0 * Math.Sqrt(profile.Axes.All.Sum(axis => axis.CountsPerMillimetre * axis.CountsPerMillimetre)) / profile.AccelerationCounts;
 
-    /// <summary>The tool may stay where it is for as long as it likes.</summary>
+    /// <summary>While the tool is off the work, standstill has no time limit.</summary>
     private static string ToolIsAway(MachineProfile profile) => profile.Height is null ? Subprograms.Text($"@OUT[{profile.ToolOutput}]={(profile.ToolActiveLow ? 1 : 0)}") : Subprograms.IsUp(profile, Subprograms.ClearanceHeight);
 
     private static string Trip(MachineProfile profile, int why) => Subprograms.Statements(
@@ -91,7 +87,7 @@ public static class WatchdogProgram
         "ST" + profile.Axes.Letters,
         $"{ResidentProgram.Variables.TripMark}={ResidentProgram.Variables.JobMark}");
 
-    /// <summary>Where the tool went off, or began to brake in the work, for whoever resumes the job.</summary>
+    /// <summary>The position at which the tool was switched off, or started to brake in the work, for a later resume.</summary>
     private static string Place(MachineProfile profile) =>
         $"{ResidentProgram.Variables.TripCounter}=_CSS;{ResidentProgram.Variables.TripX}=_RP{profile.Axes.X.Letter};{ResidentProgram.Variables.TripY}=_RP{profile.Axes.Y.Letter};{(profile.Axes.Z is { } z && profile.Height is not null ? $"{ResidentProgram.Variables.TripZ}=_RP{z.Letter};" : "")}{ResidentProgram.Variables.TripDistance}=_AVS";
 }

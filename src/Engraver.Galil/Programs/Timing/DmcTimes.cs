@@ -4,26 +4,26 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Timing;
 
-/// <summary>What is the same for every way of leading a job on a controller of this family.</summary>
+/// <summary>The times that are the same for every execution strategy on a controller of this family.</summary>
 public abstract class DmcTimes : CommandTimes
 {
     /// <summary>One statement of a program in the controller (galil-dmc.md A.4).</summary>
     internal const double SecondsPerStatement = 0.0005;
 
-    /// <summary>Server loop, dispatch and subprogram of one call, its WT 2 included.</summary>
+    /// <summary>Server loop, dispatch and subprogram of one call, including its WT 2.</summary>
     internal const double SecondsPerCall = 26 * SecondsPerStatement;
 
     /// <summary>The nominal sample (TM 1000); every motion ends on one.</summary>
     internal const double SampleSeconds = 0.001;
 
-    /// <summary>TIME counts 1024 in a second on hardware (galil-dmc.md C), and the settle is waited for by TIME.</summary>
+    /// <summary>On hardware TIME counts 1024 in a second (galil-dmc.md C), and the settle time is measured by TIME.</summary>
     private const double SettleSamplesPerSecond = 1024.0;
 
     private protected DmcTimes()
     {
     }
 
-    /// <summary>A job that the host leads over the network: 1.6 ms for each command.</summary>
+    /// <summary>A job run by the host over the network: 1.6 ms for each command.</summary>
     public static CommandTimes Ethernet { get; } = new EthernetTimes();
 
     public override double Sample => SampleSeconds;
@@ -32,9 +32,9 @@ public abstract class DmcTimes : CommandTimes
 
     public override double PlungeSpeed(MachineProfile profile) => profile.PlungeSpeed();
 
-    /// <summary>Moves of the tool's axis in one change: fast and at the plunge feed, or up.</summary>
+    /// <summary>Moves of the tool axis in one change: fast and at the plunge feed, or up.</summary>
     private protected static int MovesOfTool(bool on) => on ? 2 : 1;
 
-    /// <summary>The settle as the job waits for it, in whole samples.</summary>
+    /// <summary>The settle time of the job, in whole samples.</summary>
     private protected static double Settle(MotionProgram program, bool on) => Math.Ceiling((on ? program.Profile.ToolSettleSeconds : program.Profile.OffSettleSeconds) * SettleSamplesPerSecond) * SampleSeconds;
 }

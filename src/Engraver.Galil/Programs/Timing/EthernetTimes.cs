@@ -3,29 +3,29 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Timing;
 
-/// <summary>A job led over the network: every command, whatever its length, takes the same time.</summary>
+/// <summary>A job run over the network: every command takes the same time, independent of its length.</summary>
 internal sealed class EthernetTimes : DmcTimes
 {
     /// <summary>One command and its reply over Ethernet (galil-dmc.md A.4).</summary>
     private const double SecondsPerCommand = 0.0016;
 
-    /// <summary>An end of motion is seen by the next poll, half a command later on average.</summary>
+    /// <summary>An end of motion is detected by the next poll, half a command later on average.</summary>
     private const double NoticeSeconds = SecondsPerCommand / 2.0;
 
-    /// <summary>Commands of a rapid: a poll before it, SP and PA of an axis that moves, BG.</summary>
+    /// <summary>Commands of a rapid: a poll before it, SP and PA of each axis that moves, BG.</summary>
     private const int RapidCommands = 2;
     private const int RapidCommandsOfAxis = 2;
 
     /// <summary>Commands of a tool change: SB or CB, and the poll from which the settle time counts.</summary>
     private const int ToolCommands = 2;
 
-    /// <summary>Commands of a move of the tool's axis: SP, PA, the speed read back, BG, and half of a poll in two lines.</summary>
+    /// <summary>Commands of a move of the tool axis: SP, PA, the speed read back, BG, and half of a poll in two lines.</summary>
     private const int HeightCommands = 5;
 
     /// <summary>Commands of a sequence: a poll, CSS, VM, VS, VA, VD, VR, the query for free places, VE and BGS.</summary>
     private const int SequenceCommands = 10;
 
-    /// <summary>Motion that is buffered before a stream begins to move, seconds; the rest is sent meanwhile.</summary>
+    /// <summary>Motion that is buffered before a stream starts to move, seconds; the rest is sent meanwhile.</summary>
     private const double SecondsBufferedAtStart = 1.0;
 
     /// <summary>Commands of a call: a poll, the arguments and go.</summary>

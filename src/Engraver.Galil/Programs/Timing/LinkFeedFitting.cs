@@ -4,10 +4,10 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Timing;
 
-/// <summary>Lowers the speeds of a motion program where a serial line is too slow to stream it.</summary>
+/// <summary>Lowers the speeds of a motion program if a serial line is too slow to stream it.</summary>
 public static class LinkFeedFitting
 {
-    /// <param name="sourceOf">Position of an entity in the drawing's file; null when it is not known.</param>
+    /// <param name="sourceOf">Position of an entity in the drawing's file; null if it is not known.</param>
     public static LinkFeedFit Create(MotionProgram program, SerialLine line, Func<int, SourceRef>? sourceOf)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -27,7 +27,7 @@ public static class LinkFeedFitting
     private static Diagnostic Warning(MotionProgram program, SerialLine line, int lowered, VectorSequence worst, int speed, Func<int, SourceRef>? sourceOf)
     {
         var (needed, carried) = LinkFeedLimit.Rates(worst, line);
-        var countsPerMillimetre = program.Profile.Scale.Smallest; // as a feed becomes a vector speed
+        var countsPerMillimetre = program.Profile.Scale.Smallest; // as in the conversion of a feed to a vector speed
         string Number(double value) => value.ToString("0", CultureInfo.InvariantCulture);
         string Feed(int countsPerSecond) => (60.0 * countsPerSecond / countsPerMillimetre).ToString("0.#", CultureInfo.InvariantCulture);
         return MotionRules.WireTooSlow.At(

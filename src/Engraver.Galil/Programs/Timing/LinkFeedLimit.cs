@@ -7,19 +7,19 @@ namespace Engraver.Galil.Programs.Timing;
 /// segment must arrive in time (galil-dmc.md A.4, B.7).</summary>
 public static class LinkFeedLimit
 {
-    /// <summary>Segments between two readings of the counter; a reading takes the time of five segments.</summary>
+    /// <summary>Segments between two readings of the counter; a reading takes as long as five segments.</summary>
     public const int SegmentsBetweenPolls = 64;
 
-    /// <summary>Buffer places in use; the stream leaves a few free.</summary>
+    /// <summary>Buffer places in use; the stream keeps a few free.</summary>
     internal const int Places = DmcLimits.SegmentBuffer - 5;
 
-    /// <summary>Bytes of a reading of the path and its answer.</summary>
+    /// <summary>Bytes of a reading of the path and its reply.</summary>
     private const int PollBytes = 100;
 
     /// <summary>Bytes of CR and prompt.</summary>
     private const int FrameBytes = 2;
 
-    /// <summary>Factor on the time of a segment for polls, heartbeats and long numbers in answers; generous, because a buffer that runs dry is worse than a
+    /// <summary>Factor on the time of a segment for polls, heartbeats and long numbers in replies; generous, because a buffer that runs dry is worse than a
     /// slow cut.</summary>
     private const double Overhead = 1.2;
 
@@ -33,7 +33,7 @@ public static class LinkFeedLimit
         return 4.0 * PollBytes * line.ByteSeconds;
     }
 
-    /// <summary>The sequence's own speed, or the fastest even one at which every segment is in the buffer in time (counts/s).</summary>
+    /// <summary>The sequence's own speed, or the highest even one at which every segment is in the buffer in time (counts/s).</summary>
     /// <param name="acceleration">VA and VD, counts/s2.</param>
     public static int FastestSpeed(VectorSequence sequence, SerialLine line, int acceleration)
     {
@@ -46,7 +46,7 @@ public static class LinkFeedLimit
         return IsInTime(sequence.Speed) ? sequence.Speed : 2 * LargestHalf(sequence.Speed / 2, half => IsInTime(2 * half));
     }
 
-    /// <summary>Segments per second that the densest full buffer of the sequence needs at its speed, and how many of them the line carries.</summary>
+    /// <summary>Segments per second needed by the densest full buffer of the sequence at its speed, and the number that the line can transmit.</summary>
     public static (double Needed, double Carried) Rates(VectorSequence sequence, SerialLine line)
     {
         ArgumentNullException.ThrowIfNull(sequence);
@@ -65,16 +65,16 @@ public static class LinkFeedLimit
         return (window * sequence.Speed / shortest, window / timeThere);
     }
 
-    /// <summary>Seconds on the wire of each segment.</summary>
+    /// <summary>Transmission time of each segment, seconds.</summary>
     private static double[] Costs(VectorSequence sequence, SerialLine line) =>
         [.. DmcFormat.Commands(sequence, s_anyAxes).Select(command => (Overhead * (command.Length + FrameBytes) * line.ByteSeconds) + ExecutionSeconds)];
 
-    /// <summary>Letters do not matter, only how long a command is.</summary>
+    /// <summary>Only the length of a command matters, not its axis letters.</summary>
     private static readonly MachineAxes s_anyAxes = MachineAxes.Default with { Z = new MachineAxis('C', 1.0) };
 
-    /// <summary>Simulates the sending, each segment as soon as the one before it is sent and a place is free, and tests that each arrives
+    /// <summary>Simulates the sending, each segment as soon as the previous one is sent and a place is free, and tests that each arrives
     /// <paramref name="margin"/> before the path needs it.</summary>
-    /// <remarks>Assumes full speed from the first moment; the real ramp leaves more time.</remarks>
+    /// <remarks>Assumes full speed from the start; the actual ramp gives more time.</remarks>
     private static bool IsFedInTime(IReadOnlyList<VectorSegment> segments, double[] costs, int speed, double latency, double margin)
     {
         var (sent, freed, needed) = (0.0, 0.0, 0.0);
@@ -90,7 +90,8 @@ public static class LinkFeedLimit
         return true;
     }
 
-    /// <summary>The largest whole number up to <paramref name="most"/> for which the condition holds; at least 1. It holds for every smaller one.</summary>
+    /// <summary>The largest whole number up to <paramref name="most"/> for which the condition is true; at least 1. It is true for every smaller
+    /// number.</summary>
     private static int LargestHalf(int most, Func<int, bool> holds)
     {
         var (low, high) = (DmcLimits.SlowestSpeed / 2, most);

@@ -224,7 +224,7 @@ public class BlockTests
     private static Drawing Drawing(ReadOnlySpan<(int, object)> blocks, ReadOnlySpan<(int, object)> entities) =>
         Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", blocks).Section("ENTITIES", entities).End());
 
-    /// <summary>L0 holds a line, an arc and what is given; each further block only the one before, moved by 1 along x.</summary>
+    /// <summary>L0 contains a line, an arc and the given content; each further block contains only the previous one, moved by 1 along x.</summary>
     private static (int, object)[] Chain(int levels, params ReadOnlySpan<(int, object)> innermost)
     {
         var blocks = new List<(int, object)>(Block("L0", 0, 0, [.. LineAndArc, .. innermost]));
@@ -247,7 +247,7 @@ public class BlockTests
          from up in Gen.Elements(1.0, -1.0)
          select new Placing(x, y, scale * mirrorX, scale * mirrorY, turn / 2.0, up)).ToArbitrary();
 
-    /// <summary>An INSERT and, written down independently of the product, what it does to a point.</summary>
+    /// <summary>An INSERT and, written independently of the product, its effect on a point.</summary>
     private sealed record Placing(double X, double Y, double ScaleX, double ScaleY, double Turn, double Up)
     {
         public (int, object)[] Pairs(string block) =>

@@ -9,7 +9,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Dxf.Writing;
 
-/// <summary>Ellipses and splines are written as what they are and read back as the same curve.</summary>
+/// <summary>Ellipses and splines are written as such and read back as the same curve.</summary>
 public class DxfCurveWriterTests
 {
     [Fact]
@@ -28,7 +28,7 @@ public class DxfCurveWriterTests
     public void A_whole_ellipse_keeps_where_it_starts_and_which_way_round_it_goes(double sweep) =>
         AssertSame(new EllipseArc(new Vector3D(5, -3, 0), new Vector3D(7, 2, 0), new Vector3D(-0.4, 1.4, 0), Angle.FromDegrees(70), Angle.FromDegrees(sweep)).ToCurve(), CurveType.Ellipse);
 
-    /// <summary>Of a sliver rounding leaves no axes: it was written as NaN, which no program reads.</summary>
+    /// <summary>The axes of a sliver vanish by rounding: it was written as NaN, which other programs cannot read.</summary>
     [Theory]
     [InlineData(1e-8)]
     [InlineData(1e-9)]
@@ -81,7 +81,7 @@ public class DxfCurveWriterTests
         Assert.Contains("\\U+00F6", text, StringComparison.Ordinal);
     }
 
-    /// <summary>15 to 315 degrees, either way round.</summary>
+    /// <summary>15 to 315 degrees, in either direction.</summary>
     private static double Sweep(double number) => number < 0.0 ? (number * 30.0) - 15.0 : (number * 30.0) + 15.0;
 
     private static void AssertSame(RationalCurve curve, CurveType type)

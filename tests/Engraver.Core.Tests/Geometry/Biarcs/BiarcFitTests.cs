@@ -6,7 +6,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Geometry.Biarcs;
 
-/// <summary>What stands in for a curve in the toolpath, measured by dense sampling that shares nothing with the bounds of the fit.</summary>
+/// <summary>The replacement of a curve in the toolpath, measured by dense sampling that is independent of the bounds of the fit.</summary>
 public class BiarcFitTests
 {
     private const double MaxError = 0.001;
@@ -15,8 +15,8 @@ public class BiarcFitTests
     [Fact]
     public void Ellipses_stay_within_the_error() => Prop.ForAll(FreeCurves.Ellipses, StaysWithin).QuickCheckThrowOnFailure();
 
-    /// <summary>An ellipse of 6 mm at a distance at which neighbouring numbers are kilometres apart: no arc fits what rounding has left of it, and the
-    /// search must not halve its step for ever.</summary>
+    /// <summary>An ellipse of 6 mm at a distance at which neighbouring numbers are kilometres apart: no arc fits the rounded curve, and the search must not
+    /// halve its step indefinitely.</summary>
     [Theory]
     [InlineData(1e15)]
     [InlineData(1e17)]
@@ -70,7 +70,7 @@ public class BiarcFitTests
         Assert.Equal(20.0 * Math.PI, pieces.Sum(piece => piece.Length), 1e-9);
     }
 
-    /// <summary>CAD writes a small circle so, and rounds: three arcs, each longer than a span, without a corner between them.</summary>
+    /// <summary>CAD programs write and round a small circle in this way: three arcs, each longer than a span, without a corner between them.</summary>
     [Fact]
     public void A_circle_of_four_rounded_spans_is_cut_by_three_arcs_across_them()
     {
@@ -113,7 +113,7 @@ public class BiarcFitTests
         for (var i = 0; i <= Samples; i++)
         {
             var place = curve.PointAt((double)i / Samples);
-            while (near < pieces.Count && !(pieces[near].DistanceTo(place) <= error)) near++; // in order: the path follows the curve, it does not only pass
+            while (near < pieces.Count && !(pieces[near].DistanceTo(place) <= error)) near++; // in order: the path follows the curve along its whole length
         }
 
         return near < pieces.Count;

@@ -8,7 +8,7 @@ namespace Engraver.Core.Tests.Geometry.Constructions;
 
 public class ArcConstructionTests
 {
-    /// <summary>Part of the arc's size and place within which it must keep what was given.</summary>
+    /// <summary>Relative tolerance, by the arc's size and position, for the given values.</summary>
     private const double Near = 1e-9;
 
     [Fact]

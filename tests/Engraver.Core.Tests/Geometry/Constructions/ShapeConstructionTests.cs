@@ -5,7 +5,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Core.Tests.Geometry.Constructions;
 
-/// <summary>Circles, ellipses, polygons and rectangles, held against what their definition says.</summary>
+/// <summary>Circles, ellipses, polygons and rectangles, compared with their definitions.</summary>
 public class ShapeConstructionTests
 {
     private const double Near = 1e-9;

@@ -4,7 +4,7 @@ using Engraver.Core.Machines.Origins;
 
 namespace Engraver.Core.Tests.Machines.Origins;
 
-/// <summary>Where a drawing's zero lies on a machine: taken from what is kept, refused where nobody knows, never guessed.</summary>
+/// <summary>The position of a drawing's zero on a machine: taken from the stored origin, refused if unknown, never guessed.</summary>
 public class WorkPlacementTests
 {
     private static readonly MachineMemory s_set = MachineMemory.Empty.WithOrigin("G54", 12500, -3000, null) with { Mark = 77, Clock = 1000, Rest = new CountsPoint(40000, 0) };
@@ -21,7 +21,7 @@ public class WorkPlacementTests
     [Theory]
     [InlineData(null, 5000.0)] // the variable is gone: switched off
     [InlineData(78, 5000.0)] // another host's or another session's mark
-    [InlineData(77, 999.0)] // burned with BV, but the clock began anew
+    [InlineData(77, 999.0)] // burned with BV, but the clock was restarted
     public void After_a_power_cycle_an_origin_that_was_set_is_nowhere_also_where_the_controller_counts_0(int? mark, double clock)
     {
         foreach (var place in new[] { At(0, 0), At(40000, 0) })
@@ -32,8 +32,8 @@ public class WorkPlacementTests
         }
     }
 
-    /// <summary>As it was found: a machine of 800 counts for a millimetre, driven with the default profile of 1000, cut its part a quarter too large, and
-    /// the run was called perfect.</summary>
+    /// <summary>Regression: a machine of 800 counts per millimetre, driven with the default profile of 1000, cut its part a quarter too large, and the run was
+    /// reported as complete.</summary>
     [Fact]
     public void A_machine_that_was_homed_is_not_driven_with_a_profile_that_knows_no_homing()
     {
@@ -41,12 +41,12 @@ public class WorkPlacementTests
         Assert.Equal("JOB0009", Work(s_set with { HomedAs = "A-Switch@0 B-Switch@0" }, At(0, 0)).Refusal!.Id);
     }
 
-    /// <summary>As it was found: a profile with other counts was taken without a word.</summary>
+    /// <summary>Regression: a profile with other counts was accepted silently.</summary>
     [Fact]
     public void An_origin_belongs_to_the_counts_by_which_it_was_set_and_to_any_where_nobody_knows_them()
     {
         var place = At(0, 0) with { Mark = 77, Clock = 1000 };
-        var set = s_set.WithOrigin("G54", 0, 0, 0, new KeptAxes(new KeptAxis(1000, null), new KeptAxis(1000, null), new KeptAxis(400, null))); // Z on a machine that this profile does not know
+        var set = s_set.WithOrigin("G54", 0, 0, 0, new KeptAxes(new KeptAxis(1000, null), new KeptAxis(1000, null), new KeptAxis(400, null))); // Z on a machine whose profile has no such axis
         var other = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000, -1000) };
         PlacementResult Find(MachineMemory memory, MachineProfile profile) => WorkPlacement.Find(memory, place, new OriginRequest.Work(), profile, default);
 
@@ -99,11 +99,11 @@ public class WorkPlacementTests
     public void After_a_power_cycle_an_origin_that_was_set_is_lost_also_while_another_one_is_active()
     {
         var kept = MachineMemory.Empty.WithOrigin("G54", 0, 0, null) with { Active = "G56", Mark = 5, Rest = default(CountsPoint) };
-        Assert.Equal("JOB0009", Work(kept, At(0, 0)).Refusal!.Id); // a job here would vouch for the zero of G54
+        Assert.Equal("JOB0009", Work(kept, At(0, 0)).Refusal!.Id); // a job here would confirm the zero of G54
         Assert.True(Work(kept, At(0, 0) with { Mark = 5 }).IsAssumed);
     }
 
-    /// <summary>Whether the job itself can be counted from here, the controller's job looks up.</summary>
+    /// <summary>The job of the controller checks whether the job itself can be counted from here.</summary>
     [Fact]
     public void The_drawings_zero_may_lie_farther_from_here_than_a_controller_counts() =>
         Assert.Equal(new CountsPoint(int.MinValue + 5L - 1000, 0), WorkPlacement.Find(MachineMemory.Empty, At(int.MinValue + 5, 0), new OriginRequest.PresentPlace(), MachineProfile.Default, new CountsPoint(1000, 0)).Frame);
@@ -163,7 +163,7 @@ public class WorkPlacementTests
         Assert.Equal((default(CountsPoint), true), (fresh.Frame!.Value, fresh.IsAssumed));
         var refused = WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(new CountsPoint(0, 0, 6)), new OriginRequest.Work(), tall, default).Refusal!;
         Assert.Equal("JOB0008", refused.Id);
-        Assert.Contains("position is 0, 0, 0.015 mm", refused.Message, StringComparison.Ordinal); // the height is why
+        Assert.Contains("position is 0, 0, 0.015 mm", refused.Message, StringComparison.Ordinal); // because of the height
 
         var kept = MachineMemory.Empty.AssumeZero(hasHeight: true) with { Mark = 5 };
         var later = WorkPlacement.Find(kept, new ControllerPlace(new CountsPoint(0, 0, 2000), Mark: 5), new OriginRequest.Work(), tall, default);

@@ -4,10 +4,10 @@ using Engraver.Core.Machines.Setup;
 
 namespace Engraver.Core.Tests.Machines.Setup;
 
-/// <summary>The letter F: it tells the eight ways apart in which two axes can be wired, and what it tells is put right.</summary>
+/// <summary>The letter F distinguishes the eight ways to wire two axes, and the correction makes the wiring right.</summary>
 public class LetterFTests
 {
-    /// <summary>A machine: which axis moves the tool across and which along, and whether growing counts go left or to the front.</summary>
+    /// <summary>A machine: which axis moves the tool across and which along, and whether increasing counts move it left or to the front.</summary>
     public static TheoryData<bool, bool, bool> Wirings => new() { { false, false, false }, { false, false, true }, { false, true, false }, { false, true, true }, { true, false, false }, { true, false, true }, { true, true, false }, { true, true, true } };
 
     [Theory]
@@ -31,7 +31,7 @@ public class LetterFTests
         Assert.NotNull(corrected);
         Assert.Equal((TableDirection.Back, TableDirection.Right), (Way(Seen(corrected, 0)), Way(Seen(corrected, 1))));
         Assert.Equal(isSwapped ? "BA" : "AB", corrected.Letters);
-        Assert.Equal(corrected, LetterF.Corrected(corrected, TableDirection.Back, TableDirection.Right)); // nothing is left to put right
+        Assert.Equal(corrected, LetterF.Corrected(corrected, TableDirection.Back, TableDirection.Right)); // nothing more to correct
     }
 
     [Theory]

@@ -51,7 +51,7 @@ public class ArcRecoveryTests
         Assert.Equal(-360.0, table[0].SweepDegrees);
     }
 
-    /// <summary>Shuffled, every other one drawn backwards, ends rounded to a micrometre: what an export without polylines leaves.</summary>
+    /// <summary>Shuffled, every other one drawn backwards, ends rounded to a micrometre: the result of an export without polylines.</summary>
     [Fact]
     public void Separate_lines_that_meet_are_one_run()
     {
@@ -111,8 +111,8 @@ public class ArcRecoveryTests
         foreach (var points in new[] { straight, zigzag, bent }) Assert.Empty(Recover(Analysed(Polyline(points))).Arcs);
     }
 
-    /// <summary>Random waves: whatever is replaced, lines and result lie within the error of each other, both ways, by sampling that knows nothing of
-    /// circles' formulas.</summary>
+    /// <summary>Random waves: lines and result are always within the error of each other, in both directions, by sampling that is independent of circle
+    /// formulas.</summary>
     [Fact]
     public void Nothing_moves_farther_than_the_error() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
     {
@@ -155,8 +155,8 @@ public class ArcRecoveryTests
         Assert.Equal([points[15], points[40]], segments.Where(segment => segment.Kind == SegmentKind.Arc).Select(segment => segment.End));
     }
 
-    /// <summary>What cannot be of an arc is not joined to contours at all; that must change nothing. Boxes and loose lines around the wave, some of them
-    /// touching it.</summary>
+    /// <summary>Segments that cannot be part of an arc are not joined to contours; the result must be the same. Boxes and loose lines around the wave, some of
+    /// them touching it.</summary>
     [Fact]
     public void What_lies_around_changes_no_arc() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
     {
@@ -227,7 +227,7 @@ public class ArcRecoveryTests
 
     private static Point2D[] Flatten(ArcSegment arc, int chords) => [.. Enumerable.Range(0, chords + 1).Select(i => arc.PointAt((double)i / chords))];
 
-    /// <summary>A path whose bend wanders, flattened in steps of uneven length, with a corner now and then.</summary>
+    /// <summary>A path of changing curvature, flattened in steps of uneven length, with a corner now and then.</summary>
     private static Point2D[] Wave(System.Random random)
     {
         var (points, place, direction, bend) = (new List<Point2D> { new(0, 0) }, new Point2D(0, 0), 0.0, 0.05);

@@ -170,8 +170,8 @@ public class ContourChainerTests
         Assert.False(contour.Closed);
     }
 
-    /// <summary>Rays whose outer ends lie within the tolerance of each other (0.02), or whose every end lies within it of every other: what each step looks
-    /// at does not grow with their number.</summary>
+    /// <summary>Rays whose outer ends are within the tolerance of each other (0.02), or whose every end is within it of every other: the number of comparisons
+    /// of a step does not grow with the number of rays.</summary>
     [Theory]
     [InlineData(100.0)]
     [InlineData(0.03)]
@@ -200,7 +200,7 @@ public class ContourChainerTests
         Assert.InRange(result.Looks, Copies, 600L * Copies);
     }
 
-    /// <summary>Hundreds of ends within a few tolerances of each other, against the rule read plainly: every end is looked at.</summary>
+    /// <summary>Hundreds of ends within a few tolerances of each other, compared with the plain rule: every end is tested.</summary>
     [Fact]
     public void In_a_crowd_the_same_continuation_is_chosen_as_by_looking_at_every_end() =>
         Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
@@ -238,7 +238,7 @@ public class ContourChainerTests
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
 
-    /// <summary>Each a little longer than the one before, so that they meet in the middle and nowhere else.</summary>
+    /// <summary>Each a little longer than the previous one, so that they meet only in the middle.</summary>
     private static Segment[] Rays(IEnumerable<double> degrees) =>
         [.. degrees.Select((angle, i) => Segment.FromLine(Point2D.Origin, Point2D.Origin + Vector2D.FromPolar(50 + i, Angle.FromDegrees(angle))))];
 

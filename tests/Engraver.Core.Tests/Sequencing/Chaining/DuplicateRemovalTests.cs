@@ -57,8 +57,7 @@ public class DuplicateRemovalTests
     public void Tiny_steps_of_one_curve_are_no_duplicates() =>
         Assert.Equal(3, DuplicateRemoval.Keep([Line(0, 0, 0.0004, 0), Line(0.0004, 0, 0.0008, 0), Line(0.0008, 0, 0.0012, 0)], Tolerance).Length);
 
-    /// <summary>Chains, stars, circles, splines and pieces shorter than the tolerance, of which some are drawn again, turned round, or a little
-    /// aside.</summary>
+    /// <summary>Chains, stars, circles, splines and pieces shorter than the tolerance, some of which are drawn again, reversed, or slightly moved.</summary>
     [Theory]
     [InlineData(1)]
     [InlineData(2)]

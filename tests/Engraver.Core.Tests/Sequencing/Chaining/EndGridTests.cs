@@ -52,7 +52,7 @@ public class EndGridTests
         Assert.InRange(grid.Looks, Crowd, 100L * Crowd);
     }
 
-    /// <summary>Places in clusters a few tolerances wide, so that cells hold none, one or many.</summary>
+    /// <summary>Points in clusters a few tolerances wide, so that cells contain none, one or many.</summary>
     private static Point2D[] Scattered(Random random, int count)
     {
         var places = new Point2D[count];

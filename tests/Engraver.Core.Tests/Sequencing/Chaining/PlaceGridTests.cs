@@ -9,7 +9,7 @@ public class PlaceGridTests
 {
     private static readonly Arbitrary<int> Seeds = Gen.Choose(0, int.MaxValue).ToArbitrary();
 
-    /// <summary>While places are hidden one after the other until few are left, and some are shown again.</summary>
+    /// <summary>While points are hidden one after the other until few are left, and some are shown again.</summary>
     [Fact]
     public void The_nearest_shown_place_is_the_one_that_looking_at_all_would_find() =>
         Prop.ForAll(Seeds, seed =>
@@ -56,7 +56,7 @@ public class PlaceGridTests
         Assert.Equal(3, grid.Nearest(new Point2D(1, 1), 2, double.PositiveInfinity, out _));
     }
 
-    /// <summary>A tool start that is far away, also so far that the square of the way is no number any more.</summary>
+    /// <summary>A tool start that is far away, also so far that the square of the distance overflows.</summary>
     [Theory]
     [InlineData(1e9)]
     [InlineData(1e160)]
@@ -71,7 +71,7 @@ public class PlaceGridTests
         Assert.Equal(expected, grid.Nearest(from, -1, double.PositiveInfinity, out _));
     }
 
-    /// <summary>There the cells are smaller than what a coordinate is rounded by.</summary>
+    /// <summary>There the cells are smaller than the rounding of a coordinate.</summary>
     [Fact]
     public void Places_far_from_zero_have_no_grid() => Assert.Null(PlaceGrid.TryBuild([.. Enumerable.Range(0, 100).Select(i => new Point2D(1e14 + (i % 10), 1e14 + (i / 10)))]));
 
@@ -83,7 +83,7 @@ public class PlaceGridTests
         Assert.Equal(Enumerable.Range(0, places.Length), PlaceGrid.TryBuild(places)!.ByCell().Order());
     }
 
-    /// <summary>Where they crowd together each question would look at all of them.</summary>
+    /// <summary>If the points are crowded, each query would test all of them.</summary>
     [Theory]
     [InlineData(0.0)]
     [InlineData(1e-3)]
@@ -108,7 +108,7 @@ public class PlaceGridTests
         Assert.Null(PlaceGrid.TryBuild([new(1, 1)]));
     }
 
-    /// <summary>All over a plate, on few whole millimetres (many are equally near), or along a line.</summary>
+    /// <summary>Distributed over a plate, on few whole millimetres (many are equally near), or along a line.</summary>
     private static Point2D[] Places(Random random)
     {
         var kind = random.Next(3);

@@ -6,7 +6,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>Homing on the simulated controller, whose switches and index pulses lie at known counts from where it is switched on.</summary>
+/// <summary>Homing on the simulated controller, whose switches and index pulses are at known counts from the position at power-on.</summary>
 public class HomingMoveTests
 {
     private static readonly AxisSwitches s_lineA = new(0) { HomeAt = -20000, IsHomeBelow = true, ReverseLimitAt = -24000, ForwardLimitAt = 90000, IndexAt = -19300, IndexPeriod = 4000 };
@@ -27,7 +27,7 @@ public class HomingMoveTests
 
         Assert.Equal((JobOutcome.Complete, "The machine is homed."), (homed.Result.Outcome, homed.Result.Sentence));
         Assert.Equal(new CountsPoint(7000, 0), homed.Result.FinalPosition); // 5 mm, and 2 mm back
-        Assert.InRange(homed.Shift![0], 5000 - at - 3, 5000 - at + 3); // the edge is seen within two program lines at 1000 counts/s
+        Assert.InRange(homed.Shift![0], 5000 - at - 3, 5000 - at + 3); // the edge is detected within two program lines at 1000 counts/s
         Assert.Equal(0, homed.Shift[1]);
         Assert.Equal(before, await FingerprintAsync(bench));
     }

@@ -131,7 +131,7 @@ public class JogMoveTests
 
         Assert.Equal(JobOutcome.Refused, result.Outcome);
         Assert.Contains("limit", result.Sentence, StringComparison.Ordinal);
-        Assert.InRange(-bench.Last.B, 5000, 9000); // it did not go on for as long as the key was held
+        Assert.InRange(-bench.Last.B, 5000, 9000); // it stopped before the key was released
     }
 
     [Fact]

@@ -5,7 +5,7 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>A controller that is kept ready for jogs, counted by the lines between a press and its BG and judged by the record of its motors.</summary>
+/// <summary>A controller that is kept ready for jogs, tested by the number of lines between a key press and its BG and by the record of its motors.</summary>
 public class JogStandbyTests
 {
     private const int Far = 20000;
@@ -49,7 +49,7 @@ public class JogStandbyTests
 
         await JobRunner.StandByAsync(s_program, pad.Standby, session, SimulatedBench.Job, pad, CancellationToken.None);
 
-        var results = await Task.WhenAll(pad.Jogs).WaitAsync(TimeSpan.FromSeconds(60)); // a result is told on another thread
+        var results = await Task.WhenAll(pad.Jogs).WaitAsync(TimeSpan.FromSeconds(60)); // a result is reported on another thread
         Assert.All(results, result => Assert.Equal((JobOutcome.Complete, "The machine is at rest."), (result.Outcome, result.Sentence)));
         Assert.InRange(results[0].FinalPosition!.Value.X, Far, Far + 2000);
         Assert.InRange(results[1].FinalPosition!.Value.X, -2000, 2000);
@@ -138,7 +138,7 @@ public class JogStandbyTests
     private static Task<ControllerSession> OpenAsync(SimulatedBench bench, int baud, Action<string> sending) =>
         baud > 0 ? bench.OpenSerialAsync(baud, sending) : bench.OpenAsync(link => link.Sending = sending);
 
-    /// <summary>A hand that presses one key after the other, each for 20000 counts; between two of them the machine is looked at.</summary>
+    /// <summary>An operator who presses one key after the other, each for 20000 counts; between two of them the state of the machine is read.</summary>
     private sealed class Pad : IProgress<JobProgress>
     {
         private readonly Queue<JogVelocity> _ways;
@@ -156,7 +156,7 @@ public class JogStandbyTests
 
         public List<Task<JobResult>> Jogs { get; } = [];
 
-        /// <summary>Jogs that are released before <see cref="OnFar"/> is done instead.</summary>
+        /// <summary>Jogs in which <see cref="OnFar"/> is called instead of a release.</summary>
         public int FarBehind { get; set; } = int.MaxValue;
 
         public Action OnFar { get; set; } = () => { };

@@ -7,7 +7,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>What only the way of the downloaded job has: chunks, a memory that is too small, lines that fail in the controller.</summary>
+/// <summary>Features of the downloaded job only: chunks, a memory that is too small, lines that fail in the controller.</summary>
 public class ProgramStrategyTests
 {
     private static readonly JobOptions Job = SimulatedBench.Job with { Mode = JobMode.Program };
@@ -21,7 +21,7 @@ public class ProgramStrategyTests
 
         Assert.Equal("Done: 480 segments.", result.Sentence);
         Assert.Equal((480, 480, 0, 0), (result.SegmentsSent, result.SegmentsExecuted, result.Rejected, result.Diagnostics.Count));
-        Assert.InRange(downloads, 4, 5); // the keeper, two or three chunks, the found program
+        Assert.InRange(downloads, 4, 5); // the resident program, two or three chunks, the found program
         Assert.Equal(Enumerable.Range(0, 240), result.ExecutedEntityIndices);
         Assert.All(result.ExecutedByStroke, count => Assert.Equal(2, count));
         CutRecord.AssertWholePathWasCut(bench, program);
@@ -169,7 +169,7 @@ public class ProgramStrategyTests
 
         await stop.CancelAsync();
         var atOnce = bench.Controller.Status.Outputs;
-        bench.Controller.Advance(TimeSpan.FromSeconds(0.5)); // longer than the tool settles: the program would have begun the cut
+        bench.Controller.Advance(TimeSpan.FromSeconds(0.5)); // longer than the settle time: the program would have started the cut
         while (!running.IsCompleted)
         {
             bench.Controller.Advance(TimeSpan.FromSeconds(1));
@@ -235,7 +235,7 @@ public class ProgramStrategyTests
         Assert.Contains("beyond the position range of the controller", result.Sentence, StringComparison.Ordinal);
     }
 
-    /// <summary>Strokes of two sequences side by side, an entity each.</summary>
+    /// <summary>Strokes of two sequences side by side, one entity each.</summary>
     private static MotionProgram Strokes(int count) => new(MachineProfile.Default, default, [.. Enumerable.Range(0, count).Select(Stroke)]);
 
     private static MotionStroke Stroke(int i)

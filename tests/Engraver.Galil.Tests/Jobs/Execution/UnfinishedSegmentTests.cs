@@ -4,7 +4,7 @@ using Engraver.Galil.Jobs.Execution;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
-/// <summary>What was cut of the segment that was under way: as much as the controller has said, never more than was cut.</summary>
+/// <summary>The cut length of the unfinished segment: as reported by the controller, never more than was cut.</summary>
 public class UnfinishedSegmentTests
 {
     private const double Tolerance = 4.0;
@@ -47,8 +47,8 @@ public class UnfinishedSegmentTests
     [InlineData(5000, 0, true, 0, 4000.0)]
     [InlineData(5000, 0, false, 0, 0.0)] // the tool was off
     [InlineData(5000, 9, true, 0, 0.0)] // beside the segment
-    [InlineData(5000, 0, true, 1, 0.0)] // of a segment that was not counted in the end
-    [InlineData(900000, 0, true, 0, 0.0)] // behind its end
+    [InlineData(5000, 0, true, 1, 0.0)] // a segment that was finally not counted
+    [InlineData(900000, 0, true, 0, 0.0)] // after its end
     public void Only_a_position_on_the_segment_with_the_tool_on_counts(int x, int y, bool toolOn, int executed, double cut)
     {
         var result = JobResult.NotStarted(MotionPrograms.LongLine(200000).Strokes.Count, "Stopped.") with { PolledTrace = [new TracePoint(1.0, new CountsPoint(x, y), toolOn) { Executed = executed }] };
@@ -57,7 +57,7 @@ public class UnfinishedSegmentTests
     }
 
     [Theory]
-    [InlineData(0, 0, 0.0)] // where a whole turn begins it also ends
+    [InlineData(0, 0, 0.0)] // a full turn starts and ends here
     [InlineData(-1000, 1000, 0.25)]
     [InlineData(-2000, 0, 0.5)]
     [InlineData(-1000, -1000, 0.75)]
@@ -74,7 +74,7 @@ public class UnfinishedSegmentTests
         }
     }
 
-    /// <summary>What the motors went with the tool on, by the record.</summary>
+    /// <summary>The path of the motors with the tool on, by the record.</summary>
     private static double LengthOf(SimulatedBench bench)
     {
         var rows = bench.Controller.Record.Snapshot();

@@ -3,8 +3,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>Programs for a tool that the Z axis holds, written by hand, and what the simulator's record says of a tool that is cutting where it is below
-/// the retract height.</summary>
+/// <summary>Programs for a tool that is moved by the Z axis, written by hand, and checks by the simulator's record, in which the tool cuts when it is below the
+/// retract height.</summary>
 internal static class HeightBench
 {
     public const int Clearance = 3200;
@@ -17,8 +17,8 @@ internal static class HeightBench
         Spindle = new Spindle { Output = 3, SpinUpSeconds = 0.5 },
     };
 
-    /// <summary>A level line with an arc behind it; a slope of two lines in three axes, an upright piece, a level one and a slope up again; and a level
-    /// line: 9 segments in three strokes far from each other.</summary>
+    /// <summary>A level line followed by an arc; a slope of two lines in three axes, a vertical piece, a level one and a slope up again; and a level line: 9
+    /// segments in three strokes far from each other.</summary>
     public static MotionProgram Part(MachineProfile? profile = null, MotionStyle style = MotionStyle.Continuous) => new(profile ?? Profile, default, Strokes(style)) { Finish = default(CountsPoint), Style = style };
 
     private static IReadOnlyList<MotionStroke> Strokes(MotionStyle style) =>
@@ -34,7 +34,7 @@ internal static class HeightBench
         Stroke(2, style, new(5000, 60000, -2000), Line(new(5000, 60000, -2000), new(30000, 60000, -2000))),
     ];
 
-    /// <summary>A line at whatever height its ends have.</summary>
+    /// <summary>A line whose ends may have any height.</summary>
     public static VectorSegment Line(CountsPoint from, CountsPoint to) => new(VectorSegmentKind.Line, to, 0, 0, 0, 0, Length(to - from));
 
     private static MotionStroke Stroke(int index, MotionStyle style, CountsPoint start, params VectorSegment[] segments)
@@ -51,8 +51,8 @@ internal static class HeightBench
         return new MotionStroke(index, start, sequences);
     }
 
-    /// <summary>Every sample below the retract height lies on the drawing or, where the tool goes straight down or up, straight above a place of it; and
-    /// every place of the drawing was passed. Both to 2.5 counts in X, Y and Z.</summary>
+    /// <summary>Every sample below the retract height is on the drawing or, during a vertical move of the tool, vertically above a point of it; and every point
+    /// of the drawing was passed. Both to 2.5 counts in X, Y and Z.</summary>
     /// <param name="most">Counts of it that may have been cut twice.</param>
     public static void AssertCut(SimulatedBench bench, MotionProgram program, double most = 0.0)
     {
@@ -67,7 +67,7 @@ internal static class HeightBench
         Assert.InRange(cut, 0.0, (1.001 * program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length))) + 20.0 + most);
     }
 
-    /// <summary>Above the drawing the tool went down no faster than the plunge feed (3.2 counts a sample); the spindle turned wherever it was in the
+    /// <summary>Above the drawing the tool moved down at most at the plunge feed (3.2 counts a sample); the spindle turned whenever it was in the
     /// work.</summary>
     public static void AssertGentle(SimulatedBench bench, MotionProgram program)
     {
@@ -79,7 +79,7 @@ internal static class HeightBench
         Assert.All(record.Where(sample => sample.C < 0), sample => Assert.Equal(4, sample.Outputs));
     }
 
-    /// <summary>While the job stood held the tool stood at clearance height, or above, and nothing moved.</summary>
+    /// <summary>During the hold the tool was at clearance height or above, and nothing moved.</summary>
     public static void AssertStoodUp(SimulatedBench bench, HoldingOperator operators)
     {
         var record = bench.Controller.Record.Snapshot();
@@ -116,7 +116,7 @@ internal static class HeightBench
         return pieces;
     }
 
-    /// <summary>Chords that leave their arc by less than a tenth of a count.</summary>
+    /// <summary>Chords with a distance of less than a tenth of a count from their arc.</summary>
     private static IEnumerable<Piece> Chords(CountsPoint from, VectorSegment arc)
     {
         var (theta, sweep) = (arc.ThetaDegrees * Math.PI / 180.0, arc.DeltaDegrees * Math.PI / 180.0);
@@ -135,12 +135,12 @@ internal static class HeightBench
             return double.Hypot(double.Hypot(x - X - (foot * (ToX - X)), y - Y - (foot * (ToY - Y))), z - Z - (foot * (ToZ - Z)));
         }
 
-        /// <summary>The place lies on the piece or straight above one of its places.</summary>
+        /// <summary>The point is on the piece or vertically above a point of it.</summary>
         public bool IsUnder(MotionSample sample)
         {
             var plan = ((ToX - X) * (ToX - X)) + ((ToY - Y) * (ToY - Y));
             var foot = plan == 0.0 ? 0.0 : Math.Clamp((((sample.A - X) * (ToX - X)) + ((sample.B - Y) * (ToY - Y))) / plan, 0.0, 1.0);
-            var about = plan == 0.0 ? 1.0 : 2.5 / Math.Sqrt(plan); // of a steep piece, the lowest height so near
+            var about = plan == 0.0 ? 1.0 : 2.5 / Math.Sqrt(plan); // for a steep piece the lowest height within this distance
             var lowest = Math.Min(Z + (Math.Max(0.0, foot - about) * (ToZ - Z)), Z + (Math.Min(1.0, foot + about) * (ToZ - Z)));
             return double.Hypot(sample.A - X - (foot * (ToX - X)), sample.B - Y - (foot * (ToY - Y))) <= 2.5 && sample.C >= lowest - 2.5;
         }
@@ -155,7 +155,7 @@ internal static class HeightBench
         }
     }
 
-    /// <summary>The ways between two samples in the work, found again by squares of the plane.</summary>
+    /// <summary>The paths between two samples in the work, indexed by squares of the plane.</summary>
     private sealed class PassedPlaces
     {
         private const double Side = 200.0;

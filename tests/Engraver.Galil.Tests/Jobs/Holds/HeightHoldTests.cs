@@ -3,13 +3,13 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>HOLD of a tool that an axis holds: it brakes on the path, the tool goes straight up, and RESUME comes back to the place, plunges and goes on.
-/// Every sample of the simulator's record counts.</summary>
+/// <summary>HOLD of a tool that is moved by an axis: it brakes on the path, the tool moves straight up, and RESUME returns to the position, plunges and
+/// continues. Every sample of the simulator's record is checked.</summary>
 public class HeightHoldTests
 {
     private const int Network = 0;
 
-    /// <summary>In the level line, in the arc, in the slope, in the upright piece of the slope, in the last line, in a rapid between, in a plunge.</summary>
+    /// <summary>In the level line, in the arc, in the slope, in the vertical piece of the slope, in the last line, in a rapid between, in a plunge.</summary>
     public static TheoryData<JobMode, string> Everywhere
     {
         get
@@ -91,11 +91,11 @@ public class HeightHoldTests
 
         Assert.Equal(("Done: 9 segments.", 1), (result.Sentence, result.Holds));
         HeightBench.AssertCut(bench, program);
-        HeightBench.AssertGentle(bench, program); // it turned wherever the tool was in the work
+        HeightBench.AssertGentle(bench, program); // it turned whenever the tool was in the work
         var record = bench.Controller.Record.Snapshot();
         var (from, to) = Assert.Single(operators.Held);
         Assert.Equal(0, record.Last(sample => sample.Sample <= to).Outputs);
-        Assert.InRange(record.First(sample => sample.Sample > to && sample.C < HeightBench.Clearance).Sample - to, 500, 5000); // its time before it plunges
+        Assert.InRange(record.First(sample => sample.Sample > to && sample.C < HeightBench.Clearance).Sample - to, 500, 5000); // the spin-up time before the plunge
     }
 
     [Theory]

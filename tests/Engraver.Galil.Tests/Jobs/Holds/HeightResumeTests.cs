@@ -4,13 +4,13 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>A job with a tool that an axis holds goes on behind a stop, a dead host and a power cycle, in lines, arcs, slopes, upright pieces and plunges:
-/// every place is cut in X, Y and Z, and twice only within its bound.</summary>
+/// <summary>A job with a tool that is moved by an axis is resumed after a stop, a lost host and a power cycle, in lines, arcs, slopes, vertical pieces and
+/// plunges: every point is cut in X, Y and Z, and twice only within the limit.</summary>
 public sealed class HeightResumeTests : IDisposable
 {
     private const double LeadIn = 500.0;
 
-    /// <summary>Feed times the age of the last poll, and the way to a standstill, which is cut too.</summary>
+    /// <summary>Feed times the age of the last poll, and the braking path, which is cut as well.</summary>
     private const double SinceLastPoll = (20.0 * 60.0) + 800.0;
 
     private readonly string _folder = Directory.CreateTempSubdirectory("height-resume").FullName;
@@ -60,7 +60,7 @@ public sealed class HeightResumeTests : IDisposable
         await using var bench = new SimulatedBench();
         var program = Program(mode);
         await DieAsync(bench, program, mode, "slope");
-        await using var fresh = new SimulatedBench(); // switched on again; it stands where the drawing's zero is
+        await using var fresh = new SimulatedBench(); // switched on again; it is at the drawing's zero
 
         var found = await FindAsync(fresh, program, mode, "a");
         var second = await RunAsync(fresh, program, mode, "b", found, null, CancellationToken.None);
@@ -94,7 +94,7 @@ public sealed class HeightResumeTests : IDisposable
         return await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
     }
 
-    /// <summary>The host dies: nothing more is said to the controller, and the watchdog trips.</summary>
+    /// <summary>The host is lost: nothing more is sent to the controller, and the watchdog trips.</summary>
     private async Task DieAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string where)
     {
         var died = new CancelWhen(HeightHoldTests.At(where), () =>
@@ -105,6 +105,6 @@ public sealed class HeightResumeTests : IDisposable
         Assert.Equal(JobOutcome.LinkLost, (await RunAsync(bench, program, mode, "a", null, died, CancellationToken.None)).Outcome);
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(20));
         var lines = await File.ReadAllLinesAsync(PathOf("a"));
-        await File.WriteAllLinesAsync(PathOf("a"), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a dead host writes no end
+        await File.WriteAllLinesAsync(PathOf("a"), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a lost host does not write the end
     }
 }

@@ -7,8 +7,8 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>A held job lets the machine be moved by hand, within its travel; RESUME comes back to the place, and a stop, a dead host and a limit switch
-/// meanwhile lose nothing. By the simulator's record.</summary>
+/// <summary>During a hold the machine can be moved by hand within its travel; RESUME returns to the position, and after a stop, a lost host or a limit switch
+/// in between the whole drawing is still cut. Checked by the simulator's record.</summary>
 public sealed class HeldMoveTests : IDisposable
 {
     private readonly string _folder = Directory.CreateTempSubdirectory("held-move").FullName;
@@ -165,7 +165,7 @@ public sealed class HeldMoveTests : IDisposable
         Assert.DoesNotContain(bench.Controller.Record.Snapshot(), sample => Math.Abs(sample.A - held.X - 7777) < 3 && Math.Abs(sample.B - held.Y + 9999) < 3);
     }
 
-    /// <summary>A pen that is raised to look, or lowered, is back at the height of the cut before anything is cut, and moves up or down with the tool
+    /// <summary>A pen that is raised for inspection, or lowered, is back at the height of the cut before anything is cut, and moves up or down with the tool
     /// off.</summary>
     [Theory]
     [InlineData(JobMode.Stream, 4000)]
@@ -186,7 +186,7 @@ public sealed class HeldMoveTests : IDisposable
         var record = bench.Controller.Record.Snapshot();
         var back = record.SkipWhile(sample => sample.C != up).Where(sample => sample.C != up && sample.C != 0).ToList();
         Assert.NotEmpty(back);
-        Assert.All(back, sample => Assert.Equal(up > 0 ? 0 : -2000, sample.B)); // up before the way, down behind it
+        Assert.All(back, sample => Assert.Equal(up > 0 ? 0 : -2000, sample.B)); // up before the move, down after it
     }
 
     [Theory]
@@ -217,8 +217,8 @@ public sealed class HeldMoveTests : IDisposable
         AssertCutAtItsHeight(bench, program, 5000);
     }
 
-    /// <summary>A pen that is raised to look, or lowered, while the job stands held, and then the job is stopped: the job that resumes it brings the pen
-    /// back to the height of the cut; also a third one, which resumes that.</summary>
+    /// <summary>A pen is raised for inspection, or lowered, during a hold, and then the job is stopped: the job that resumes it returns the pen to the height
+    /// of the cut; also a third one, which resumes that job.</summary>
     [Theory]
     [InlineData(JobMode.Stream, 4000)]
     [InlineData(JobMode.Calls, 4000)]
@@ -241,8 +241,8 @@ public sealed class HeldMoveTests : IDisposable
         AssertCutAtItsHeight(bench, program, up);
     }
 
-    /// <summary>The cable is cut just when the held sequence has been ended, which the server in the controller takes for the end of its call: what it
-    /// still had to cut is cut by the job that resumes it.</summary>
+    /// <summary>The cable is cut just when the held sequence has been ended, which the server in the controller treats as the end of its call: the rest of this
+    /// call is cut by the job that resumes it.</summary>
     [Theory]
     [MemberData(nameof(Machines))]
     public async Task A_link_that_is_cut_as_the_held_sequence_is_given_up_loses_nothing(JobMode mode, bool isAxis)
@@ -262,7 +262,7 @@ public sealed class HeldMoveTests : IDisposable
             Assert.Equal((JobOutcome.LinkLost, true), (lost.Outcome, isEnded));
         }
 
-        bench.Controller.Advance(TimeSpan.FromSeconds(6)); // the watchdog trips, and a tool that an axis holds is raised
+        bench.Controller.Advance(TimeSpan.FromSeconds(6)); // the watchdog trips, and a tool that is moved by an axis is raised
         var result = await ResumeAsync(bench, program, mode, "cut", "rest");
 
         Assert.Equal((JobOutcome.Complete, program.SegmentCount), (result.Outcome, result.SegmentsExecuted));

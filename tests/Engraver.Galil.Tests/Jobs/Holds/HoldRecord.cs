@@ -4,14 +4,14 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>What the simulator's record says about holds and interruptions.</summary>
+/// <summary>Checks holds and interruptions by the simulator's record.</summary>
 internal static class HoldRecord
 {
-    /// <summary>Samples that a tool may be on at a standstill beside its settle times: a few polls, a look at a buffer, the corner between two
+    /// <summary>Samples that a tool may be on at a standstill in addition to its settle times: a few polls, a test of a buffer, the corner between two
     /// sequences.</summary>
     private const int SamplesAtRest = 250;
 
-    /// <summary>From the report that it is held until the resume nothing moves and the tool is off.</summary>
+    /// <summary>From the report of the hold until the resume nothing moves and the tool is off.</summary>
     public static void AssertStoodHeld(SimulatedBench bench, HoldingOperator operators)
     {
         var record = bench.Controller.Record.Snapshot();
@@ -24,8 +24,8 @@ internal static class HoldRecord
         }
     }
 
-    /// <summary>The tool is never on for long where nothing moves: its settle before a cut, its settle behind one, and a few polls.</summary>
-    /// <param name="deadHosts">How often a host died: then it may be on until the watchdog trips.</param>
+    /// <summary>The tool is on without motion only for short times: its settle time before and after a cut, and a few polls.</summary>
+    /// <param name="deadHosts">How often a host was lost: then it may be on until the watchdog trips.</param>
     public static void AssertNoBurnAtRest(SimulatedBench bench, MachineProfile profile, int deadHosts = 0)
     {
         const double Watchdog = 1200.0;
@@ -36,14 +36,14 @@ internal static class HoldRecord
         Assert.All(burns, samples => Assert.InRange(samples, 0, Watchdog));
     }
 
-    /// <summary>The way with the tool on is not longer than the drawing by more than <paramref name="most"/> counts.</summary>
+    /// <summary>The path with the tool on is at most <paramref name="most"/> counts longer than the drawing.</summary>
     public static void AssertNothingWasCutTwice(SimulatedBench bench, MotionProgram program, double most)
     {
         var drawn = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         Assert.InRange(CutLength(bench.Controller.Record.Snapshot()), 0.0, (1.001 * drawn) + 5.0 + most);
     }
 
-    /// <summary>Every place of the drawing was passed with the tool on, to the count, and nothing else was.</summary>
+    /// <summary>Every point of the drawing was passed with the tool on, within a count, and nothing else was.</summary>
     public static void AssertEverythingWasCut(SimulatedBench bench, MotionProgram program)
     {
         var path = new EngravedPath(program);
@@ -52,7 +52,7 @@ internal static class HoldRecord
         foreach (var place in Places(program)) Assert.True(chords.IsNear(place, 2.5), $"{place} was never cut, to {Enumerable.Range(3, 100).FirstOrDefault(off => chords.IsNear(place, off))} counts");
     }
 
-    /// <summary>Places every few counts along the drawing.</summary>
+    /// <summary>Points every few counts along the drawing.</summary>
     private static IEnumerable<Point2D> Places(MotionProgram program)
     {
         const double Step = 7.0;
@@ -78,7 +78,7 @@ internal static class HoldRecord
                 start.Y + (segment.Radius * (Math.Sin(theta + (part * segment.DeltaDegrees * Math.PI / 180.0)) - Math.Sin(theta))));
     }
 
-    /// <summary>The ways between two samples with the tool on, found again by squares of the plane.</summary>
+    /// <summary>The paths between two samples with the tool on, indexed by squares of the plane.</summary>
     private static ChordGrid Chords(IReadOnlyList<MotionSample> record)
     {
         var grid = new ChordGrid();

@@ -3,7 +3,7 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>HOLD brakes on the path and switches the tool off once it stands; RESUME goes on where it stands. By the simulator's record.</summary>
+/// <summary>HOLD brakes on the path and switches the tool off at rest; RESUME continues from the same position. Checked by the simulator's record.</summary>
 public class HoldTests
 {
     private const int Network = 0;

@@ -2,9 +2,9 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>Somebody who holds a job and lets it go on, by what it reports.</summary>
+/// <summary>An operator who holds a job and resumes it, triggered by its reports.</summary>
 /// <param name="at">When to hold.</param>
-/// <param name="heldSeconds">How long the job stays held, controller time.</param>
+/// <param name="heldSeconds">Duration of the hold, controller time.</param>
 internal sealed class HoldingOperator(SimulatedBench bench, Func<JobProgress, bool> at, double heldSeconds) : IProgress<JobProgress>
 {
     private double _heldSince = double.NaN;
@@ -12,21 +12,21 @@ internal sealed class HoldingOperator(SimulatedBench bench, Func<JobProgress, bo
 
     public JobControl Control { get; } = new();
 
-    /// <summary>How often to hold.</summary>
+    /// <summary>Number of holds.</summary>
     public int Repeats { get; init; } = 1;
 
     /// <summary>Controller seconds from a resume to the next hold.</summary>
     public double Between { get; init; }
 
-    /// <summary>Done once the job stands held; null for resuming.</summary>
+    /// <summary>Called when the job is held; null for resuming.</summary>
     public Action? WhenHeld { get; init; }
 
     public List<JobPhase> Phases { get; } = [];
 
-    /// <summary>Where the job stood held last, job frame.</summary>
+    /// <summary>Position of the last hold, job frame.</summary>
     public CountsPoint HeldAt { get; private set; }
 
-    /// <summary>Controller samples from the first report that it is held to the resume.</summary>
+    /// <summary>Controller samples from the first report of the hold to the resume.</summary>
     public List<(long From, long To)> Held { get; } = [];
 
     private int _asked;

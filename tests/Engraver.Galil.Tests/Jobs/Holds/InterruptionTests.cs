@@ -7,8 +7,8 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>Holds, stops, cut cables and overrides at random moments, one after the other, until the job is done. By the simulator's record every piece of
-/// the drawing is cut, and nothing twice beyond its bound.</summary>
+/// <summary>Holds, stops, cut cables and overrides at random times, one after the other, until the job is complete. By the simulator's record the whole drawing
+/// is cut, and parts are cut twice only within the limit.</summary>
 public sealed class InterruptionTests : IDisposable
 {
     private const double LeadIn = 300.0;
@@ -18,10 +18,10 @@ public sealed class InterruptionTests : IDisposable
 
     private readonly string _folder = Directory.CreateTempSubdirectory("interrupted").FullName;
 
-    /// <summary>632 holds at a corner where the path stops by itself.</summary>
+    /// <summary>632 holds at a corner where the path stops anyway.</summary>
     public static TheoryData<int> Seeds => [.. Enumerable.Range(1, TestExtent.Cases(4, 1000, "ENGRAVER_INTERRUPTIONS")).Append(632).Distinct()];
 
-    /// <summary>Until the machine stands; a tool that an axis holds is in the work meanwhile, and cuts on.</summary>
+    /// <summary>Until the machine is at rest; a tool that is moved by an axis is in the work meanwhile, and continues to cut.</summary>
     private const double Braking = 40.0 * 40.0 * 1000.0 / 512.0;
 
     [Theory]
@@ -40,7 +40,7 @@ public sealed class InterruptionTests : IDisposable
         HoldRecord.AssertNoBurnAtRest(bench, program.Profile, kills);
     }
 
-    /// <summary>The same where an axis holds the tool: lines that rise and fall, plunges, and every place in X, Y and Z.</summary>
+    /// <summary>The same for a tool that is moved by an axis: lines that rise and fall, plunges, and every point in X, Y and Z.</summary>
     [Theory]
     [MemberData(nameof(Seeds))]
     public async Task However_a_machine_with_a_tool_axis_is_interrupted_the_drawing_is_cut_once(int seed)
@@ -56,10 +56,10 @@ public sealed class InterruptionTests : IDisposable
         HeightBench.AssertGentle(bench, program);
     }
 
-    /// <summary>More holds than a seed has.</summary>
+    /// <summary>More than the holds of any seed.</summary>
     private const int HoldsAway = 60;
 
-    /// <returns>How often it was resumed, and how often its host had died.</returns>
+    /// <returns>How often it was resumed, and how often its host was lost.</returns>
     private async Task<(int Resumes, int Kills)> CutAsync(SimulatedBench bench, Random random, JobMode mode, MotionProgram program, int seed)
     {
         var (from, resumes, kills, journal, outcome) = (default(ResumePlace), 0, 0, "", JobOutcome.Stopped);
@@ -81,7 +81,7 @@ public sealed class InterruptionTests : IDisposable
             resumes++;
             kills += outcome == JobOutcome.LinkLost ? 1 : 0;
             var found = await FindAsync(bench, program, mode, journal);
-            if (found.Refusal is null) from = found; // else it ended before it began, and goes on from where it would have
+            if (found.Refusal is null) from = found; // otherwise it ended before it started, and the next one starts from the same position
         }
 
         return (resumes, kills);
@@ -95,10 +95,10 @@ public sealed class InterruptionTests : IDisposable
         return await ResumeFinder.FindAsync(session.Commands, program, mode, journal, CancellationToken.None);
     }
 
-    /// <summary>Strokes of lines and arcs far from each other, so that what is cut can be told apart; each goes on as the one before it ended, and
-    /// sequences end where they like. Behind an arc comes a line, which ends on its own count: the ends of a chain of arcs are aimed by the generator,
-    /// which has no part in this.</summary>
-    /// <remarks>Where an axis holds the tool lines may rise or fall; such a sequence has no arcs.</remarks>
+    /// <summary>Strokes of lines and arcs far from each other, so that the cuts can be distinguished. Each segment continues in the direction in which the
+    /// previous one ended, and sequences have random lengths. An arc is followed by a line, which ends on whole counts: the generator, which is not used here,
+    /// computes the ends of a chain of arcs.</summary>
+    /// <remarks>If an axis moves the tool, lines may rise or fall; such a sequence has no arcs.</remarks>
     private static MotionProgram RandomProgram(Random random, JobMode mode, MachineProfile profile)
     {
         var strokes = new List<MotionStroke>();
@@ -126,7 +126,7 @@ public sealed class InterruptionTests : IDisposable
         return new MotionProgram(profile, default, MotionPrograms.InColumns(strokes)) { Style = mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous };
     }
 
-    /// <summary>A gentle slope, which may go on in another one; or a steep line, which is a sequence of its own because its bends are sharp.</summary>
+    /// <summary>A gentle slope, which may continue in another one; or a steep line, which is a separate sequence because its bends are sharp.</summary>
     private static int Rise(Random random, int from, double length, bool isSteep) =>
         isSteep ? random.Next(-4000, -100) : Math.Clamp(from + random.Next((int)(-length / 20.0), 1 + (int)(length / 20.0)), -4000, -100);
 
@@ -147,7 +147,7 @@ public sealed class InterruptionTests : IDisposable
         return new VectorSegment(VectorSegmentKind.Arc, to, radius, theta, delta, random.Next(100), radius * Math.Abs(delta) * Math.PI / 180.0);
     }
 
-    /// <summary>Holds, steps away while it is held, and overrides by chance, and one end.</summary>
+    /// <summary>Random holds, steps away during a hold, and overrides, and one end.</summary>
     private sealed class Trouble(SimulatedBench bench, Random random, CancellationTokenSource stop) : IProgress<JobProgress>
     {
         private readonly double _end = 0.1 + (4.0 * random.NextDouble());

@@ -3,9 +3,9 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>Somebody who holds a job, moves the machine by hand while it is held, and lets it go on. Acts on the job's own thread, when it reports.</summary>
+/// <summary>An operator who holds a job, moves the machine by hand during the hold, and resumes it. Acts on the job's own thread, at its reports.</summary>
 /// <param name="at">When to hold.</param>
-/// <param name="moves">One after the other; a key is released once <paramref name="released"/> says so.</param>
+/// <param name="moves">In order; a key is released once <paramref name="released"/> returns true.</param>
 internal sealed class MovingOperator(Func<JobProgress, bool> at, Func<JobProgress, bool> released, params HeldMove[] moves) : IProgress<JobProgress>
 {
     private int _next;
@@ -15,16 +15,16 @@ internal sealed class MovingOperator(Func<JobProgress, bool> at, Func<JobProgres
 
     public List<Task<JobResult>> Moves { get; } = [];
 
-    /// <summary>Done when the moves have ended; null for resuming.</summary>
+    /// <summary>Called when the moves have ended; null for resuming.</summary>
     public Action? WhenMoved { get; init; }
 
-    /// <summary>Done at every report while a move is under way.</summary>
+    /// <summary>Called at every report during a move.</summary>
     public Action<JobProgress>? WhileMoving { get; init; }
 
-    /// <summary>What the job said while a move was under way.</summary>
+    /// <summary>The phases reported during a move.</summary>
     public HashSet<JobPhase> PhasesMeanwhile { get; } = [];
 
-    /// <summary>Where the job was held, job frame.</summary>
+    /// <summary>Position of the hold, job frame.</summary>
     public CountsPoint HeldAt { get; private set; }
 
     public void Report(JobProgress value)

@@ -5,7 +5,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>The operator's overrides act on the job under way. By the simulator's record.</summary>
+/// <summary>The operator's overrides change the running job. Checked by the simulator's record.</summary>
 public class OverrideTests
 {
     private const int Network = 0;
@@ -85,7 +85,7 @@ public class OverrideTests
         Assert.InRange(fastest, 32.0, 36.0); // counts in a sample: 1.7 times 20, rounded to whole counts
     }
 
-    /// <summary>Circles of five sizes, a polygon of gentle and one of sharper bends, a long line: each is cut as fast as it bears.</summary>
+    /// <summary>Circles of five sizes, a polygon of gentle and one of sharper bends, a long line: each is cut at its highest possible speed.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -112,7 +112,7 @@ public class OverrideTests
         }
 
         Assert.Equal(40000, Fastest(record.Where(sample => sample.B > 130000).ToList()), 300.0); // the long line
-        if (mode != JobMode.Program) Assert.InRange(Fastest(record.Where(sample => Math.Abs(sample.B - 100000) < 9000).ToList()), 23000, 25000); // bends of 8 degrees bear 1.2
+        if (mode != JobMode.Program) Assert.InRange(Fastest(record.Where(sample => Math.Abs(sample.B - 100000) < 9000).ToList()), 23000, 25000); // bends of 8 degrees allow 1.2
     }
 
     [Theory]
@@ -164,7 +164,7 @@ public class OverrideTests
         }
     }
 
-    /// <summary>Fastest over 20 samples, counts/s.</summary>
+    /// <summary>Highest speed over 20 samples, counts/s.</summary>
     private static double Fastest(IReadOnlyList<MotionSample> record) => Speeds(record, 20).Select(way => double.Hypot(way.X, way.Y)).Max();
 
     /// <summary>The largest change of velocity over a few samples, counts/s: at a joint the jump, and the ramp of those samples.</summary>

@@ -5,8 +5,8 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
-/// <summary>A job that was interrupted goes on from its journal and the controller's own counters: nothing is left out, and nothing is cut twice but the
-/// lead-in and what nobody had seen cut.</summary>
+/// <summary>An interrupted job is resumed from its journal and the controller's counters: nothing is omitted, and only the lead-in and the part after the last
+/// poll are cut twice.</summary>
 public sealed class ResumeTests : IDisposable
 {
     private const double LeadIn = 500.0;
@@ -52,7 +52,7 @@ public sealed class ResumeTests : IDisposable
         var second = await RunAsync(bench, program, mode, "b", found, null, CancellationToken.None);
 
         Assert.True(found.IsSameZero);
-        Assert.InRange(tripped, 55000, 75000); // it went on for a second
+        Assert.InRange(tripped, 55000, 75000); // it continued for a second
         Assert.Equal(tripped - 1000, found.Place.Along, 120.0);
         Assert.Equal(JobOutcome.Complete, second.Outcome);
         HoldRecord.AssertEverythingWasCut(bench, program);
@@ -173,7 +173,7 @@ public sealed class ResumeTests : IDisposable
         return await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
     }
 
-    /// <summary>The host dies in the middle of the job: nothing more is said to the controller, and the watchdog trips.</summary>
+    /// <summary>The host is lost in the middle of the job: nothing more is sent to the controller, and the watchdog trips.</summary>
     private async Task DieAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, Func<JobProgress, bool> when)
     {
         var died = new CancelWhen(when, () =>
@@ -185,6 +185,6 @@ public sealed class ResumeTests : IDisposable
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
         var lines = await File.ReadAllLinesAsync(PathOf(journal));
-        await File.WriteAllLinesAsync(PathOf(journal), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a dead host writes no end
+        await File.WriteAllLinesAsync(PathOf(journal), lines.Where(line => !line.Contains("\"kind\":\"end\"", StringComparison.Ordinal))); // a lost host does not write the end
     }
 }

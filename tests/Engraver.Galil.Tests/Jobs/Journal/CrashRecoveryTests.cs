@@ -3,7 +3,7 @@ using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs.Journal;
 
-/// <summary>What a run that died had found is given back by the next one, whatever its journal is called.</summary>
+/// <summary>The state found by a run that died is restored by the next one, independent of the name of its journal.</summary>
 public sealed class CrashRecoveryTests : IDisposable
 {
     private const string OwnersProgram = "#OWNER\n'M\u00E4rz\nEN";
@@ -23,7 +23,7 @@ public sealed class CrashRecoveryTests : IDisposable
         await using var bench = new SimulatedBench();
         var before = await OwnedAsync(bench);
         await DieAsync(bench, First with { Mode = died });
-        Assert.Contains("M\u00E4rz", before, StringComparison.Ordinal); // byte for byte, whatever language the owner writes
+        Assert.Contains("M\u00E4rz", before, StringComparison.Ordinal); // byte for byte, in any encoding
         Assert.NotEqual(before, await bench.FingerprintAsync());
 
         var result = await bench.RunAsync(MotionPrograms.Paper, Second with { Mode = next });
@@ -62,8 +62,8 @@ public sealed class CrashRecoveryTests : IDisposable
         Assert.Contains("givenBack", await File.ReadAllTextAsync(First.JournalPath!), StringComparison.Ordinal);
     }
 
-    /// <summary>As it was found: a run that was resumed with a new journal elsewhere said that nobody knows what stood in the controller, though the
-    /// journal that it was given told it.</summary>
+    /// <summary>Regression: a run that was resumed with a new journal elsewhere reported that the previous program of the controller is unknown, although the
+    /// given journal contained it.</summary>
     [Fact]
     public async Task A_run_that_goes_on_with_the_dead_one_gives_back_what_its_journal_tells_wherever_its_own_is()
     {
@@ -100,7 +100,7 @@ public sealed class CrashRecoveryTests : IDisposable
         return await bench.FingerprintAsync();
     }
 
-    /// <summary>The host is gone in the middle of the cut; the last thing it wrote is half a line.</summary>
+    /// <summary>The host ends in the middle of the cut; its last line is incomplete.</summary>
     private static async Task DieAsync(SimulatedBench bench, JobOptions options)
     {
         var dead = false;

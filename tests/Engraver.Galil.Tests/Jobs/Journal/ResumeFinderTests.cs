@@ -6,7 +6,7 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Tests.Jobs.Journal;
 
-/// <summary>The watchdog keeps in the controller where it stopped the machine: a journal that tells of more is not believed.</summary>
+/// <summary>The watchdog stores in the controller where it stopped the machine: a journal with a later position is not used.</summary>
 public sealed class ResumeFinderTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-resume-");
@@ -33,7 +33,7 @@ public sealed class ResumeFinderTests : IDisposable
 
     public void Dispose() => _folder.Delete(recursive: true);
 
-    /// <summary>A line as an older version wrote it, with other numbers where it tells of a cut.</summary>
+    /// <summary>A line as written by an older version, with other numbers in the record of a cut.</summary>
     private static string Older(string line, int along, int x)
     {
         var plain = Regex.Replace(line, ",\"n\":[0-9]+,\"sum\":\"[0-9a-f]{8}\"}$", "}");
@@ -43,7 +43,7 @@ public sealed class ResumeFinderTests : IDisposable
     private static string More(string line, string name, int more) =>
         Regex.Replace(line, $"(\"{name}\":)([0-9.]+)", found => found.Groups[1].Value + (double.Parse(found.Groups[2].Value, CultureInfo.InvariantCulture) + more).ToString(CultureInfo.InvariantCulture));
 
-    /// <summary>The host is gone in the middle of the cut.</summary>
+    /// <summary>The host ends in the middle of the cut.</summary>
     private static async Task DieAsync(SimulatedBench bench, MotionProgram program, JobOptions options)
     {
         var dead = false;

@@ -9,7 +9,7 @@ using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Timing;
 
-/// <summary>What is planned for a job on a link, against the same job on the simulated controller.</summary>
+/// <summary>The planned duration of a job on a link, compared with the same job on the simulated controller.</summary>
 public class JobTimeTests
 {
     private static readonly int[] s_rates = [1200, 9600, 19200, 38400, 115200];
@@ -40,8 +40,8 @@ public class JobTimeTests
         Assert.InRange(planned, 0.98 * took, 1.02 * took);
     }
 
-    /// <summary>All cuts are as long as three glances: whether a heartbeat falls between decides whether there is a fourth, and it may do so in every one
-    /// of them.</summary>
+    /// <summary>All cuts are as long as three polls: a heartbeat in between decides whether there is a fourth poll, and this can happen in each of
+    /// them.</summary>
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
@@ -81,7 +81,7 @@ public class JobTimeTests
 
     private static async Task<(double Planned, double Took)> PlannedAndRunAsync(JobMode mode, int baud, string part)
     {
-        await using var bench = new SimulatedBench(clock: new ManualTimeProvider()); // only bytes move the time, however busy this computer is
+        await using var bench = new SimulatedBench(clock: new ManualTimeProvider()); // only bytes advance the time, however busy this computer is
         var made = Part(part, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous);
         var program = mode == JobMode.Stream ? LinkFeedFitting.Create(made, new SerialLine(baud), null).Program : made;
         var planned = JobTime.Estimate(program, new SerialLine(baud), mode).Total;

@@ -3,7 +3,7 @@ using Engraver.Galil.Jobs.Watching;
 
 namespace Engraver.Galil.Tests.Jobs.Watching;
 
-/// <summary>Where an axis holds the tool a polled position is held against the path in height too.</summary>
+/// <summary>If an axis moves the tool, a polled position is compared with the path in height as well.</summary>
 public class PathWatchHeightTests
 {
     private static readonly VectorSegment[] s_slope = [new(VectorSegmentKind.Line, new(10000, 0, -2000), 0, 0, 0, 3, Math.Sqrt(1.04e8))];

@@ -3,7 +3,7 @@ using Engraver.Galil.Jobs.Watching;
 
 namespace Engraver.Galil.Tests.Jobs.Watching;
 
-/// <summary>When a polled position is off the path, and when only read at two times.</summary>
+/// <summary>Distinguishes a polled position that is off the path from one that was only read at two times.</summary>
 public class PathWatchTests
 {
     /// <summary>20 counts a sample.</summary>
@@ -29,7 +29,7 @@ public class PathWatchTests
         Assert.Equal("The machine was at 5000,3 of the drawing (counts), 3 counts off the planned path, at drawing entity 4: a command was corrupted, or another program moves the axes. Check the workpiece, the cable and what else uses the controller.", end.Sentence);
     }
 
-    /// <summary>14 counts of each axis in a sample: 10 beside the path when one is read a sample later.</summary>
+    /// <summary>14 counts of each axis in a sample: 10 beside the path if one axis is read a sample later.</summary>
     [Fact]
     public void On_a_slanting_line_what_a_sample_between_the_readings_explains_is_off_only_when_it_comes_again_and_again()
     {

@@ -6,7 +6,7 @@ using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs.Watching;
 
-/// <summary>The handle of the stop is cut in the middle of a job: the operator hears of it, and the stop still works.</summary>
+/// <summary>The handle of the stop is cut in the middle of a job: the operator is notified, and the stop still works.</summary>
 public class StopHandleWatchTests
 {
     [Theory]

@@ -9,12 +9,12 @@ namespace Engraver.Galil.Tests.Programs.Generation;
 
 public class ArcPredictionTests
 {
-    /// <summary>Half the diagonal of a square of one count: where a sequence ends the machine stands on whole counts.</summary>
+    /// <summary>Half the diagonal of a square of one count: at the end of a sequence the machine is on whole counts.</summary>
     private const double WholeCounts = 0.7072;
 
     private const double OneCount = 1.0 + 1e-6;
 
-    /// <summary>Sagitta of the chords that stand in where CR cannot be exact enough, counts.</summary>
+    /// <summary>Sagitta of the chords that replace an arc when CR is not accurate enough, counts.</summary>
     private const double ChordError = 0.25;
 
     [Fact]
@@ -70,8 +70,8 @@ public class ArcPredictionTests
             return (off.Path <= OneCount && off.End <= OneCount).Label($"{arcs.Count} arcs: path {off.Path}, end {off.End}");
         }).Check(Config.QuickThrowOnFailure.WithMaxTest(60));
 
-    /// <summary>Largest distance of the replayed path from the drawing (what chords are allowed is taken off, and where it stops on the way the rounding to
-    /// whole counts), and of every stroke's end from where it was drawn to (counts).</summary>
+    /// <summary>Largest distance of the replayed path from the drawing (less the tolerance of chords and the rounding to whole counts at stops), and of every
+    /// stroke's end from its drawn end (counts).</summary>
     private static (double Path, double End) WorstOff(Toolpath toolpath, MachineProfile profile)
     {
         var program = MotionProgramGenerator.Generate(toolpath, profile, ChordError / profile.Scale.Largest, null).Program;
@@ -109,7 +109,7 @@ public class ArcPredictionTests
         from profile in Machine()
         select (new ArcSegment(new Point2D(x, y), Math.Pow(10, exponent) / 1000.0, Angle.FromDegrees(start), Angle.FromDegrees(sweep)), profile);
 
-    /// <summary>Up to fifty arcs of 20 counts to 200,000 counts, each beginning where and in the direction in which the one before ends.</summary>
+    /// <summary>Up to fifty arcs of 20 counts to 200,000 counts, each starting at the end and in the direction of the previous one.</summary>
     private static Gen<(List<ArcSegment> Arcs, MachineProfile Profile)> Chain() =>
         from count in Gen.Choose(2, 50)
         from exponents in Between(1.3, 5.3).ListOf(count)

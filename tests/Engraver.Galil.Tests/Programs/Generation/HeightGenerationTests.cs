@@ -7,7 +7,7 @@ using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Tests.Programs.Generation;
 
-/// <summary>Drawn heights in a motion program: where an axis holds the tool they are cut, each stroke in its passes; what cannot be is refused.</summary>
+/// <summary>Drawn heights in a motion program: if an axis moves the tool, each stroke is cut in its passes; heights that cannot be cut are refused.</summary>
 public class HeightGenerationTests
 {
     private static readonly MachineProfile s_mill = MachineProfile.Default with
@@ -22,7 +22,7 @@ public class HeightGenerationTests
         var program = Generated(s_mill, Move(Toolpaths.Line(0, 0, 10, 0), -1, -1), Move(Toolpaths.Line(10, 0, 20, 0), -1, -2), Move(Toolpaths.Arc(20, 5, 5, 270, 90), -2, -2), Move(Toolpaths.Line(25, 5, 25, 10), -2, -2));
 
         var sequences = program.Strokes.Single().Sequences;
-        Assert.Equal([true, false], sequences.Select(sequence => sequence.ChangesHeight)); // the level line lies in the first: its bend down is below the sharp corner's 10 degrees
+        Assert.Equal([true, false], sequences.Select(sequence => sequence.ChangesHeight)); // the level line is in the first: its bend down is below the sharp corner's 10 degrees
         Assert.Equal([-400, -800], sequences[0].Segments.Select(segment => segment.End.Z));
         Assert.All(sequences[1].Segments, segment => Assert.Equal(-800, segment.End.Z));
         Assert.Equal(new CountsPoint(0, 0, -400), program.Strokes[0].Start);
@@ -39,7 +39,7 @@ public class HeightGenerationTests
 
     [Theory]
     [InlineData(-2.0, 1200.0)] // 20 mm/s along the path and 3.9 of them down: the feed in space
-    [InlineData(-30.0, 300.0 / 0.948683)] // steep: the plunge feed bounds it
+    [InlineData(-30.0, 300.0 / 0.948683)] // steep: limited by the plunge feed
     public void A_slope_is_cut_at_the_feed_in_space_and_falls_no_faster_than_the_plunge_feed(double depth, double feed)
     {
         var program = Generated(s_mill with { SharpCornerDegrees = 90 }, Move(Toolpaths.Line(0, 0, 10, 0), 0, depth));

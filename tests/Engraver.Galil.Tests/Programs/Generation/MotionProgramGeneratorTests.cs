@@ -96,7 +96,7 @@ public class MotionProgramGeneratorTests
         Assert.Single(Only(Program(Toolpaths.OfStroke(bend))).Sequences);
     }
 
-    /// <summary>At full feed a motor sample comes every 20 counts: it would pass the small bend inside, farther away than anything may be from the
+    /// <summary>At full feed a motor sample comes every 20 counts: it would cut the small bend on the inside, at more than the allowed distance from the
     /// drawing.</summary>
     [Theory]
     [InlineData(0.006, 2)]
@@ -231,7 +231,7 @@ public class MotionProgramGeneratorTests
         Assert.Equal((id, new SourceRef(101, "2F")), (generation.Diagnostics[0].Id, generation.Diagnostics[0].Source));
     }
 
-    /// <summary>A controller counts from where the machine stands, which the start is.</summary>
+    /// <summary>A controller counts from the present position of the machine, which is the start.</summary>
     [Fact]
     public void What_lies_near_the_start_is_counted_however_far_both_lie_from_the_drawings_zero()
     {

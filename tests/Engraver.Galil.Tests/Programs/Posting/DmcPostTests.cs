@@ -236,7 +236,7 @@ public class DmcPostTests
 
     private static List<string> Lines(string text) => [.. text.TrimEnd('\n').Split('\n')];
 
-    /// <summary>How many segments a text cuts in its job part.</summary>
+    /// <summary>Number of segments in the job part of a text.</summary>
     private static int Cuts(string text) => Lines(text).SelectMany(line => line.Split(';')).Count(s =>
         s is "JS#LINEAR" or "JS#CIRC" || (s.Length > 3 && (s[..3] is "VP " or "CR ") && (char.IsDigit(s[3]) || s[3] == '-')));
 

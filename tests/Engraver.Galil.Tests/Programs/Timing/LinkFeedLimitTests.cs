@@ -5,7 +5,7 @@ using FsCheck.Fluent;
 
 namespace Engraver.Galil.Tests.Programs.Timing;
 
-/// <summary>What a serial line carries.</summary>
+/// <summary>The capacity of a serial line.</summary>
 public class LinkFeedLimitTests
 {
     private const int Acceleration = 256000;
