@@ -24,7 +24,7 @@ internal sealed class FaultStopBenchmark
         _press = new FaultStopPress(folder, baud, job);
     }
 
-    /// <summary>The faults of <c>simulate --faults</c>, each with its fields other than the time; the first is no fault.</summary>
+    /// <summary>The faults of <c>simulate --faults</c>, each with its fields other than the time; the first entry is without a fault.</summary>
     public static IReadOnlyList<(string Name, string? Fault)> Faults { get; } =
     [
         ("none", null),
