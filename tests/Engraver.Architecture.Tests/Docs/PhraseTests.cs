@@ -4,7 +4,7 @@ using Engraver.Architecture.Tests.Sources;
 
 namespace Engraver.Architecture.Tests.Docs;
 
-/// <summary>Texts and pages use none of the phrases of CONTRIBUTING.md, and prose is short enough to read beside code.</summary>
+/// <summary>Texts, pages and comments use none of the phrases of CONTRIBUTING.md, and lines of prose are at most 160 characters.</summary>
 public partial class PhraseTests
 {
     private const int LongestLine = 160;
@@ -33,6 +33,19 @@ public partial class PhraseTests
         var wrong = from page in pages
                     from found in phrases.Find(Prose(page.Text))
                     select $"{page.Name}({page.LineOf(found.Index)}): '{found.Words}', write: {found.Instead}";
+
+        AssertNone(wrong);
+    }
+
+    [Fact]
+    public void No_comment_has_a_phrase_that_is_not_used()
+    {
+        var phrases = UnusedPhrases.Read();
+        var sources = SourceFile.Under("", ".cs").ToList();
+        Assert.NotEmpty(sources);
+        var wrong = from file in sources
+                    from found in phrases.Find(CommentWords(file.Text))
+                    select $"{file.Name}({file.LineOf(found.Index)}): '{found.Words}', write: {found.Instead}";
 
         AssertNone(wrong);
     }
@@ -75,6 +88,13 @@ public partial class PhraseTests
     [InlineData("of ours-like")]
     public void What_is_allowed_or_another_word_is_not(string text) => Assert.Empty(UnusedPhrases.Parse(Example).Find(text));
 
+    [Theory]
+    [InlineData("Call(); // it goes\n    // on", "goes\n       on")]
+    [InlineData("/// <summary>It <c>goes on</c> <see cref=\"Of.Ours\"/> of ours.</summary>", "of ours")]
+    [InlineData("var text = \"goes on\";", null)]
+    public void Phrases_are_found_in_comments_only(string code, string? words) =>
+        Assert.Equal(words is null ? [] : [words], UnusedPhrases.Parse(Example).Find(CommentWords(code)).Select(found => found.Words));
+
     [Fact]
     public void The_table_itself_is_not_searched() => Assert.Empty(UnusedPhrases.Parse(Example).Find(UnusedPhrases.WithoutTable(Example)));
 
@@ -84,6 +104,10 @@ public partial class PhraseTests
     /// <summary>The page without code and without the addresses of links; every other character keeps its position.</summary>
     private static string Prose(string page) => Code().Replace(UnusedPhrases.WithoutTable(page), code => NotLineEnd().Replace(code.Value, " "));
 
+    /// <summary>The words of the comments without marks, tags and code; every other character keeps its position, so that a phrase may continue in the next
+    /// line.</summary>
+    private static string CommentWords(string source) => CommentMarks().Replace(CSharpText.Parse(source).Comments, mark => NotLineEnd().Replace(mark.Value, " "));
+
     private static void AssertNone(IEnumerable<string> wrong)
     {
         var all = wrong.ToList();
@@ -92,6 +116,9 @@ public partial class PhraseTests
 
     [GeneratedRegex(@"^```.*?^```|`[^`\n]*`|\]\([^)\n]*\)", RegexOptions.Singleline | RegexOptions.Multiline)]
     private static partial Regex Code();
+
+    [GeneratedRegex(@"^[^\S\n]*//[/]?|(?<=[^\S\n])//|<c>.*?</c>|<[^>]*>", RegexOptions.Multiline)]
+    private static partial Regex CommentMarks();
 
     [GeneratedRegex(@"[^\n]")]
     private static partial Regex NotLineEnd();
