@@ -9,7 +9,6 @@ using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Setup;
@@ -43,7 +42,7 @@ public sealed class GalilConnection : IMachineConnection
     /// <param name="openLink">Opens one more link to the same controller.</param>
     /// <param name="trace">Receives every line on the wire; null for none.</param>
     /// <exception cref="ControllerException">No answer, or not a controller of the family.</exception>
-    public static async Task<GalilConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, WireTrace? trace, TimeProvider time, CancellationToken cancellation)
+    public static async Task<GalilConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, IWireTrace? trace, TimeProvider time, CancellationToken cancellation)
     {
         var messages = new ConcurrentQueue<string>();
         var session = await ControllerSession.OpenAsync(openLink, new SessionOptions { Trace = trace, MessageReceived = messages.Enqueue }, time, cancellation).ConfigureAwait(false);

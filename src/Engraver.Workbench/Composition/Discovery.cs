@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links.Serial;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;

@@ -1,7 +1,8 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
+using Engraver.Links;
+using Engraver.Links.Recording;
 using Engraver.Simulator.Clocks;
 
 namespace Engraver.Workbench.Composition;

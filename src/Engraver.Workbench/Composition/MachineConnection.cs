@@ -2,8 +2,10 @@ using System.Diagnostics;
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
+using Engraver.Galil.Sessions;
 using Engraver.Galil.Terminals;
+using Engraver.Links;
+using Engraver.Links.Serial;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
@@ -44,7 +46,7 @@ public sealed class MachineConnection : IAsyncDisposable
         TcpAddress tcp => new MachineConnection(
             $"tcp://{tcp.Host}:{tcp.Port}",
             simulator: null,
-            async cancellation => await TcpLink.ConnectAsync(tcp.Host, tcp.Port, s_connectTimeout, time, cancellation).ConfigureAwait(false),
+            async cancellation => await TcpLink.ConnectAsync(tcp.Host, tcp.Port, s_connectTimeout, time, cancellation, () => ControllerSession.HandlesTaken).ConfigureAwait(false),
             () => Offered(tcp, time)),
         SerialAddress serial => new MachineConnection(
             $"serial://{serial.Device}",

@@ -1,7 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
+using Engraver.Links.Serial;
 
 namespace Engraver.Workbench.Composition;
 

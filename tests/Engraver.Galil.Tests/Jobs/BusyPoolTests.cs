@@ -4,8 +4,8 @@ using System.Net.Sockets;
 using System.Text;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;

@@ -1,8 +1,8 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 

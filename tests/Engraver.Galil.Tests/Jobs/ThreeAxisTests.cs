@@ -1,8 +1,8 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 

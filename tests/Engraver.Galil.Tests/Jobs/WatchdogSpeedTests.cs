@@ -1,8 +1,8 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;

@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;

@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Text.RegularExpressions;
 using Engraver.Galil.Jobs;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;

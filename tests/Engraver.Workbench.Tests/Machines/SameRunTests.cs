@@ -1,5 +1,5 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;

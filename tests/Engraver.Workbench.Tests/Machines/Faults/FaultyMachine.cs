@@ -1,9 +1,9 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;

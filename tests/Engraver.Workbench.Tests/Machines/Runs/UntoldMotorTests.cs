@@ -1,6 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;

@@ -1,10 +1,10 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links.Serial;
 using Engraver.Simulator;
 using Engraver.TestKit;
 
-namespace Engraver.Galil.Tests.Links;
+namespace Engraver.Links.Tests.Serial;
 
 /// <summary>The serial line of a simulated controller takes ten bits at its rate for each byte, unless it is told that what it carries is of no
 /// interest.</summary>

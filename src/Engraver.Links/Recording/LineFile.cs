@@ -1,7 +1,7 @@
 using System.Threading.Channels;
 using Engraver.Core.Languages;
 
-namespace Engraver.Galil.Protocol;
+namespace Engraver.Links.Recording;
 
 /// <summary>A text that several threads write line by line and that none of them waits for: a thread of its own writes it, because the stop of the machine
 /// goes by the same ways.</summary>

@@ -1,4 +1,4 @@
-namespace Engraver.Galil.Links;
+namespace Engraver.Links.Serial;
 
 /// <summary>The serial devices of this computer, as the system lists them: whether anything is plugged in is not known before one is opened.</summary>
 public static class SerialDeviceList

@@ -1,6 +1,6 @@
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links;
 
 /// <summary>A link over any stream, which it owns: the in-process simulator's bytes, or a test's.</summary>
 public sealed class StreamLink(Stream stream, string description) : IControllerLink

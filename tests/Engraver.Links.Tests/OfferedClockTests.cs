@@ -1,9 +1,9 @@
 using System.Net;
 using System.Net.Sockets;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links;
 
-namespace Engraver.Galil.Tests.Links;
+namespace Engraver.Links.Tests;
 
 /// <summary>What stands at the port of <c>clock=</c> may be nobody, somebody else, or gone in the middle.</summary>
 public sealed class OfferedClockTests : IDisposable

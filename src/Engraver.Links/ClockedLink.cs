@@ -1,6 +1,6 @@
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links;
 
 /// <summary>A link to a controller whose clock is offered: every answer over it shows that the clock may have advanced.</summary>
 /// <param name="link">Owned by this link.</param>

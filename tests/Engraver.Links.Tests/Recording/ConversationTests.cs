@@ -1,8 +1,8 @@
-using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
+using Engraver.Core.Machines;
+using Engraver.Links.Recording;
 using Engraver.TestKit;
 
-namespace Engraver.Galil.Tests.Protocol;
+namespace Engraver.Links.Tests.Recording;
 
 /// <summary>What is said over the links of a machine is kept byte by byte, and read back as it was said.</summary>
 public class ConversationTests

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Engraver.Galil.Protocol;
+namespace Engraver.Links.Recording;
 
 /// <summary>What a host said to a controller over all its links: every byte, in order, with the time. Said again at the same times it moves a machine as it
 /// did.</summary>
@@ -18,9 +18,6 @@ public sealed record Conversation(ConversationClock Clock, IReadOnlyList<Convers
 
     /// <summary>The times are exact: those of the controller itself.</summary>
     public bool IsControllersClock => Clock != ConversationClock.Wall;
-
-    /// <summary>The command by which a controller counts an axis as standing at a place, before a conversation that began there.</summary>
-    public static byte[] Placing(char axis, long place) => Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"DP{axis}={place}\r"));
 
     /// <summary>Reads the file. A last line that was cut off, as a crash may leave it, is left out.</summary>
     /// <exception cref="FormatException">The text is something else; the message names the line.</exception>

@@ -1,7 +1,6 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
 
-namespace Engraver.Galil.Protocol;
+namespace Engraver.Links.Recording;
 
 /// <summary>Keeps a conversation while it is held (<see cref="Conversation"/>). Nobody waits for its file.</summary>
 public sealed class ConversationRecorder
