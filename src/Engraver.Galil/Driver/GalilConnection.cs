@@ -83,7 +83,7 @@ public sealed class GalilConnection : IMachineConnection
     public Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, bool withHeight, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.GoToAsync(program, goal, _session, options, progress, stop, withHeight);
 
-    public Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation) => ResumeFinder.FindAsync(_session.Commands, program, mode, journal, cancellation);
+    public Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => ResumeFinder.FindAsync(_session.Commands, program, JobModes.Of(strategy), journal, cancellation);
 
     public Task<JobResult> JogAsync(MotionProgram program, JogControl control, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.JogAsync(program, control, _session, options, progress, stop);
@@ -94,7 +94,7 @@ public sealed class GalilConnection : IMachineConnection
     public Task<HomingResult> HomeAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.HomeAsync(program, _session, options, progress, stop);
 
-    public double PlannedSeconds(MotionProgram program, JobMode mode) => JobTime.Estimate(program, _session.Line, mode).Total;
+    public double PlannedSeconds(MotionProgram program, ExecutionStrategy strategy) => JobTime.Estimate(program, _session.Line, JobModes.Of(strategy)).Total;
 
     public ValueTask DisposeAsync() => _session.DisposeAsync();
 }

@@ -1,6 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Driver;
-using Engraver.Galil.Protocol;
 using Engraver.Links;
 using Engraver.Links.Recording;
 using Engraver.Simulator.Clocks;
@@ -40,8 +38,10 @@ public sealed class MachineClock : IDisposable
     /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
     /// <param name="conversation">Where every byte that is said is kept, to be replayed; null for nowhere.</param>
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public async Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation) =>
-        await GalilConnection.OpenAsync(
+    public Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(connection);
+        return connection.Driver.OpenAsync(
             async stop =>
             {
                 var link = Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false));
@@ -49,7 +49,8 @@ public sealed class MachineClock : IDisposable
             },
             trace?.Wire,
             Time,
-            cancellation).ConfigureAwait(false);
+            cancellation);
+    }
 
     /// <summary>Begins a trace of every line on the wire, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the trace.</param>

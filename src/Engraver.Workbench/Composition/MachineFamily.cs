@@ -1,35 +1,27 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Galil.Driver;
-using Engraver.Links.Serial;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A family of controllers that this workbench drives.</summary>
-/// <param name="Driver">The family's driver, which answers for it while no controller is connected.</param>
-/// <param name="Takes">Whether an address may be one of its controllers.</param>
-/// <param name="WhyNot">Why such an address cannot be used on this system; null where it can.</param>
-/// <param name="Connect">How a machine at such an address is reached; true asks a simulated one to keep its record, the profile says where its switches
-/// lie.</param>
-public sealed record MachineFamily(
-    IMachineDriver Driver, Func<ControllerAddress, bool> Takes, Func<ControllerAddress, string?> WhyNot, Func<ControllerAddress, TimeProvider, bool, MachineProfile?, MachineConnection> Connect);
-
-/// <summary>Every family: a new one is its driver and one line here.</summary>
-public static class MachineFamilies
+/// <summary>A family of controllers that this workbench drives: its driver, and how its machines are reached.</summary>
+public sealed record MachineFamily
 {
-    public static IReadOnlyList<MachineFamily> All { get; } =
-    [
-        new(
-            new GalilDriver(),
-            address => address is TcpAddress or SerialAddress or SimulatedAddress,
-            address => address is SerialAddress ? SerialLink.WhyUnsupported : null,
-            MachineConnection.ToGalil),
-    ];
+    /// <summary>Answers for the family while no controller is connected, and identifies one at the other end of a link.</summary>
+    public required IMachineDriver Driver { get; init; }
 
-    /// <summary>The driver by which jobs are prepared: that of the first family.</summary>
-    public static IMachineDriver Driver => All[0].Driver;
+    /// <summary>Whether an address may be one of its controllers.</summary>
+    public required Func<ControllerAddress, bool> Takes { get; init; }
 
-    /// <summary>The family that is reached at an address.</summary>
-    /// <exception cref="ArgumentException">None is.</exception>
-    public static MachineFamily Of(ControllerAddress address) => All.FirstOrDefault(family => family.Takes(address)) ?? throw new ArgumentException($"No family of controllers is reached at {address}.", nameof(address));
+    /// <summary>How a machine at such an address is reached. True asks a simulated one to keep its record; the profile states where the switches of a simulated
+    /// machine are, null for a machine without switches.</summary>
+    public required Func<ControllerAddress, TimeProvider, bool, MachineProfile?, MachineConnection> Connect { get; init; }
+
+    /// <summary>Why such an address cannot be used on this system; null where it can.</summary>
+    public Func<ControllerAddress, string?> WhyNot { get; init; } = _ => null;
+
+    /// <summary>Parses a form of address that only this family has; null for any other text.</summary>
+    public Func<string, ControllerAddress?> ParseAddress { get; init; } = _ => null;
+
+    /// <summary>Its own forms of address, for messages; empty for none.</summary>
+    public IReadOnlyList<string> AddressForms { get; init; } = [];
 }

@@ -47,11 +47,11 @@ public sealed class ServedSimulator : IAsyncDisposable
 
     /// <param name="port">On loopback; 0 lets the system pick.</param>
     /// <exception cref="IOException">The port is taken or may not be used; the message is the reason.</exception>
-    public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation) => ListenAsync(_controller.ListenTcpAsync(port, cancellation));
+    public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation) => ListenAsync(() => _controller.ListenTcpAsync(port, cancellation));
 
     /// <param name="port">On loopback; 0 lets the system pick.</param>
     /// <exception cref="IOException">As for <see cref="ListenTcpAsync"/>.</exception>
-    public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation) => ListenAsync(_controller.ListenUdpAsync(port, cancellation));
+    public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation) => ListenAsync(() => _controller.ListenUdpAsync(port, cancellation));
 
     /// <summary>Offers its clock to hosts in other processes.</summary>
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation) => _controller.ListenClockAsync(cancellation);
@@ -77,11 +77,11 @@ public sealed class ServedSimulator : IAsyncDisposable
 
     public ValueTask DisposeAsync() => _controller.DisposeAsync();
 
-    private static async Task<IPEndPoint> ListenAsync(Task<IPEndPoint> listening)
+    private static async Task<IPEndPoint> ListenAsync(Func<Task<IPEndPoint>> listen)
     {
         try
         {
-            return await listening.ConfigureAwait(false);
+            return await listen().ConfigureAwait(false);
         }
         catch (SocketException taken)
         {

@@ -79,7 +79,7 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     /// <summary>Where an interrupted job is to go on.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation) => _machine.FindResumeAsync(program, mode, journal, cancellation);
+    public Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => _machine.FindResumeAsync(program, strategy, journal, cancellation);
 
     /// <summary>Tool off, the path and every axis brake.</summary>
     public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => _machine.StopAsync(outputs);

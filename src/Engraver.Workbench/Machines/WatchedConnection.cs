@@ -30,9 +30,9 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     /// <summary>Shakes hands and looks once; watching begins with <see cref="ResumeAsync"/> or <see cref="Resume"/>.</summary>
     /// <param name="profile">Where the switches of a simulated machine lie.</param>
     /// <exception cref="ControllerException">Nobody answers there; nothing is connected then.</exception>
-    public async Task<MachineReading> OpenAsync(ControllerAddress address, MachineProfile profile, CancellationToken cancellation)
+    public async Task<MachineReading> OpenAsync(MachineFamily family, ControllerAddress address, MachineProfile profile, CancellationToken cancellation)
     {
-        var connection = MachineConnection.To(address, time, profile: profile);
+        var connection = family.Connect(address, time, false, profile);
         MachineWatch? watch = null;
         try
         {

@@ -38,10 +38,10 @@ public sealed record ResumeRequest
 /// <summary>What START would cut where it is not the whole drawing: what an interrupted job has left, or the contours from one on. It lasts until it is
 /// cut, or drawing, settings or work origin change.</summary>
 /// <param name="Shown">What lies before it is shown as done.</param>
-/// <param name="Mode">The mode in which it must be run; null for any.</param>
+/// <param name="Strategy">The strategy with which it was started; null where that is not known.</param>
 /// <param name="Drawing">The drawing for which it was chosen.</param>
 /// <param name="Settings">The settings for which it was chosen.</param>
-public sealed record JobPart(ResumeRequest Request, JobPlace Shown, JobMode? Mode, Drawing Drawing, DrawingSettings Settings);
+public sealed record JobPart(ResumeRequest Request, JobPlace Shown, ExecutionStrategy? Strategy, Drawing Drawing, DrawingSettings Settings);
 
 /// <summary>Where a job begins, found before anything moves.</summary>
 /// <param name="Place">What lies before it is not cut.</param>
@@ -66,7 +66,7 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
         if (options.Resume is not { } request) return new JobBeginning(default, 0.0, options.Origin);
         var leadIn = request.LeadInMm * program.Profile.Scale.Largest;
         if (request.Journal is not { } journal) return new JobBeginning(ToStroke(program, request.Stroke), 0.0, options.Origin);
-        var found = await machine.FindResumeAsync(program, options.Mode, journal, cancellation).ConfigureAwait(false);
+        var found = await machine.FindResumeAsync(program, options.Strategy, journal, cancellation).ConfigureAwait(false);
         if (JobWords.WhyNotResumed(found, job) is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
         if (found.IsUnsealed) options.Told?.Invoke(PreparationRules.JournalUnsealed.At(default, journal));
         var resumed = new JobBeginning(found.Place, leadIn + found.Doubt, options.Origin);
