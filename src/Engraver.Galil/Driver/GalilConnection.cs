@@ -5,6 +5,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Machines.Setup;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Timing;

@@ -1,5 +1,5 @@
 using System.Globalization;
-using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 
 namespace Engraver.Links.Recording;
 

@@ -1,5 +1,6 @@
 using System.Text;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 
 namespace Engraver.Workbench.Tests.Families;
 

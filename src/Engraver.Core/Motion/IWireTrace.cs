@@ -1,4 +1,4 @@
-namespace Engraver.Core.Machines;
+namespace Engraver.Core.Motion;
 
 /// <summary>Receives every line sent to a controller and every reply. Several channels may write to one trace, from any thread.</summary>
 public interface IWireTrace
