@@ -74,7 +74,7 @@ public static class StageBenchmark
     private static async Task<StageFigure> SimulateAsync(int entities, PreparedJob job, MotionProgram program, CancellationToken stop)
     {
         var journal = Path.GetTempFileName();
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream) { JournalPath = journal };
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), MachineFamilies.Default.DefaultStrategy) { JournalPath = journal };
         try
         {
             var (figure, report) = await StageClock.MeasureAsync(
@@ -90,7 +90,7 @@ public static class StageBenchmark
     /// <summary>Reads the posted program back in the simulator, without a host, and judges every sample; once, as the run.</summary>
     private static async Task<StageFigure> VerifyAsync(int entities, Drawing drawing, PreparedJob job, CancellationToken stop)
     {
-        var entry = PostTable.ForMotion(MotionStyle.Continuous);
+        var entry = PostTable.ForMotion(MachineFamilies.Default, MotionStyle.Continuous)!;
         var program = ReadBackFile.FromText(PostedProgram.FromJob(job, entry.Post, PostedProgram.NoOptions).Text!);
         var replay = new LastReport();
         var (figure, report) = await StageClock.MeasureAsync(

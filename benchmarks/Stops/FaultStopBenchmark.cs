@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Dxf;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
@@ -20,7 +21,7 @@ internal sealed class FaultStopBenchmark
     /// <param name="baud">Of a serial line; null for TCP.</param>
     public FaultStopBenchmark(string folder, int? baud)
     {
-        var job = JobPreparation.Prepare(DxfReader.Read(Zigzag(), "stop.dxf", new DxfReadOptions(), CancellationToken.None), new DrawingSettings(), JobPlan.StyleOf(JobMode.Stream));
+        var job = JobPreparation.Prepare(DxfReader.Read(Zigzag(), "stop.dxf", new DxfReadOptions(), CancellationToken.None), new DrawingSettings(), MachineFamilies.Default.DefaultStrategy.Style);
         _press = new FaultStopPress(folder, baud, job);
     }
 

@@ -35,8 +35,8 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         var ear = new Ear(wire);
         await using var machine = new MachineSession(TimeProvider.System);
         await machine.ConnectAsync(ControllerAddress.Parse(wire.Address), stop).ConfigureAwait(false);
-        var program = machine.FitToLink(job.Motion.Program!, JobMode.Stream, job.Drawing).Program;
-        var run = machine.RunAsync(job, program, address => new MachineRunOptions(address, JobMode.Stream) { JournalPath = Path.Combine(folder, "stop.jsonl") }, stop);
+        var program = machine.FitToLink(job.Motion.Program!, MachineFamilies.Default.DefaultStrategy, job.Drawing).Program;
+        var run = machine.RunAsync(job, program, address => new MachineRunOptions(address, MachineFamilies.Default.DefaultStrategy) { JournalPath = Path.Combine(folder, "stop.jsonl") }, stop);
         try
         {
             if (await Task.WhenAny(ear.Moves, run).ConfigureAwait(false) == run) return null;

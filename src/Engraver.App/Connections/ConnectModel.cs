@@ -110,12 +110,12 @@ public sealed class ConnectModel : Observable
     /// <summary>The line as it would be typed at the command line, or the name of the missing value.</summary>
     public string Typed => IsAddress ? Text.Get("Connect.CommandLine", Address) : Text.Get("Connect.AddressInvalid");
 
-    private bool IsAddress => ControllerAddress.TryParse(Address, out _);
+    private bool IsAddress => _desk.Session.Families.TryParseAddress(Address, out _);
 
     /// <summary>Shows the sheet as last used.</summary>
     public void Open()
     {
-        if (_desk.Session.Settings.Current.LastAddress is { } last && ControllerAddress.TryParse(last, out var address)) Take(address);
+        if (_desk.Session.Settings.Current.LastAddress is { } last && _desk.Session.Families.TryParseAddress(last, out var address)) Take(address);
         Tell(null);
         Connect.Reconsider();
         IsOpen = true;

@@ -14,13 +14,13 @@ internal static class ConnectOption
     private static ControllerAddress? Parse(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;
-        if (!ControllerAddress.TryParse(word, out var address))
+        if (!MachineFamilies.Standard.TryParseAddress(word, out var address))
         {
-            result.AddError(Wording.Get("ConnectOption.InvalidAddress", word, ControllerAddress.Forms));
+            result.AddError(Wording.Get("ConnectOption.InvalidAddress", word, MachineFamilies.Standard.AddressForms));
             return null;
         }
 
-        if (MachineFamilies.Of(address).WhyNot(address) is { } why) result.AddError(Wording.Get("ConnectOption.Connect", why));
+        if (MachineFamilies.Standard.At(address, profile: null).WhyNot(address) is { } why) result.AddError(Wording.Get("ConnectOption.Connect", why));
         return address;
     }
 }

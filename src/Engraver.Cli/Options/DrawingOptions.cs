@@ -114,6 +114,7 @@ internal sealed class DrawingOptions
         var profile = parsed.GetValue(_machine) is { } path ? ProfileOption.Load(parsed, path) : MachineProfile.Default;
         if (parsed.GetValue(_feed) is not { } feed) return profile;
         var fed = profile with { FeedMmPerMinute = feed };
-        return MachineProfileValidation.IsFeed(feed, profile, MachineFamilies.Driver.Limits) ? fed : throw new UsageException(Wording.Get("DrawingOptions.FeedOutOfRange", feed.ToString("R", CultureInfo.InvariantCulture), MachineProfileValidation.FeedRange(profile, MachineFamilies.Driver.Limits)));
+        var limits = MachineFamilies.DriverOf(profile).Limits;
+        return MachineProfileValidation.IsFeed(feed, profile, limits) ? fed : throw new UsageException(Wording.Get("DrawingOptions.FeedOutOfRange", feed.ToString("R", CultureInfo.InvariantCulture), MachineProfileValidation.FeedRange(profile, limits)));
     }
 }

@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Arming;
@@ -41,7 +42,7 @@ internal sealed class FrameVerb
         var (job, frame) = await StoppableVerb.ComputeAsync(
             () =>
             {
-                var prepared = JobPreparation.Prepare(DrawingFile.Open(file, settings, stop), settings, MotionStyle.Continuous);
+                var prepared = JobPreparation.Prepare(DrawingFile.Open(file, settings, stop), settings, MachineFamilies.DriverOf(settings.Machine).DefaultStrategy.Style);
                 return (prepared, JobFrame.Of(prepared, shape));
             },
             stop).ConfigureAwait(false);

@@ -26,9 +26,9 @@ internal static class PlanVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            var strategy = ModeOption.Mode(parsed.GetValue(mode));
+            var strategy = ModeOption.Strategy(parsed, mode, settings);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var job = JobPreparation.Prepare(read, settings, JobPlan.StyleOf(strategy));
+            var job = JobPreparation.Prepare(read, settings, strategy.Style);
             var rates = parsed.GetValue(rate) ?? settings.Machine.Rates;
             var (plan, times, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
@@ -39,11 +39,11 @@ internal static class PlanVerb
         return command;
     }
 
-    private static (PlanJson Plan, MotionTimes? Times, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, JobMode mode, JobRates? rates)
+    private static (PlanJson Plan, MotionTimes? Times, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, ExecutionStrategy strategy, JobRates? rates)
     {
         if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null), null, []);
-        var fit = JobPlan.FitToLink(program, address, mode, job.Drawing);
-        var times = JobPlan.PlannedTimes(fit.Program, address, mode);
+        var fit = JobPlan.FitToLink(program, address, strategy, job.Drawing);
+        var times = JobPlan.PlannedTimes(fit.Program, address, strategy);
         return (PlanReport.Json(job, fit.Program, times, rates), times, fit.Diagnostics);
     }
 }

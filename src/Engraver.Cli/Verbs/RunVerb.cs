@@ -90,9 +90,9 @@ internal sealed class RunVerb
     private async Task<int> RunJobAsync(ParseResult parsed, CancellationToken stop)
     {
         var settings = _settings = _drawing.Settings(parsed);
-        var mode = ModeOption.Mode(parsed.GetValue(_mode));
+        var strategy = ModeOption.Strategy(parsed, _mode, settings);
         if (settings is { Finish: FinishPlace.Park, Machine.Park: null }) throw new SettingException(Wording.Get("Placement.NoPark"));
-        var (job, fit) = await PrepareAsync(parsed, settings, mode, stop).ConfigureAwait(false);
+        var (job, fit) = await PrepareAsync(parsed, settings, strategy, stop).ConfigureAwait(false);
         _job = job;
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (_followed is { } followed && !parsed.GetValue(_json)) _host.Out.WriteLine(Wording.Get("Run.Trajectories", followed.Trajectories.Count, followed.Trajectories.Sum(one => one.Curve.Points), followed.Bound));
@@ -102,7 +102,7 @@ internal sealed class RunVerb
         }
 
         if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, job.WithoutProgram);
-        var ended = await RunOnMachineAsync(parsed, job, fit, mode, stop).ConfigureAwait(false);
+        var ended = await RunOnMachineAsync(parsed, job, fit, strategy, stop).ConfigureAwait(false);
 
         // Accepted errors still count as errors: the job was done as far as possible (docs/pipeline.md).
         return ended == ExitCode.Done ? code : ended;
@@ -110,15 +110,15 @@ internal sealed class RunVerb
 
     /// <summary>Computes everything up to the machine; a stop does not wait for it.</summary>
     /// <returns>The program with feeds limited to the link; null when there is none.</returns>
-    private async Task<(PreparedJob Job, LinkFeedFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, JobMode mode, CancellationToken stop)
+    private async Task<(PreparedJob Job, LinkFeedFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, ExecutionStrategy strategy, CancellationToken stop)
     {
         var (file, address) = (_drawing.File(parsed), parsed.GetRequiredValue(_connect)!);
         return await StoppableVerb.ComputeAsync(
             () =>
             {
-                var (drawing, style) = (DrawingFile.Open(file, settings, stop), JobPlan.StyleOf(mode));
+                var (drawing, style) = (DrawingFile.Open(file, settings, stop), strategy.Style);
                 var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : JobPreparation.Prepare(drawing, settings, style);
-                return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, mode, job.Drawing) : null);
+                return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, strategy, job.Drawing) : null);
             },
             stop).ConfigureAwait(false);
     }
@@ -138,12 +138,12 @@ internal sealed class RunVerb
         await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
     }
 
-    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, LinkFeedFit fit, JobMode mode, CancellationToken stop)
+    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, LinkFeedFit fit, ExecutionStrategy strategy, CancellationToken stop)
     {
         var control = new JobControl();
         ArmingChecklist? checks = null;
         var certificate = CertificateStanding.OfRun(job, fit.Program);
-        var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, mode)
+        var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, strategy)
         {
             Control = control,
             Resume = parsed.GetValue(_resume) is { } interrupted ? new ResumeRequest { Journal = interrupted, LeadInMm = parsed.GetValue(_leadIn), AtOrigin = _placement.AsksForWork(parsed) } : null,

@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
-using System.Net.Sockets;
 using Engraver.Cli.Options;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
@@ -101,7 +100,7 @@ internal static class SimulateVerb
             var place = await listen(port, stop).ConfigureAwait(false);
             await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening {transport}://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
         }
-        catch (SocketException taken)
+        catch (IOException taken)
         {
             throw new ControllerLinkException(Wording.Get("Simulate.PortUnavailable", port.ToString(CultureInfo.InvariantCulture), SystemReason.Of(taken), transport), taken);
         }

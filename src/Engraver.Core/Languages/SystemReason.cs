@@ -1,4 +1,3 @@
-using System.Net.Sockets;
 using System.Text.Json;
 
 namespace Engraver.Core.Languages;
@@ -12,7 +11,7 @@ public static class SystemReason
     /// <summary>HResult of an <see cref="IOException"/> without a cause: thrown by this program with its own message.</summary>
     private const int Unspecified = unchecked((int)0x80131620);
 
-    /// <param name="failure">Failure of a file, a socket or a serial port, or of reading JSON.</param>
+    /// <param name="failure">Failure of a file or a device, or of reading JSON.</param>
     public static string Of(Exception failure)
     {
         ArgumentNullException.ThrowIfNull(failure);
@@ -34,21 +33,7 @@ public static class SystemReason
         DirectoryNotFoundException => "SystemReason.NoFolder",
         PathTooLongException => "SystemReason.PathTooLong",
         UnauthorizedAccessException => "SystemReason.AccessDenied",
-        IOException { InnerException: SocketException socket } => Key(socket),
-        SocketException socket => Key(socket),
         IOException { HResult: not Unspecified } => OfCode(failure.HResult),
-        _ => null,
-    };
-
-    private static string? Key(SocketException socket) => socket.SocketErrorCode switch
-    {
-        SocketError.ConnectionRefused => "SystemReason.ConnectionRefused",
-        SocketError.HostNotFound or SocketError.NoData or SocketError.TryAgain => "SystemReason.NoHost",
-        SocketError.TimedOut => "SystemReason.NoAnswer",
-        SocketError.NetworkUnreachable or SocketError.HostUnreachable or SocketError.NetworkDown or SocketError.HostDown => "SystemReason.Unreachable",
-        SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.Shutdown => "SystemReason.ConnectionClosed",
-        SocketError.AddressAlreadyInUse => "SystemReason.PortInUse",
-        SocketError.AccessDenied => "SystemReason.AccessDenied",
         _ => null,
     };
 

@@ -3,8 +3,9 @@ using System.Globalization;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>The address of a controller: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>. The scheme may be omitted where
-/// the rest determines it (<c>192.168.0.2</c>, <c>COM3</c>, <c>sim</c>). An immutable value; the caller opens it.</summary>
+/// <summary>The address of a controller. Common forms: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> and <c>sim:?speed=max</c>. The scheme may be
+/// omitted where the rest determines it (<c>192.168.0.2</c>, <c>COM3</c>, <c>sim</c>). An immutable value; the caller opens it. A controller family can have
+/// forms of its own, which derive from this.</summary>
 public abstract record ControllerAddress
 {
     /// <summary>Port 23 is the convention of Galil's own hosts (galil-dmc.md A.1).</summary>
@@ -22,14 +23,8 @@ public abstract record ControllerAddress
     /// <summary>Loopback port at which a simulated controller in another process offers its clock; null for a controller that follows the wall clock.</summary>
     public int? ClockPort { get; init; }
 
-    /// <summary>The address as typed, without a clock: <see cref="Parse"/> reads it.</summary>
-    public string Typed => this switch
-    {
-        TcpAddress tcp => string.Create(CultureInfo.InvariantCulture, $"tcp://{tcp.Host}:{tcp.Port}"),
-        SerialAddress serial => string.Create(CultureInfo.InvariantCulture, $"serial://{serial.Device}?baud={serial.Baud}{serial.Flow switch { SerialFlow.None => "&flow=none", SerialFlow.XonXoff => "&flow=xonxoff", _ => "" }}"),
-        SimulatedAddress { Speed: var speed } => double.IsPositiveInfinity(speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={speed}"),
-        _ => ToString(),
-    };
+    /// <summary>The address as typed, without a clock.</summary>
+    public abstract string Typed { get; }
 
     /// <exception cref="FormatException">The text is not an address; the message states what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
@@ -110,16 +105,24 @@ public abstract record ControllerAddress
 /// <param name="Device">Device path or port name.</param>
 /// <param name="Baud">Bits per second, one of <see cref="SerialLine.Rates"/>.</param>
 /// <param name="Flow">Flow control.</param>
-public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress;
+public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress
+{
+    public override string Typed => string.Create(CultureInfo.InvariantCulture, $"serial://{Device}?baud={Baud}{Flow switch { SerialFlow.None => "&flow=none", SerialFlow.XonXoff => "&flow=xonxoff", _ => "" }}");
+}
 
 /// <param name="Speed">Controller seconds per wall second; infinity is virtual time.</param>
 public sealed record SimulatedAddress(double Speed) : ControllerAddress
 {
     /// <summary>False for <c>sim:</c> without a speed: the connect command then uses the speed of its session.</summary>
     public bool SaysSpeed { get; init; } = true;
+
+    public override string Typed => double.IsPositiveInfinity(Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={Speed}");
 }
 
-public sealed record TcpAddress(string Host, int Port) : ControllerAddress;
+public sealed record TcpAddress(string Host, int Port) : ControllerAddress
+{
+    public override string Typed => string.Create(CultureInfo.InvariantCulture, $"tcp://{Host}:{Port}");
+}
 
 /// <summary>Flow control of a serial line.</summary>
 public enum SerialFlow : byte

@@ -70,7 +70,7 @@ public interface IMachineConnection : IAsyncDisposable
     /// <param name="journal">Path of the journal.</param>
     /// <returns>The place, or the reason why there is none.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation);
+    Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation);
 
     /// <summary>Moves the machine without cutting, tool off, at rapid speed, under the same watchdog and stop as a job.</summary>
     /// <param name="program">Has no strokes; supplies the machine, and its position in the frame in which progress is reported.</param>
@@ -101,7 +101,7 @@ public interface IMachineConnection : IAsyncDisposable
     IMachineSetup? Setup => null;
 
     /// <summary>Planned seconds of a program over this link.</summary>
-    double PlannedSeconds(MotionProgram program, JobMode mode);
+    double PlannedSeconds(MotionProgram program, ExecutionStrategy strategy);
 }
 
 /// <summary>What a connection can do. A capability that is null does not exist, so a caller can check it instead of calling a method that throws.</summary>

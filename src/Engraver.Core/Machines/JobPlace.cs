@@ -26,13 +26,14 @@ public readonly record struct JobPlace(int Segments, double Along) : IComparable
 /// <param name="IsSameZero">The controller has kept the number that the job stored in it: it was not switched off since.</param>
 public sealed record ResumePlace(JobPlace Place, double Doubt, CountsPoint Frame, bool IsSameZero)
 {
-    /// <summary>The mode in which the job was started; null where no journal states it.</summary>
-    public JobMode? Mode { get; init; }
+    /// <summary>The strategy with which the job was started; null where no journal states it.</summary>
+    public ExecutionStrategy? Strategy { get; init; }
 
-    /// <summary>As in <see cref="JournalHeader.HeightOfCut"/>.</summary>
+    /// <summary>Where an output is the tool of a machine with a Z axis: the height at which the job was cut, the controller's own counts; null
+    /// elsewhere.</summary>
     public int? HeightOfCut { get; init; }
 
-    /// <summary>As in <see cref="JournalHeader.Settings"/>.</summary>
+    /// <summary>As in <see cref="JobOptions.Settings"/>; null where no journal states them.</summary>
     public IReadOnlyDictionary<string, string>? Settings { get; init; }
 
     /// <summary>It cannot be resumed because the path is not that of the journal's job.</summary>

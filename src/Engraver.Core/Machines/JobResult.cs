@@ -120,19 +120,6 @@ public enum LinkLoss
     Watchdog,
 }
 
-/// <summary>How a job is run on the controller (galil-dmc.md F.1).</summary>
-public enum JobMode
-{
-    /// <summary>Vector sequences streamed into the segment buffer while it is executed; progress by _CS.</summary>
-    Stream,
-
-    /// <summary>As in the paper: a program in the controller is called for each entity with assigned variables; progress by seq.</summary>
-    Calls,
-
-    /// <summary>The job itself as programs in the controller, one chunk after another; progress by seq and _CS.</summary>
-    Program,
-}
-
 /// <summary>Progress of a job, by the controller's last report.</summary>
 /// <param name="Stroke">Index of the present stroke.</param>
 /// <param name="Place">Counts, job frame.</param>

@@ -8,6 +8,9 @@ public sealed record MachineProfile
 {
     public static MachineProfile Default { get; } = new();
 
+    /// <summary>The controller family that the profile names; null for none: the program's default family drives the machine.</summary>
+    public IControllerFamily? Controller { get; init; }
+
     /// <summary>The axes of the controller that move the drawing's X and Y, and their counts per millimetre.</summary>
     public MachineAxes Axes { get; init; } = MachineAxes.Default;
 

@@ -6,16 +6,19 @@ namespace Engraver.Core.Motion;
 
 /// <summary>A family of controllers before one of them is connected: the limits of a machine, the conversion of a toolpath to motion, and its duration. A
 /// connected controller is an <see cref="IMachineConnection"/> (ADR 9).</summary>
-public interface IMachineDriver
+public interface IMachineDriver : IControllerFamily
 {
-    /// <summary>Name of the family.</summary>
-    string Name { get; }
+    /// <summary>The ways in which a job is run, in the order in which they are offered.</summary>
+    IReadOnlyList<ExecutionStrategy> Strategies { get; }
 
-    /// <summary>The limits of a machine profile.</summary>
-    MachineLimits Limits { get; }
+    /// <summary>The strategy of a job for which none is selected.</summary>
+    ExecutionStrategy DefaultStrategy { get; }
 
     /// <summary>The times of a job that the host runs over a network: planned times and the playback show them while no other link is selected.</summary>
     CommandTimes NetworkTimes { get; }
+
+    /// <summary>What a strategy does, for help: part of a sentence, without a full stop.</summary>
+    string Describe(ExecutionStrategy strategy);
 
     /// <summary>Converts a toolpath in millimetres to a motion program in counts.</summary>
     /// <param name="maxErrorMm">Maximum distance of chords from an arc that the controller cannot cut, millimetres, above 0.</param>
@@ -25,10 +28,21 @@ public interface IMachineDriver
     /// <summary>The program as it will be run over this link: where the link is too slow for its feed it is cut more slowly, and the finding reports
     /// it.</summary>
     /// <param name="address">Null for none: the feed is not limited.</param>
-    LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Func<int, SourceRef>? sourceOf);
+    LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf);
 
     /// <summary>Planned duration of the program over this link.</summary>
     /// <param name="program">Adapted to the link.</param>
     /// <param name="address">Null for none: as over a network.</param>
-    MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, JobMode mode);
+    MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy);
+
+    /// <summary>Identifies the controller at the other end of a link. The driver opens no link itself.</summary>
+    /// <param name="openLink">Opens one more link to the same controller.</param>
+    /// <param name="trace">Receives every line on the wire; null for none.</param>
+    /// <exception cref="ControllerException">No answer, or not a controller of the family.</exception>
+    Task<IMachineConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, IWireTrace? trace, TimeProvider time, CancellationToken cancellation);
+
+    /// <summary>Opens a conversation in the controller's own language.</summary>
+    /// <param name="openLink">As for <see cref="OpenAsync"/>.</param>
+    /// <exception cref="ControllerException">As for <see cref="OpenAsync"/>.</exception>
+    Task<IMachineTerminal> OpenTerminalAsync(Func<CancellationToken, Task<IControllerLink>> openLink, TimeProvider time, CancellationToken cancellation);
 }

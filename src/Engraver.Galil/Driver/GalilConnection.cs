@@ -5,11 +5,11 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Machines.Setup;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Setup;
@@ -43,7 +43,7 @@ public sealed class GalilConnection : IMachineConnection
     /// <param name="openLink">Opens one more link to the same controller.</param>
     /// <param name="trace">Receives every line on the wire; null for none.</param>
     /// <exception cref="ControllerException">No reply, or not a controller of the family.</exception>
-    public static async Task<GalilConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, WireTrace? trace, TimeProvider time, CancellationToken cancellation)
+    public static async Task<GalilConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, IWireTrace? trace, TimeProvider time, CancellationToken cancellation)
     {
         var messages = new ConcurrentQueue<string>();
         var session = await ControllerSession.OpenAsync(openLink, new SessionOptions { Trace = trace, MessageReceived = messages.Enqueue }, time, cancellation).ConfigureAwait(false);
@@ -84,7 +84,7 @@ public sealed class GalilConnection : IMachineConnection
     public Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, bool withHeight, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.GoToAsync(program, goal, _session, options, progress, stop, withHeight);
 
-    public Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation) => ResumeFinder.FindAsync(_session.Commands, program, mode, journal, cancellation);
+    public Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => ResumeFinder.FindAsync(_session.Commands, program, JobModes.Of(strategy), journal, cancellation);
 
     public Task<JobResult> JogAsync(MotionProgram program, JogControl control, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.JogAsync(program, control, _session, options, progress, stop);
@@ -95,7 +95,7 @@ public sealed class GalilConnection : IMachineConnection
     public Task<HomingResult> HomeAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         JobRunner.HomeAsync(program, _session, options, progress, stop);
 
-    public double PlannedSeconds(MotionProgram program, JobMode mode) => JobTime.Estimate(program, _session.Line, mode).Total;
+    public double PlannedSeconds(MotionProgram program, ExecutionStrategy strategy) => JobTime.Estimate(program, _session.Line, JobModes.Of(strategy)).Total;
 
     public ValueTask DisposeAsync() => _session.DisposeAsync();
 }

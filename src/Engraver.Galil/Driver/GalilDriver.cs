@@ -6,26 +6,49 @@ using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
+using Engraver.Galil.Terminals;
 
 namespace Engraver.Galil.Driver;
 
 /// <summary>The DMC family behind the machine seam; connected it is a <see cref="GalilConnection"/>.</summary>
 public sealed class GalilDriver : IMachineDriver
 {
+    /// <summary>The name of the family in a machine profile.</summary>
+    public const string FamilyKey = "galil";
+
+    public string Key => FamilyKey;
+
     public string Name => "Galil DMC-21x3";
 
     public MachineLimits Limits => DmcLimits.Machine;
 
+    public IReadOnlyList<ExecutionStrategy> Strategies => JobModes.Strategies;
+
+    public ExecutionStrategy DefaultStrategy => JobModes.Strategies[0];
+
     public CommandTimes NetworkTimes => DmcTimes.Ethernet;
+
+    public string Describe(ExecutionStrategy strategy) => JobModes.Of(strategy) switch
+    {
+        JobMode.Stream => Wording.Get("Strategy.Stream"),
+        JobMode.Calls => Wording.Get("Strategy.Calls"),
+        _ => Wording.Get("Strategy.Program"),
+    };
 
     public MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style) =>
         MotionProgramGenerator.Generate(toolpath, profile, maxErrorMm, sourceOf, style);
 
-    public LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Func<int, SourceRef>? sourceOf) => (LineOf(address), mode) is ({ } line, JobMode.Stream)
+    public LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy, Func<int, SourceRef>? sourceOf) => (LineOf(address), JobModes.Of(strategy)) is ({ } line, JobMode.Stream)
         ? LinkFeedFitting.Create(program, line, sourceOf)
         : new LinkFeedFit(program, []);
 
-    public MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, JobMode mode) => JobTime.Estimate(program, LineOf(address), mode);
+    public MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, ExecutionStrategy strategy) => JobTime.Estimate(program, LineOf(address), JobModes.Of(strategy));
+
+    public async Task<IMachineConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, IWireTrace? trace, TimeProvider time, CancellationToken cancellation) =>
+        await GalilConnection.OpenAsync(openLink, trace, time, cancellation).ConfigureAwait(false);
+
+    public async Task<IMachineTerminal> OpenTerminalAsync(Func<CancellationToken, Task<IControllerLink>> openLink, TimeProvider time, CancellationToken cancellation) =>
+        await MachineTerminal.OpenAsync(openLink, time, cancellation).ConfigureAwait(false);
 
     private static SerialLine? LineOf(ControllerAddress? address) => address is SerialAddress serial ? new SerialLine(serial.Baud) : null;
 }

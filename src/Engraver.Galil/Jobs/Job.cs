@@ -59,8 +59,8 @@ internal sealed class Job
         _machine.Hold.Parted = _log.SequenceDone;
         _machine.Opened = _log.Opened;
         _found = new ControllerSnapshot(session, _memory, program.Profile, options, _log);
-        _resident = hand?.Resident ?? ResidentServer.Program(options.Mode, program.Profile);
-        _strategyOfRest = () => options.Mode switch
+        _resident = hand?.Resident ?? ResidentServer.Program(options.Mode(), program.Profile);
+        _strategyOfRest = () => options.Mode() switch
         {
             JobMode.Stream => new StrokeByStroke(_program, _machine, _ledger, _log, new StreamStrategy(_machine, _ledger)),
             JobMode.Calls => new StrokeByStroke(_program, _machine, _ledger, _log, new CallsStrategy(_machine, _ledger)),
@@ -168,7 +168,7 @@ internal sealed class Job
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
         if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => axes.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        if (_options.Mode != JobMode.Stream && await _machine.Hold.SendRatioAsync().ConfigureAwait(false) is { Ends: true } unset) return unset; // a stream sends it with every sequence
+        if (_options.Mode() != JobMode.Stream && await _machine.Hold.SendRatioAsync().ConfigureAwait(false) is { Ends: true } unset) return unset; // a stream sends it with every sequence
         if (await _strategy.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await MotorTypeSetting.SetAsync(_machine).ConfigureAwait(false) is { Ends: true } otherMotor) return otherMotor;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;

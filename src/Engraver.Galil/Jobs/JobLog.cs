@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Jobs;
 
@@ -26,7 +27,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         var at = machine.State.Position;
         journal.BeginJob();
         journal.Write(new JournalHeader(
-            options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow())
+            options.DrawingName, controller, options.Mode(), ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow())
         {
             Axes = machine.Profile.Axes.Letters,
             StartZ = at.Z,

@@ -1,9 +1,11 @@
+using System.Globalization;
+using System.Text;
 using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
 
 /// <summary>The controller's letters of its axes (galil-dmc.md B.1). The profile states which of them a job moves (<see cref="MachineAxes"/>).</summary>
-internal static class DmcAxes
+public static class DmcAxes
 {
     /// <summary>All axis letters; a controller with four axes has the first four.</summary>
     public const string All = "ABCDEFGH";
@@ -20,6 +22,9 @@ internal static class DmcAxes
         for (var i = 0; i < values.Length; i++) fields[All.IndexOf(axes.All[i].Letter)] = values[i];
         return string.Join(',', fields);
     }
+
+    /// <summary>The command with which the controller counts an axis as being at a place, with its line end.</summary>
+    public static byte[] Placing(char axis, long place) => Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"DP{axis}={place}\r"));
 
     /// <summary>An operand for each axis, separated by commas: <c>_RPA,_RPB</c>.</summary>
     /// <param name="operand">Operand without the axis letter.</param>

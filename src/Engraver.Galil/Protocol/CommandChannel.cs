@@ -1,6 +1,6 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Core.Motion;
 
 namespace Engraver.Galil.Protocol;
 
@@ -28,7 +28,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
     private readonly IControllerLink _link;
     private readonly string _name;
     private readonly TimeSpan _replyTimeout;
-    private readonly WireTrace? _trace;
+    private readonly IWireTrace? _trace;
     private readonly ReplyDeadline _deadline;
     private readonly ReplyFramer _framer;
     private readonly SemaphoreSlim _turn = new(1, 1);
@@ -41,7 +41,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
 
     /// <param name="link">Owned: closed with the channel.</param>
     /// <param name="name">The handle's name in the trace.</param>
-    public CommandChannel(IControllerLink link, string name, TimeSpan replyTimeout, TimeProvider time, WireTrace? trace)
+    public CommandChannel(IControllerLink link, string name, TimeSpan replyTimeout, TimeProvider time, IWireTrace? trace)
     {
         _link = link;
         _name = name;

@@ -2,8 +2,8 @@ using System.Globalization;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Core.Motion;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 
@@ -28,6 +28,9 @@ public sealed class ControllerSession : IAsyncDisposable
         Found = found;
         Time = time;
     }
+
+    /// <summary>What a connection that the controller drops at once means (galil-dmc.md A.1).</summary>
+    public static string HandlesTaken => Wording.Get("ControllerSession.HandlesTaken");
 
     public ControllerIdentity Identity { get; }
 
@@ -92,7 +95,7 @@ public sealed class ControllerSession : IAsyncDisposable
         }
         catch (ControllerLinkException dropped)
         {
-            throw new ControllerLinkException($"{dropped.Message} {TcpLink.HandlesTaken}", dropped);
+            throw new ControllerLinkException($"{dropped.Message} {HandlesTaken}", dropped);
         }
     }
 
@@ -256,7 +259,7 @@ public sealed record SessionOptions
     public bool SecondHandle { get; init; } = true;
 
     /// <summary>Receives every line on the wire; null for none.</summary>
-    public WireTrace? Trace { get; init; }
+    public IWireTrace? Trace { get; init; }
 
     /// <summary>Called with each line printed by a program in the controller, on the reading thread: it must return at once.</summary>
     public Action<string>? MessageReceived { get; init; }

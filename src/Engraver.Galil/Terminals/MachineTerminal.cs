@@ -1,7 +1,6 @@
 using System.Collections.Concurrent;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 

@@ -54,8 +54,9 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
         ArgumentNullException.ThrowIfNull(job);
         if (FileKind.IsStream(job.Drawing.FileName)) return None;
         if (job.Followed is not null) return None with { RunsTrajectories = true };
-        var path = CertificateFile.PathOf(job.Drawing.FileName, PostTable.ForMotion(program.Style).Post.Name);
-        return File.Exists(path) ? Of(path, JobIdentity.OfRun(job, program)) : None;
+        if (PostTable.ForMotion(MachineFamilies.DriverOf(program.Profile), program.Style) is not { } sent) return None;
+        var path = CertificateFile.PathOf(job.Drawing.FileName, sent.Post.Name);
+        return File.Exists(path) ? Of(path, JobIdentity.OfRun(job, program, sent.Post)) : None;
     }
 
     /// <summary>Status for a job from a certificate file.</summary>

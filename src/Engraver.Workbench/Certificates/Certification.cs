@@ -51,7 +51,7 @@ public static class Certification
     private static (PostedProgram Posted, MotionProgram? Fitted) Posted(CertificationRequest request, PreparedJob job)
     {
         var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
-        var fit = post.Motion is not null && job.Motion.Program is { } program ? JobPlan.FitToLink(program, request.Address, request.Mode, drawing) : null;
+        var fit = post.Motion is not null && job.Motion.Program is { } program ? JobPlan.FitToLink(program, request.Address, request.Strategy, drawing) : null;
         if (request.Program is { } given) return (new PostedProgram(given.Text, job.Diagnostics), fit?.Program);
         if (post.Motion is null) return (PostedProgram.Create(drawing, settings, post, request.Options), null);
         return (PostedProgram.FromJob(fit is null ? job : job with { Motion = job.Motion with { Program = fit.Program } }, post, request.Options), fit?.Program);
@@ -74,7 +74,7 @@ public static class Certification
             MissingLength = report.MissingLengthMm,
             ExtraLength = report.ExtraLengthMm,
             Limits = Limits(job, request.Reader is { TellsHeights: true }),
-            PlannedSeconds = fitted is null ? null : JobPlan.PlannedTimes(fitted, request.Address, request.Mode).Total,
+            PlannedSeconds = fitted is null ? null : JobPlan.PlannedTimes(fitted, request.Address, request.Strategy).Total,
             Findings = [.. findings.OrderByDescending(found => found.Severity).Select(Finding)],
         };
     }
@@ -123,8 +123,12 @@ public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, 
     /// <summary>The link to the machine, which may limit the feed; null for none.</summary>
     public ControllerAddress? Address { get; init; }
 
-    /// <summary>The execution mode of the machine.</summary>
-    public JobMode Mode { get; init; }
+    /// <summary>How the machine runs it; the driver's default where it is not set.</summary>
+    public ExecutionStrategy Strategy
+    {
+        get => field ?? MachineFamilies.DriverOf(Settings.Machine).DefaultStrategy;
+        init;
+    }
 }
 
 /// <summary>Result of a certification.</summary>

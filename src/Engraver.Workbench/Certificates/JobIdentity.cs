@@ -19,13 +19,14 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
     /// <summary>The kind of controller that the program is written for; null for the default of the target.</summary>
     public string? Dialect { get; init; }
 
-    /// <summary>Identity of a job that a machine runs: its program is the post of the same motion in the style of the mode.</summary>
+    /// <summary>Of a job that a machine runs: its program is the post of the same motion in the style of the strategy.</summary>
     /// <param name="program">Program of <paramref name="job"/> with feeds limited to the link.</param>
-    public static JobIdentity OfRun(PreparedJob job, MotionProgram program)
+    /// <param name="post">What the machine's controller runs (<see cref="PostTable.ForMotion"/>).</param>
+    public static JobIdentity OfRun(PreparedJob job, MotionProgram program, IPost post)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(program);
-        var post = PostTable.ForMotion(program.Style).Post;
+        ArgumentNullException.ThrowIfNull(post);
         var sent = job with { Motion = job.Motion with { Program = program } };
         return Of(job.Drawing.FileName, job.Settings, post.Name, () => PostedProgram.FromJob(sent, post, PostedProgram.NoOptions).Text is { } text ? ContentHash.OfText(text) : null);
     }

@@ -1,8 +1,10 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.Motion;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
@@ -25,6 +27,12 @@ public sealed class CommandContext
     public DocumentSession Document => _session.Document;
 
     public MachineSession Machine => _session.Machine;
+
+    /// <summary>The controller families that machine profiles may name and addresses may reach.</summary>
+    public MachineFamilies Families => _session.Families;
+
+    /// <summary>The driver of the document's machine profile.</summary>
+    public IMachineDriver Driver => MachineFamilies.DriverOf(Document.Current.Settings.Machine);
 
     public ViewSession View => _session.View;
 

@@ -1,3 +1,4 @@
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
@@ -7,6 +8,9 @@ namespace Engraver.Workbench.Commands;
 public sealed record CommandEnvironment
 {
     public TimeProvider Time { get; init; } = TimeProvider.System;
+
+    /// <summary>The controller families that machine profiles may name and addresses may reach.</summary>
+    public MachineFamilies Families { get; init; } = MachineFamilies.Standard;
 
     /// <summary>Folder for relative file names.</summary>
     public string Folder { get; init; } = Directory.GetCurrentDirectory();

@@ -5,6 +5,7 @@ using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Commissioning;
 using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
@@ -31,7 +32,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     {
         Environment = environment;
         Catalog = catalog;
-        Machine = new MachineSession(environment.Time) { OriginsFolder = MachineMemories.FolderIn(environment.RunJournalFolder) };
+        Machine = new MachineSession(environment.Time) { Families = environment.Families, OriginsFolder = MachineMemories.FolderIn(environment.RunJournalFolder) };
         Derivation = new DerivationSession(Document);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
@@ -118,6 +119,9 @@ public sealed partial class CommandSession : IAsyncDisposable
     public string Folder => Environment.Folder;
 
     internal CommandEnvironment Environment { get; }
+
+    /// <summary>The controller families that machine profiles may name and addresses may reach.</summary>
+    public MachineFamilies Families => Environment.Families;
 
     /// <summary>A machine that is not simulated moves only after CNCARM; a simulated one also from a script or if the environment requires no arming.</summary>
     internal bool RunNeedsArming => !Machine.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);

@@ -55,7 +55,7 @@ internal sealed class SessionTies : IDisposable
 
         if (ReferenceEquals(job, _certified)) return;
         _certified = job;
-        _ = _certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Mode, job.Drawing).Program, _ended.Token);
+        _ = _certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Strategy, job.Drawing).Program, _ended.Token);
     }
 
     /// <summary>The planned time depends on the serial line of the machine.</summary>

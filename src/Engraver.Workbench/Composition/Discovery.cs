@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links.Serial;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Composition;
@@ -33,7 +33,7 @@ public static class Discovery
     /// <param name="time">The clock of the timeout.</param>
     public static async Task<DiscoveredController> AskAsync(string address, TimeProvider time, CancellationToken cancellation)
     {
-        if (!ControllerAddress.TryParse(address, out var parsed)) return new DiscoveredController(address, null, null, Wording.Get("Discovery.NoAddress", ControllerAddress.Forms));
+        if (!MachineFamilies.Standard.TryParseAddress(address, out var parsed)) return new DiscoveredController(address, null, null, Wording.Get("Discovery.NoAddress", MachineFamilies.Standard.AddressForms));
         using var patience = new CancellationTokenSource(s_patience, time);
         using var either = CancellationTokenSource.CreateLinkedTokenSource(patience.Token, cancellation);
         try
@@ -61,7 +61,7 @@ public static class Discovery
             if (!File.Exists(settings)) return null;
             using var document = JsonDocument.Parse(File.ReadAllText(settings));
             return document.RootElement.ValueKind == JsonValueKind.Object && document.RootElement.TryGetProperty("lastAddress", out var last) && last.ValueKind == JsonValueKind.String
-                && ControllerAddress.TryParse(last.GetString()!, out var address) && address is not SimulatedAddress ? last.GetString() : null;
+                && MachineFamilies.Standard.TryParseAddress(last.GetString()!, out var address) && address is not SimulatedAddress ? last.GetString() : null;
         }
         catch (Exception unreadable) when (unreadable is JsonException or IOException or UnauthorizedAccessException)
         {

@@ -1,9 +1,9 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Protocol;
+using Engraver.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;

@@ -2,7 +2,8 @@ using System.Text;
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
-using Engraver.Galil.Protocol;
+using Engraver.Galil.Language;
+using Engraver.Links.Recording;
 using Engraver.Simulator;
 using Engraver.Simulator.Clocks;
 using Engraver.Workbench.Files;
@@ -134,7 +135,7 @@ public sealed class IncidentReplay : IAsyncDisposable
     {
         await using var link = _controller.OpenConnection();
         long[] places = [header.StartX, header.StartY, header.StartZ];
-        for (var axis = 0; axis < Letters.Length; axis++) await link.WriteAsync(Conversation.Placing(Letters[axis], places[axis])).ConfigureAwait(false);
+        for (var axis = 0; axis < Letters.Length; axis++) await link.WriteAsync(DmcAxes.Placing(Letters[axis], places[axis])).ConfigureAwait(false);
     }
 
     private async Task DoAsync(ConversationStep step)

@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 
 namespace Engraver.Workbench.Composition;
 
@@ -8,7 +9,7 @@ namespace Engraver.Workbench.Composition;
 /// <param name="Outcome">Null if the journal has no end: the run was killed or is still active.</param>
 /// <param name="Seconds">Controller time at its end.</param>
 /// <param name="Program">Fingerprint of its motion program (<see cref="ProgramFingerprint"/>); empty in older journals.</param>
-public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double? Seconds, JobMode Mode, bool IsDryRun, string Program)
+public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double? Seconds, ExecutionStrategy Strategy, bool IsDryRun, string Program)
 {
     /// <summary>True if the run ended, the controller was restored, and the run cannot be resumed.</summary>
     public bool IsSettled { get; private init; }
@@ -21,7 +22,7 @@ public sealed record JournalledRun(JobOutcome? Outcome, string Sentence, double?
     {
         try
         {
-            return InterruptedJob.Read(journal) is { } told ? new JournalledRun(told.End?.Outcome, told.End?.Sentence ?? "", told.End?.Time, told.Header.Mode, told.Header.DryRun, told.Header.Program) { IsSettled = Settled(told) } : null;
+            return InterruptedJob.Read(journal) is { } told ? new JournalledRun(told.End?.Outcome, told.End?.Sentence ?? "", told.End?.Time, told.Header.Mode.Strategy(), told.Header.DryRun, told.Header.Program) { IsSettled = Settled(told) } : null;
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {

@@ -1,7 +1,6 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
+using Engraver.Links;
+using Engraver.Links.Recording;
 using Engraver.Simulator.Clocks;
 
 namespace Engraver.Workbench.Composition;
@@ -38,8 +37,10 @@ public sealed class MachineClock : IDisposable
     /// <param name="trace">Receives every line on the wire; null for none.</param>
     /// <param name="conversation">Records every byte for a replay; null for none.</param>
     /// <exception cref="ControllerException">The link could not be established.</exception>
-    public async Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation) =>
-        await GalilConnection.OpenAsync(
+    public Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(connection);
+        return connection.Driver.OpenAsync(
             async stop =>
             {
                 var link = Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false));
@@ -47,7 +48,8 @@ public sealed class MachineClock : IDisposable
             },
             trace?.Wire,
             Time,
-            cancellation).ConfigureAwait(false);
+            cancellation);
+    }
 
     /// <summary>Starts a trace of every line on the wire, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the trace.</param>

@@ -1,18 +1,16 @@
-using System.Diagnostics;
-using System.Globalization;
 using Engraver.Core.Machines;
-using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
-using Engraver.Galil.Terminals;
+using Engraver.Core.Motion;
+using Engraver.Links;
+using Engraver.Links.Serial;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller in this process, which this object
-/// owns.</summary>
+/// <summary>How links to one machine are opened, and the driver that uses them: over the network, over a serial line, or to a simulated controller that runs
+/// in this process and is owned here.</summary>
 public sealed class MachineConnection : IAsyncDisposable
 {
-    /// <summary>Serial number of every simulated controller in this process; constant, so that equal runs give equal records.</summary>
+    /// <summary>Serial number of every simulated controller in this process. It is always the same, so that the records of equal runs are equal.</summary>
     internal const int SimulatedSerialNumber = 2143;
 
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
@@ -20,74 +18,84 @@ public sealed class MachineConnection : IAsyncDisposable
     private readonly Func<CancellationToken, Task<IControllerLink>> _open;
     private readonly Func<MachineClock> _takeClock;
 
-    private MachineConnection(string description, SimulatedController? simulator, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock)
+    private MachineConnection(IMachineDriver driver, string description, SimulatedController? simulator, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock)
     {
+        Driver = driver;
         Description = description;
         Simulator = simulator;
         _open = open;
         _takeClock = takeClock;
     }
 
+    public IMachineDriver Driver { get; }
+
     public string Description { get; }
 
     /// <summary>The simulated controller of a <c>sim:</c> address; null for a real link.</summary>
     public SimulatedController? Simulator { get; }
 
+    /// <summary>A machine of the program's own families, at an address without a machine profile: the first family that accepts it.</summary>
     /// <exception cref="PlatformNotSupportedException">Serial links are not supported on this system; thrown when the link is opened.</exception>
     /// <param name="keepsRecord">Whether a simulated controller stores its record; listeners receive the motion in any case.</param>
-    /// <param name="profile">Switch positions of a simulated machine; null: it has none.</param>
-    public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false, MachineProfile? profile = null) => MachineFamilies.Of(address).Connect(address, time, keepsRecord, profile);
+    public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false) => MachineFamilies.Standard.At(address, profile: null).Connect(address, time, keepsRecord, null);
 
-    /// <summary>The entry of the DMC family.</summary>
-    internal static MachineConnection ToGalil(ControllerAddress address, TimeProvider time, bool keepsRecord, MachineProfile? profile) => address switch
+    /// <param name="resetHint">As for <see cref="TcpLink.ConnectAsync"/>.</param>
+    public static MachineConnection OverNetwork(IMachineDriver driver, TcpAddress address, TimeProvider time, Func<string>? resetHint)
     {
-        TcpAddress tcp => new MachineConnection(
-            $"tcp://{tcp.Host}:{tcp.Port}",
+        ArgumentNullException.ThrowIfNull(address);
+        return new MachineConnection(
+            driver,
+            $"tcp://{address.Host}:{address.Port}",
             simulator: null,
-            async cancellation => await TcpLink.ConnectAsync(tcp.Host, tcp.Port, s_connectTimeout, time, cancellation).ConfigureAwait(false),
-            () => Offered(tcp, time)),
-        SerialAddress serial => new MachineConnection(
-            $"serial://{serial.Device}",
+            async cancellation => await TcpLink.ConnectAsync(address.Host, address.Port, s_connectTimeout, time, cancellation, resetHint).ConfigureAwait(false),
+            () => Offered(address, time));
+    }
+
+    public static MachineConnection OverSerialLine(IMachineDriver driver, SerialAddress address, TimeProvider time)
+    {
+        ArgumentNullException.ThrowIfNull(address);
+        return new MachineConnection(
+            driver,
+            $"serial://{address.Device}",
             simulator: null,
-            _ => Task.FromResult<IControllerLink>(SerialLink.Open(serial, s_writeTimeout, time)),
-            () => Offered(serial, time)),
-        SimulatedAddress simulated => Simulate(simulated, time, keepsRecord, profile),
-        _ => throw new UnreachableException(),
-    };
+            _ => Task.FromResult<IControllerLink>(SerialLink.Open(address, s_writeTimeout, time)),
+            () => Offered(address, time));
+    }
+
+    /// <summary>A simulated DMC-2143 of its own.</summary>
+    /// <param name="keepsRecord">As for <see cref="To"/>.</param>
+    /// <param name="profile">Where the switches of the simulated machine are; null: it has none.</param>
+    public static MachineConnection Simulated(IMachineDriver driver, SimulatedAddress address, TimeProvider time, bool keepsRecord, MachineProfile? profile)
+    {
+        ArgumentNullException.ThrowIfNull(address);
+        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord, SerialNumber = SimulatedSerialNumber, Switches = profile is null ? [] : SimulatedMachine.Switches(profile) });
+        return new MachineConnection(driver, address.Typed, controller, _ => Task.FromResult<IControllerLink>(LinkTo(controller)), () => MachineClock.FromSimulator(controller.JoinClock()));
+    }
 
     /// <summary>A machine whose links are opened by a function of the caller.</summary>
     /// <param name="description">Its address for display and for the journal.</param>
-    internal static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock) => new(description, simulator: null, open, takeClock);
+    /// <param name="driver">Null for the default one.</param>
+    public static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock, IMachineDriver? driver = null) =>
+        new(driver ?? MachineFamilies.Default, description, simulator: null, open, takeClock);
 
     /// <summary>Opens one more link (one more handle of the controller).</summary>
     public Task<IControllerLink> OpenLinkAsync(CancellationToken cancellation) => _open(cancellation);
 
     /// <summary>Opens a line terminal.</summary>
-    /// <exception cref="ControllerException">The link could not be established.</exception>
-    public async Task<IMachineTerminal> OpenTerminalAsync(TimeProvider time, CancellationToken cancellation) => await MachineTerminal.OpenAsync(OpenLinkAsync, time, cancellation).ConfigureAwait(false);
+    /// <exception cref="ControllerException">The link could not be opened.</exception>
+    public Task<IMachineTerminal> OpenTerminalAsync(TimeProvider time, CancellationToken cancellation) => Driver.OpenTerminalAsync(OpenLinkAsync, time, cancellation);
 
-    /// <summary>Performs the handshake over separate links with the wall clock or another one: for polling, not for jobs
+    /// <summary>Identifies the controller over links of its own, by the wall clock or another: for callers that observe and do not run a job
     /// (<see cref="MachineClock"/>).</summary>
-    /// <exception cref="ControllerException">The controller does not answer.</exception>
-    public async Task<IMachineConnection> ShakeHandsAsync(TimeProvider time, CancellationToken cancellation) =>
-        await GalilConnection.OpenAsync(OpenLinkAsync, trace: null, time, cancellation).ConfigureAwait(false);
+    /// <exception cref="ControllerException">No reply.</exception>
+    public Task<IMachineConnection> ShakeHandsAsync(TimeProvider time, CancellationToken cancellation) => Driver.OpenAsync(OpenLinkAsync, trace: null, time, cancellation);
 
-    /// <summary>The clock for a job. A simulated controller provides its own clock, one in another process only if its speed is not 1. Its time then advances
-    /// only with the job's commands and waits, until the clock is disposed.</summary>
-    /// <exception cref="ControllerLinkException">No clock is offered at the address.</exception>
+    /// <summary>The clock for a job. A simulated controller gives its own, one of another process if it is not at speed 1: its time then passes only by the
+    /// commands of the job and while the job waits, until the clock is disposed.</summary>
+    /// <exception cref="ControllerLinkException">No clock is offered at the port of the address.</exception>
     public MachineClock TakeClock() => _takeClock();
 
     public ValueTask DisposeAsync() => Simulator?.DisposeAsync() ?? ValueTask.CompletedTask;
-
-    private static MachineConnection Simulate(SimulatedAddress address, TimeProvider time, bool keepsRecord, MachineProfile? profile)
-    {
-        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord, SerialNumber = SimulatedSerialNumber, Switches = profile is null ? [] : SimulatedMachine.Switches(profile) });
-        return new MachineConnection(
-            double.IsPositiveInfinity(address.Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={address.Speed}"),
-            controller,
-            _ => Task.FromResult<IControllerLink>(LinkTo(controller)),
-            () => MachineClock.FromSimulator(controller.JoinClock()));
-    }
 
     private static StreamLink LinkTo(SimulatedController controller)
     {

@@ -1,34 +1,27 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A supported controller family.</summary>
-/// <param name="Driver">The driver, also used while no controller is connected.</param>
-/// <param name="Takes">Whether an address may belong to this family.</param>
-/// <param name="WhyNot">Why such an address cannot be used on this system; null if it can.</param>
-/// <param name="Connect">Creates the connection to an address; true makes a simulated controller store its record, the profile defines its switches.</param>
-public sealed record MachineFamily(
-    IMachineDriver Driver, Func<ControllerAddress, bool> Takes, Func<ControllerAddress, string?> WhyNot, Func<ControllerAddress, TimeProvider, bool, MachineProfile?, MachineConnection> Connect);
-
-/// <summary>All families. A new family adds one line.</summary>
-public static class MachineFamilies
+/// <summary>A family of controllers that this workbench drives: its driver, and how its machines are reached.</summary>
+public sealed record MachineFamily
 {
-    public static IReadOnlyList<MachineFamily> All { get; } =
-    [
-        new(
-            new GalilDriver(),
-            address => address is TcpAddress or SerialAddress or SimulatedAddress,
-            address => address is SerialAddress ? SerialLink.WhyUnsupported : null,
-            MachineConnection.ToGalil),
-    ];
+    /// <summary>Answers for the family while no controller is connected, and identifies one at the other end of a link.</summary>
+    public required IMachineDriver Driver { get; init; }
 
-    /// <summary>The driver used to prepare jobs: that of the first family.</summary>
-    public static IMachineDriver Driver => All[0].Driver;
+    /// <summary>Whether an address may be one of its controllers.</summary>
+    public required Func<ControllerAddress, bool> Takes { get; init; }
 
-    /// <summary>The family of an address.</summary>
-    /// <exception cref="ArgumentException">There is none.</exception>
-    public static MachineFamily Of(ControllerAddress address) => All.FirstOrDefault(family => family.Takes(address)) ?? throw new ArgumentException($"No family of controllers is reached at {address}.", nameof(address));
+    /// <summary>How a machine at such an address is reached. True asks a simulated one to keep its record; the profile states where the switches of a simulated
+    /// machine are, null for a machine without switches.</summary>
+    public required Func<ControllerAddress, TimeProvider, bool, MachineProfile?, MachineConnection> Connect { get; init; }
+
+    /// <summary>Why such an address cannot be used on this system; null where it can.</summary>
+    public Func<ControllerAddress, string?> WhyNot { get; init; } = _ => null;
+
+    /// <summary>Parses a form of address that only this family has; null for any other text.</summary>
+    public Func<string, ControllerAddress?> ParseAddress { get; init; } = _ => null;
+
+    /// <summary>Its own forms of address, for messages; empty for none.</summary>
+    public IReadOnlyList<string> AddressForms { get; init; } = [];
 }

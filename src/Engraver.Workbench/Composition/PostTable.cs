@@ -11,6 +11,7 @@ using Engraver.Core.Posts.HpglReading;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Core.Trajectories.Posting;
 using Engraver.Core.Trajectories.Reading;
+using Engraver.Galil.Driver;
 using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Composition;
@@ -21,8 +22,8 @@ public static class PostTable
 {
     public static IReadOnlyList<PostEntry> All { get; } =
     [
-        new(GalilPost.Sequences, "Galil", new DmcReader()),
-        new(GalilPost.Calls, "galil-Calls", new DmcReader()),
+        new(GalilPost.Sequences, "Galil", new DmcReader()) { Controller = GalilDriver.FamilyKey },
+        new(GalilPost.Calls, "galil-Calls", new DmcReader()) { Controller = GalilDriver.FamilyKey },
         new(new ClDataPost(), "cLdata", new ClDataReader()),
         new(new AgiePost(), "Agie", new AgieReader()),
         new(new GcodePost(), "gcoDe", new GcodeReader()) { Dialects = new Dictionary<string, IProgramReader> { ["linuxcnc"] = new GcodeReader(GcodeController.LinuxCnc), ["grbl"] = new GcodeReader(GcodeController.Grbl) }, OtherDialects = new Dictionary<string, string> { ["gcode-gRbl"] = "grbl" } },
@@ -43,8 +44,8 @@ public static class PostTable
     public static PostEntry Find(string name) =>
         All.FirstOrDefault(entry => entry.Post.Name.Equals(name, StringComparison.OrdinalIgnoreCase)) ?? throw new KeyNotFoundException($"There is no post '{name}'.");
 
-    /// <summary>The first entry posted from a motion program of this style: the program for the machine's controller.</summary>
-    public static PostEntry ForMotion(MotionStyle style) => All.First(entry => entry.Post.Motion == style);
+    /// <summary>What the controllers of a family run: the entry that is written from a motion program of this style; null where the family has none.</summary>
+    public static PostEntry? ForMotion(IControllerFamily family, MotionStyle style) => All.FirstOrDefault(entry => entry.Controller == family.Key && entry.Post.Motion == style);
 
     /// <summary>The first entry with this file extension; null if there is none.</summary>
     public static PostEntry? ForEnding(string ending) => All.FirstOrDefault(entry => entry.Post.Ending == ending);
@@ -77,6 +78,9 @@ public static class PostTable
 /// <param name="Reader">Reader used by <c>verify</c>; null if there is none.</param>
 public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reader = null)
 {
+    /// <summary>Key of the controller family whose controllers run it; null for a program that this workbench only writes.</summary>
+    public string? Controller { get; init; }
+
     /// <summary>Readers by dialect; empty if there is only one.</summary>
     public IReadOnlyDictionary<string, IProgramReader> Dialects { get; init; } = new Dictionary<string, IProgramReader>();
 

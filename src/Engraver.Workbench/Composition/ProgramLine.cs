@@ -1,6 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Sending;
-using Engraver.Galil.Links;
+using Engraver.Links.Serial;
 using Engraver.Workbench.Sending;
 
 namespace Engraver.Workbench.Composition;

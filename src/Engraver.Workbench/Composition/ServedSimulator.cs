@@ -1,7 +1,9 @@
 using System.Net;
+using System.Net.Sockets;
 using System.Text.Json;
 using Engraver.Core.Machines;
 using Engraver.Galil.Language;
+using Engraver.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
@@ -44,10 +46,12 @@ public sealed class ServedSimulator : IAsyncDisposable
     public void RecordTo(TextWriter csv) => _controller.Record.AttachCsv(csv);
 
     /// <param name="port">On loopback; 0 lets the system pick.</param>
-    public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation) => _controller.ListenTcpAsync(port, cancellation);
+    /// <exception cref="IOException">The port is taken or may not be used; the message is the reason.</exception>
+    public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation) => ListenAsync(() => _controller.ListenTcpAsync(port, cancellation));
 
     /// <param name="port">On loopback; 0 lets the system pick.</param>
-    public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation) => _controller.ListenUdpAsync(port, cancellation);
+    /// <exception cref="IOException">As for <see cref="ListenTcpAsync"/>.</exception>
+    public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation) => ListenAsync(() => _controller.ListenUdpAsync(port, cancellation));
 
     /// <summary>Offers the controller's clock to hosts in other processes.</summary>
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation) => _controller.ListenClockAsync(cancellation);
@@ -72,6 +76,18 @@ public sealed class ServedSimulator : IAsyncDisposable
     }
 
     public ValueTask DisposeAsync() => _controller.DisposeAsync();
+
+    private static async Task<IPEndPoint> ListenAsync(Func<Task<IPEndPoint>> listen)
+    {
+        try
+        {
+            return await listen().ConfigureAwait(false);
+        }
+        catch (SocketException taken)
+        {
+            throw new IOException(SocketReason.Of(taken), taken);
+        }
+    }
 
     private static BurnedMotion Burned(MachineProfile profile)
     {

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Documents;
 
@@ -10,7 +11,7 @@ public sealed class DerivationSession : IDisposable
     private readonly Lock _guard = new();
     private readonly DocumentSession _document;
     private Work? _work;
-    private JobMode _mode = JobMode.Stream;
+    private ExecutionStrategy? _strategy;
     private SerialAddress? _line;
     private bool _keepsUp;
     private DerivedDocument? _givenUp;
@@ -29,21 +30,22 @@ public sealed class DerivationSession : IDisposable
     public DerivationProgress Progress { get; } = new();
 
     /// <summary>The computation for the current document was cancelled by <see cref="GiveUp"/>: it restarts when the document changes or on request.</summary>
-    public bool IsGivenUp => _givenUp is { } wanted && IsOf(wanted, _document.Current, _mode, _line);
+    public bool IsGivenUp => _givenUp is { } wanted && IsOf(wanted, _document.Current, Strategy, _line);
 
     /// <summary>The last completed result; it may be older than the document.</summary>
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
 
     /// <summary>True if <see cref="Current"/> belongs to the current document.</summary>
-    public bool IsCurrent => IsOf(Current, _document.Current, Mode, Line);
+    public bool IsCurrent => IsOf(Current, _document.Current, Strategy, Line);
 
-    /// <summary>The execution mode of prepared jobs.</summary>
-    public JobMode Mode
+    /// <summary>The execution strategy that jobs are prepared for: the one that was set if the driver of the machine profile has it, otherwise the driver's
+    /// default.</summary>
+    public ExecutionStrategy Strategy
     {
-        get => _mode;
+        get => StrategyFor(_document.Current);
         set
         {
-            _mode = value;
+            _strategy = value;
             if (_keepsUp) _ = ForCurrentAsync(CancellationToken.None);
         }
     }
@@ -83,8 +85,9 @@ public sealed class DerivationSession : IDisposable
         lock (_guard)
         {
             var state = _document.Current;
-            if (IsOf(Current, state, _mode, _line)) return Task.FromResult(Current);
-            if (_work is null || !IsOf(_work.Wanted, state, _mode, _line)) Begin(new DerivedDocument(state, _mode) { Line = _line });
+            var strategy = StrategyFor(state);
+            if (IsOf(Current, state, strategy, _line)) return Task.FromResult(Current);
+            if (_work is null || !IsOf(_work.Wanted, state, strategy, _line)) Begin(new DerivedDocument(state, strategy) { Line = _line });
             return _work!.Result.WaitAsync(cancellation);
         }
     }
@@ -111,23 +114,29 @@ public sealed class DerivationSession : IDisposable
         lock (_guard) _work?.Cancel.Cancel();
     }
 
-    private static bool IsOf(DerivedDocument derived, DocumentState state, JobMode mode, SerialAddress? line) => derived.Line == line && IsOf(derived, state, mode);
+    private ExecutionStrategy StrategyFor(DocumentState state)
+    {
+        var driver = MachineFamilies.DriverOf(state.Settings.Machine);
+        return _strategy is { } chosen && driver.Strategies.Contains(chosen) ? chosen : driver.DefaultStrategy;
+    }
 
-    private static bool IsOf(DerivedDocument derived, DocumentState state, JobMode mode) =>
-        derived.Mode == mode && ReferenceEquals(derived.State.Drawing, state.Drawing) && derived.State.Settings == state.Settings;
+    private static bool IsOf(DerivedDocument derived, DocumentState state, ExecutionStrategy strategy, SerialAddress? line) => derived.Line == line && IsOf(derived, state, strategy);
+
+    private static bool IsOf(DerivedDocument derived, DocumentState state, ExecutionStrategy strategy) =>
+        derived.Strategy == strategy && ReferenceEquals(derived.State.Drawing, state.Drawing) && derived.State.Settings == state.Settings;
 
     private void Begin(DerivedDocument wanted)
     {
         _work?.Cancel.Cancel();
         _givenUp = null;
         var cancel = new CancellationTokenSource();
-        var known = IsOf(Current, wanted.State, wanted.Mode) ? Current : null;
+        var known = IsOf(Current, wanted.State, wanted.Strategy) ? Current : null;
         var before = known is null && Before?.Invoke(wanted.State) is { } wait ? wait.WaitAsync(cancel.Token) : Task.CompletedTask;
         var work = Task.Run(
             async () =>
             {
                 await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-                return (known ?? DerivedDocument.Create(wanted.State, wanted.Mode, cancel.Token, Progress.For(cancel.Token))).Over(wanted.Line);
+                return (known ?? DerivedDocument.Create(wanted.State, wanted.Strategy, cancel.Token, Progress.For(cancel.Token))).Over(wanted.Line);
             },
             cancel.Token);
         _work = new Work(wanted, cancel, FinishAsync(work, cancel));
@@ -165,7 +174,7 @@ public sealed class DerivationSession : IDisposable
     {
         lock (_guard)
         {
-            if (_work is not null && !IsOf(_work.Wanted, _document.Current, _mode, _line))
+            if (_work is not null && !IsOf(_work.Wanted, _document.Current, Strategy, _line))
             {
                 _work.Cancel.Cancel();
                 _work = null;

@@ -14,10 +14,10 @@ namespace Engraver.Workbench.Documents;
 /// <summary>All results derived from a document: table, strokes, job, findings, plan, program text. Immutable. Missing results are null; <see cref="Problem"/>
 /// or the findings state the reason.</summary>
 /// <param name="State">The source state (the selection is irrelevant).</param>
-/// <param name="Mode">The execution mode of the job.</param>
-public sealed record DerivedDocument(DocumentState State, JobMode Mode)
+/// <param name="Strategy">The execution strategy that the job was prepared for.</param>
+public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Strategy)
 {
-    public static DerivedDocument Nothing { get; } = new(DocumentState.Nothing, JobMode.Stream);
+    public static DerivedDocument Nothing { get; } = new(DocumentState.Nothing, MachineFamilies.Default.DefaultStrategy);
 
     /// <summary>The table of the entities to cut, as drawn.</summary>
     public EntityTable? Analysed => Job?.Analysed;
@@ -38,8 +38,8 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     private Lazy<PostText?> Posted { get; init; } = new((PostText?)null);
 
-    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut. Generated on first access, which takes some time: only a
-    /// page that shows it reads this property.</summary>
+    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut, or when its family has no post. Written when it is first
+    /// requested, which takes a while: only a page that shows it requests it.</summary>
     public PostText? Program => Posted.Value;
 
     /// <summary>True after the first access to <see cref="Program"/>.</summary>
@@ -53,14 +53,14 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     /// <summary>Runs all stages. Cancellation is checked between stages.</summary>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static DerivedDocument Create(DocumentState state, JobMode mode, CancellationToken cancellation, IProgress<DerivationStage>? progress = null)
+    public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<DerivationStage>? progress = null)
     {
-        var derived = new DerivedDocument(state, mode);
+        var derived = new DerivedDocument(state, strategy);
         if (state.Drawing is not { } drawing) return derived;
         try
         {
             cancellation.ThrowIfCancellationRequested();
-            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, JobPlan.StyleOf(mode), cancellation, progress);
+            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, strategy.Style, cancellation, progress);
             progress?.Report(DerivationStage.Program);
             return (derived with { Job = job }).WithMotion(job, cancellation);
         }
@@ -75,22 +75,23 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     {
         if (line == Line) return this;
         if (Job is not { Motion.Program: { SegmentCount: > 0 } program, Drawing: var drawing }) return this with { Line = line };
-        var fit = JobPlan.FitToLink(program, line, Mode, drawing).Program;
-        return this with { Line = line, Plan = line is null ? JobPlan.NetworkTimes(program) : JobPlan.PlannedTimes(fit, line, Mode) };
+        var fit = JobPlan.FitToLink(program, line, Strategy, drawing).Program;
+        return this with { Line = line, Plan = line is null ? JobPlan.NetworkTimes(program) : JobPlan.PlannedTimes(fit, line, Strategy) };
     }
 
     private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)
     {
         if (job.Motion.Program is not { SegmentCount: > 0 } program) return this with { Findings = Sorted(job.Diagnostics) };
-        var (post, request) = (PostTable.ForMotion(program.Style).Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions));
-        var posted = new Lazy<PostText?>(() => post.Write(request));
-        var findings = post.Findings(request);
+        var driver = MachineFamilies.DriverOf(program.Profile);
+        var (post, request) = (PostTable.ForMotion(driver, program.Style)?.Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions));
+        var posted = new Lazy<PostText?>(() => post?.Write(request));
+        var findings = post?.Findings(request) ?? [];
         cancellation.ThrowIfCancellationRequested();
         return this with
         {
             Plan = JobPlan.NetworkTimes(program),
             Posted = posted,
-            Motion = PlannedMotion.Create(program, job.Toolpath, MachineFamilies.Driver.NetworkTimes, () => posted.Value!.SegmentLines, cancellation),
+            Motion = PlannedMotion.Create(program, job.Toolpath, driver.NetworkTimes, post is null ? null : () => posted.Value!.SegmentLines, cancellation),
             Findings = Sorted([.. job.Diagnostics, .. findings]),
         };
     }

@@ -132,7 +132,7 @@ public static class JobPreparation
     /// positions.</summary>
     public static PreparedJob FromPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
     {
-        var motion = MachineFamilies.Driver.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
+        var motion = MachineFamilies.DriverOf(settings.Machine).Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);
         var program = faults.Count > 0 || motion.Program is not { } made ? null : made with { Finish = settings.Finish == FinishPlace.Origin ? made.Start : null }; // The park position is a machine position, known only after the job is placed.
         return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion with { Program = program }) { Faults = faults, Findings = Findings(drawing, settings) };

@@ -95,16 +95,18 @@ public sealed record HistoryEntry
     public JsonElement Profile { get; init; }
 
     /// <summary>The settings with which the job can be run again.</summary>
+    /// <param name="families">The controller families that the profile may name.</param>
     /// <exception cref="FormatException">The stored settings or profile are invalid.</exception>
-    public DrawingSettings ToSettings()
+    public DrawingSettings ToSettings(MachineFamilies families)
     {
+        ArgumentNullException.ThrowIfNull(families);
         var machine = Profile.ValueKind != JsonValueKind.Object ? MachineProfile.Default
-            : MachineProfileFile.Read(Profile.GetRawText(), MachineFamilies.Driver.Limits) is { Profile: { } read } ? read : throw new FormatException(Wording.Get("History.InvalidProfile"));
+            : families.ReadProfile(Profile.GetRawText()) is { Profile: { } read } ? read : throw new FormatException(Wording.Get("History.InvalidProfile"));
         return SettingWords.Read(Settings, machine);
     }
 
     /// <summary>Like <see cref="JobIdentity.Profile"/>; null if the stored profile is invalid.</summary>
-    internal string? ProfileHash => Profile.ValueKind == JsonValueKind.Object && MachineProfileFile.Read(Profile.GetRawText(), MachineFamilies.Driver.Limits).Profile is { } machine ? JobIdentity.OfProfile(machine) : null;
+    internal string? ProfileHash(MachineFamilies families) => Profile.ValueKind == JsonValueKind.Object && families.ReadProfile(Profile.GetRawText()).Profile is { } machine ? JobIdentity.OfProfile(machine) : null;
 
     /// <summary>Whether the displayed text of the job contains a word.</summary>
     public bool Holds(string word) =>
@@ -160,11 +162,12 @@ public sealed record HistoryEntry
     private static HistoryEntry Begun(PreparedJob job, MachineRunOptions options, JobOutcome outcome, DateTimeOffset date, bool simulated, ArmingChecklist? checks)
     {
         ArgumentNullException.ThrowIfNull(options);
-        return OfPost(job.Drawing.FileName, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(JobPlan.StyleOf(options.Mode)).Post.Name, PostedProgram.NoOptions, file: null, date) with
+        var driver = MachineFamilies.DriverOf(job.Settings.Machine);
+        return OfPost(job.Drawing.FileName, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(driver, options.Strategy.Style)?.Post.Name ?? driver.Key, PostedProgram.NoOptions, file: null, date) with
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             RanTrajectories = job.Followed is not null,
-            Mode = options.Mode switch { JobMode.Calls => "calls", JobMode.Program => "program", _ => "stream" },
+            Mode = options.Strategy.Key,
             Address = options.Address.Typed,
             Outcome = OutcomeText.Word(outcome),
             Journal = Path.GetFullPath(options.JournalPath),

@@ -36,10 +36,10 @@ public sealed partial class MachineSession
     /// <summary>Where an interrupted job is to go on, by its journal and by what the connected controller has kept.</summary>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation)
+    public async Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation)
     {
         await FreeAsync().ConfigureAwait(false);
-        return _watched.Watch is { } watch && !IsRunning ? await watch.FindResumeAsync(program, mode, journal, cancellation).ConfigureAwait(false) : throw new InvalidOperationException("No controller is connected, or a job runs.");
+        return _watched.Watch is { } watch && !IsRunning ? await watch.FindResumeAsync(program, strategy, journal, cancellation).ConfigureAwait(false) : throw new InvalidOperationException("No controller is connected, or a job runs.");
     }
 
     /// <summary>Runs a job on a simulated controller of its own, as fast as it can be computed; a connected machine is left alone.</summary>
@@ -48,7 +48,7 @@ public sealed partial class MachineSession
     {
         await FreeAsync().ConfigureAwait(false);
         var address = new SimulatedAddress(double.PositiveInfinity);
-        await using var connection = MachineConnection.To(address, _time);
+        await using var connection = Families.At(address, program.Profile).Connect(address, _time, false, null);
         var report = await WithStopAsync(stop => MachineRun.RunAsync(job, program, connection, options(address), _time, Listener(null), stop), cancellation).ConfigureAwait(false);
         Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
         RaiseChanged();

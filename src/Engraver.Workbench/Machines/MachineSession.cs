@@ -76,6 +76,9 @@ public sealed partial class MachineSession : IAsyncDisposable
     /// real one is.</summary>
     public bool SimulatedIsHomed { get; init; }
 
+    /// <summary>The controller families that it can connect to.</summary>
+    public MachineFamilies Families { get; init; } = MachineFamilies.Standard;
+
     /// <summary>Where the work origins of machines are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does
     /// what is known of it.</summary>
     public string? OriginsFolder { get; init; }
@@ -124,7 +127,7 @@ public sealed partial class MachineSession : IAsyncDisposable
         ArgumentNullException.ThrowIfNull(address);
         if (IsRunning) throw new InvalidOperationException("A job runs.");
         await DisconnectAsync().ConfigureAwait(false);
-        var poll = await _watched.OpenAsync(address, SimulatedIsHomed ? Profile.WithoutHoming() : Profile, cancellation).ConfigureAwait(false);
+        var poll = await _watched.OpenAsync(Families.At(address, Profile), address, SimulatedIsHomed ? Profile.WithoutHoming() : Profile, cancellation).ConfigureAwait(false);
         var identity = _watched.Identity!;
         await TakeAsync(identity, cancellation).ConfigureAwait(false);
         _status.Connected(_watched.Connection!.Description, IsSimulation, identity);
@@ -167,12 +170,12 @@ public sealed partial class MachineSession : IAsyncDisposable
 
     /// <summary>Arms a job: START works for a minute, or until the machine, the drawing or a setting changes.</summary>
     /// <exception cref="InvalidOperationException">Something on the checklist has not passed.</exception>
-    public ArmedJob Arm(PreparedJob job, JobMode mode, bool dryRun, ArmingChecklist checklist)
+    public ArmedJob Arm(PreparedJob job, ExecutionStrategy strategy, bool dryRun, ArmingChecklist checklist)
     {
         ArgumentNullException.ThrowIfNull(checklist);
         if (!checklist.Passed || !Status.State.IsReady()) throw new InvalidOperationException("What was not checked cannot be armed.");
         DismissJob();
-        return _status.Arming.Arm(job, mode, dryRun, checklist);
+        return _status.Arming.Arm(job, strategy, dryRun, checklist);
     }
 
     /// <summary>Disarms.</summary>
@@ -180,7 +183,7 @@ public sealed partial class MachineSession : IAsyncDisposable
     public bool Disarm() => _status.Arming.Disarm();
 
     /// <summary>The program with its feed fitted to the present link.</summary>
-    public LinkFeedFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => JobPlan.FitToLink(program, _watched.Address, mode, drawing);
+    public LinkFeedFit FitToLink(MotionProgram program, ExecutionStrategy strategy, Drawing drawing) => JobPlan.FitToLink(program, _watched.Address, strategy, drawing);
 
     public async ValueTask DisposeAsync()
     {

@@ -77,7 +77,7 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     /// <summary>Finds the resume position of an interrupted job.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation) => _machine.FindResumeAsync(program, mode, journal, cancellation);
+    public Task<ResumePlace> FindResumeAsync(MotionProgram program, ExecutionStrategy strategy, string journal, CancellationToken cancellation) => _machine.FindResumeAsync(program, strategy, journal, cancellation);
 
     /// <summary>Switches the tool off and decelerates the path and every axis.</summary>
     public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => _machine.StopAsync(outputs);

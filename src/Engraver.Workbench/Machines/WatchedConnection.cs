@@ -30,9 +30,9 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     /// <summary>Performs the handshake and polls once; periodic polling starts with <see cref="ResumeAsync"/> or <see cref="Resume"/>.</summary>
     /// <param name="profile">Defines the switches of a simulated machine.</param>
     /// <exception cref="ControllerException">The controller does not answer; nothing is connected.</exception>
-    public async Task<MachineReading> OpenAsync(ControllerAddress address, MachineProfile profile, CancellationToken cancellation)
+    public async Task<MachineReading> OpenAsync(MachineFamily family, ControllerAddress address, MachineProfile profile, CancellationToken cancellation)
     {
-        var connection = MachineConnection.To(address, time, profile: profile);
+        var connection = family.Connect(address, time, false, profile);
         MachineWatch? watch = null;
         try
         {

@@ -9,29 +9,32 @@ namespace Engraver.Workbench.Settings;
 /// <summary>A machine profile from a file.</summary>
 public static class MachineProfileSource
 {
-    /// <summary>The profile of a file, for whoever wants to work with it.</summary>
-    /// <param name="tell">Is told the warnings: settings that contradict each other.</param>
+    /// <summary>The profile of a file.</summary>
+    /// <param name="families">The controller families that it may name.</param>
+    /// <param name="tell">Receives the warnings: settings that contradict each other.</param>
     /// <exception cref="SettingException">The file cannot be read or is no machine profile; the message says where and why.</exception>
-    public static MachineProfile Load(string path, Action<Diagnostic> tell)
+    public static MachineProfile Load(string path, MachineFamilies families, Action<Diagnostic> tell)
     {
         ArgumentNullException.ThrowIfNull(tell);
-        var read = Read(path);
+        var read = Read(path, families);
         if (read.Profile is not { } profile) throw new SettingException($"{path}({read.Diagnostics[0].Source.Line}): {read.Diagnostics[0].Id}: {read.Diagnostics[0].Message}");
         foreach (var finding in read.Diagnostics) tell(finding);
         return profile;
     }
 
-    /// <summary>The same without the warnings.</summary>
+    /// <summary>The same with the families of the program and without the warnings.</summary>
     /// <exception cref="SettingException">As above.</exception>
-    public static MachineProfile Load(string path) => Load(path, _ => { });
+    public static MachineProfile Load(string path) => Load(path, MachineFamilies.Standard, _ => { });
 
-    /// <summary>What a file holds, and everything that is wrong with it.</summary>
+    /// <summary>The content of a file, and everything that is wrong with it.</summary>
+    /// <param name="families">The controller families that it may name.</param>
     /// <exception cref="SettingException">The file cannot be read.</exception>
-    public static MachineProfileReading Read(string path)
+    public static MachineProfileReading Read(string path, MachineFamilies families)
     {
+        ArgumentNullException.ThrowIfNull(families);
         try
         {
-            return MachineProfileFile.Read(File.ReadAllText(path), MachineFamilies.Driver.Limits);
+            return families.ReadProfile(File.ReadAllText(path));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {

@@ -2,6 +2,7 @@ using Engraver.App.Desk;
 using Engraver.Benchmarks.Canvas;
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Tests.Desk;
@@ -19,7 +20,7 @@ public class ReleasedMemoryTests
         memory.Look(large);
         memory.Look(large);
         Assert.Equal(1, collected);
-        memory.Look(new DerivedDocument(large.State with { Selection = [0] }, JobMode.Stream)); // an edit of the same drawing
+        memory.Look(new DerivedDocument(large.State with { Selection = [0] }, MachineFamilies.Default.DefaultStrategy)); // an edit of the same drawing
         Assert.Equal(1, collected);
         memory.Look(small);
         memory.Look(small);
@@ -84,5 +85,5 @@ public class ReleasedMemoryTests
         Task Collect() => Task.FromResult(collected++);
     }
 
-    private static DerivedDocument Of(Drawing drawing) => new(new DocumentState { Drawing = drawing }, JobMode.Stream);
+    private static DerivedDocument Of(Drawing drawing) => new(new DocumentState { Drawing = drawing }, MachineFamilies.Default.DefaultStrategy);
 }

@@ -38,6 +38,17 @@ public class ProjectArrowTests
         if (!RuleOf(project).Packages.Contains("Avalonia")) Assert.DoesNotContain(assembly.References, name => name.StartsWith("Avalonia", StringComparison.Ordinal));
     }
 
+    /// <summary>Links are opened in Engraver.Links and passed to a driver.</summary>
+    [Theory]
+    [InlineData("Engraver.Core")]
+    [InlineData("Engraver.Galil")]
+    public void No_stage_and_no_driver_opens_a_link(string project)
+    {
+        using var assembly = BuiltAssembly.Open(project);
+
+        Assert.DoesNotContain(assembly!.References, name => name is "System.Net.Sockets" or "System.IO.Ports");
+    }
+
     [Fact]
     public void The_simulated_controller_stands_alone() => Assert.Empty(RuleOf("Engraver.Simulator").MayReference);
 

@@ -11,7 +11,7 @@ public partial class WordingTests
 {
     private const string ListName = "tests/Engraver.Architecture.Tests/Structure/words.txt";
 
-    public static TheoryData<string> Projects => ["Core", "Galil", "Workbench", "Cli", "App", "tools"];
+    public static TheoryData<string> Projects => ["Core", "Galil", "Links", "Workbench", "Cli", "App", "tools"];
 
     [Theory]
     [MemberData(nameof(Projects))]

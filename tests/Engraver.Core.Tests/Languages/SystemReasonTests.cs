@@ -1,4 +1,3 @@
-using System.Net.Sockets;
 using System.Text.Json;
 using Engraver.Core.Languages;
 
@@ -32,16 +31,6 @@ public sealed class SystemReasonTests
         var missing = Path.Combine(Path.GetTempPath(), "engraver-nowhere", "part.dxf");
 
         Assert.Equal($"{missing}: the folder does not exist", SystemReason.WithPath(Assert.ThrowsAny<IOException>(() => File.ReadAllText(missing))));
-    }
-
-    [Theory]
-    [InlineData(SocketError.ConnectionRefused, "the connection was refused")]
-    [InlineData(SocketError.HostNotFound, "the host name is unknown")]
-    [InlineData(SocketError.TimedOut, "no reply was received")]
-    public void Sockets_say_why(SocketError error, string reason)
-    {
-        Assert.Equal(reason, SystemReason.Of(new SocketException((int)error)));
-        Assert.Equal(reason, SystemReason.Of(new IOException("wrapped", new SocketException((int)error))));
     }
 
     [Fact]

@@ -1,8 +1,9 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Jobs;
+using Engraver.Links;
+using Engraver.Links.Recording;
 
 namespace Engraver.Galil.Tests.Driver;
 

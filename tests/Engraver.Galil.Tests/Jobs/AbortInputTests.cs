@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -22,7 +23,7 @@ public class AbortInputTests
         var before = await bench.FingerprintAsync();
         var hit = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.SetAbortInput(true));
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, hit);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
         Assert.Contains("abort input", result.Sentence, StringComparison.Ordinal);
@@ -41,7 +42,7 @@ public class AbortInputTests
         await using var bench = new SimulatedBench();
         var hit = new CancelWhen(progress => progress.ToolOn && !bench.Controller.Status.IsMoving, () => bench.Controller.SetAbortInput(true));
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, hit);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
         Assert.Contains("abort input", result.Sentence, StringComparison.Ordinal);
@@ -61,13 +62,13 @@ public class AbortInputTests
         await bench.SendAsync("MO", $"MTA={motor}", $"MTB={motor}", "SH");
         var hit = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.SetAbortInput(true));
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, hit);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
         Assert.Equal((isDoubted, isDoubted), (result.PositionDoubt.Contains("may have lost steps", StringComparison.Ordinal), result.Sentence.Contains("set the work origin again", StringComparison.Ordinal)));
 
         bench.Controller.SetAbortInput(false);
         using var stop = new CancellationTokenSource();
-        var next = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 60000, stop.Cancel), stop.Token);
+        var next = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(progress => progress.X > 60000, stop.Cancel), stop.Token);
         Assert.Equal((JobOutcome.Stopped, ""), (next.Outcome, next.PositionDoubt));
     }
 

@@ -4,8 +4,9 @@ using System.Net.Sockets;
 using System.Text;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -28,7 +29,7 @@ public class BusyPoolTests
             async cancellation => await TcpLink.ConnectAsync("127.0.0.1", served.Port, s_patience, TimeProvider.System, cancellation), new SessionOptions(), TimeProvider.System, CancellationToken.None);
         using var stop = new CancellationTokenSource();
         var cuts = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 4000, cuts.SetResult), stop.Token);
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(progress => progress.X > 4000, cuts.SetResult), stop.Token);
         await cuts.Task;
         var (wasFree, said) = (true, (string?)null);
         var operatorThread = new Thread(() =>

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
 using Engraver.Simulator;
 
@@ -28,7 +29,7 @@ public class HeightDriveTests
         await using var bench = new SimulatedBench();
         var program = TwoDepths(s_profile);
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal("Done: 5 segments.", result.Sentence);
         Assert.Equal(new CountsPoint(0, 0, Clearance), result.FinalPosition);
@@ -42,7 +43,7 @@ public class HeightDriveTests
     {
         await using var bench = new SimulatedBench();
 
-        await bench.RunAsync(TwoDepths(s_profile), SimulatedBench.Job with { Mode = mode });
+        await bench.RunAsync(TwoDepths(s_profile), SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         var falls = Pairs(bench).Where(pair => pair.Before.C <= Retract && pair.Now.C < pair.Before.C && (pair.Before.A, pair.Before.B) == (pair.Now.A, pair.Now.B)).ToList();
         Assert.NotEmpty(falls);
@@ -58,7 +59,7 @@ public class HeightDriveTests
         using var stop = new CancellationTokenSource();
         var pressed = new CancelWhen(progress => progress.X > 30000 && progress.Place.Z < 0, stop.Cancel);
 
-        var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Mode = mode }, pressed, stop.Token);
+        var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Strategy = mode.Strategy() }, pressed, stop.Token);
 
         Assert.Equal(JobOutcome.Stopped, result.Outcome);
         Assert.InRange(result.FinalPosition!.Value.X, 30000, 90000);
@@ -72,7 +73,7 @@ public class HeightDriveTests
         await using var bench = new SimulatedBench();
         var cut = new CancelWhen(progress => progress.X > 30000 && progress.Place.Z < 0, bench.Controller.DropConnections);
 
-        var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Mode = mode }, cut);
+        var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Strategy = mode.Strategy() }, cut);
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(20));
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
@@ -87,7 +88,7 @@ public class HeightDriveTests
         await bench.SendAsync("ERA=200", "OEA=1");
         var jam = new CancelWhen(progress => progress.X > 30000, () => bench.Controller.HoldMotor(0, true));
 
-        var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Mode = mode }, jam);
+        var result = await bench.RunAsync(LongSlope(s_turning), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
         Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
         Assert.Contains("The tool could not be raised: axis Z is at", result.Sentence, StringComparison.Ordinal);
@@ -102,7 +103,7 @@ public class HeightDriveTests
         await using var bench = new SimulatedBench();
         var program = TwoDepths(s_turning);
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, DryRun = true });
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), DryRun = true });
 
         Assert.Equal(("Done: 5 segments.", JobOutcome.Complete), (result.Sentence, result.Outcome));
         var record = bench.Controller.Record.Snapshot();
@@ -117,7 +118,7 @@ public class HeightDriveTests
     {
         await using var bench = new SimulatedBench();
 
-        await bench.RunAsync(TwoDepths(s_turning), SimulatedBench.Job with { Mode = mode });
+        await bench.RunAsync(TwoDepths(s_turning), SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         var record = bench.Controller.Record.Snapshot();
         Assert.All(record.Where(sample => sample.C < Retract && (sample.A, sample.B) != (0, 0)), sample => Assert.Equal(4, sample.Outputs));
@@ -147,7 +148,7 @@ public class HeightDriveTests
         await using var bench = new SimulatedBench();
         var stepper = s_profile with { Axes = new MachineAxes(new MachineAxis('A', 1000.0, 2.0), new MachineAxis('B', 1000.0, -2.0), new MachineAxis('C', 800.0)) };
 
-        var result = await bench.RunAsync(TwoDepths(stepper), SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(TwoDepths(stepper), SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal("Done: 5 segments.", result.Sentence);
         await using var session = await bench.OpenAsync();
@@ -161,7 +162,7 @@ public class HeightDriveTests
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.Paper with { Profile = MachineProfile.Default with { ToolActiveLow = true, ToolOffSettleSeconds = 0.02 } };
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal("Done: 4 segments.", result.Sentence);
         var path = new EngravedPath(program);

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;
 
@@ -15,7 +16,7 @@ public class JobRunnerTests
     {
         await using var bench = new SimulatedBench();
 
-        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal("Done: 4 segments.", result.Sentence);
         Assert.Equal((JobOutcome.Complete, 4, 4, 0, 0), (result.Outcome, result.SegmentsSent, result.SegmentsExecuted, result.Underruns, result.Rejected));
@@ -32,7 +33,7 @@ public class JobRunnerTests
         await using var bench = new SimulatedBench();
         await using var session = await bench.OpenTcpAsync();
 
-        var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Mode = mode }, null, CancellationToken.None);
+        var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, null, CancellationToken.None);
 
         Assert.Equal((JobOutcome.Complete, 4, 0), (result.Outcome, result.SegmentsExecuted, result.Underruns));
         Assert.Equal((5000, 5000, 0), (bench.Last.A, bench.Last.B, bench.Last.Outputs));
@@ -91,7 +92,7 @@ public class JobRunnerTests
         await using var bench = new SimulatedBench();
         var told = new List<TracePoint>();
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode, Polled = told.Add });
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy(), Polled = told.Add });
 
         Assert.True(told.Count > 100, $"{told.Count} positions were told");
         Assert.Equal(told.Count, told.Select(point => point.Seconds).Distinct().Count());
@@ -105,7 +106,7 @@ public class JobRunnerTests
         await using var bench = new SimulatedBench();
         await bench.SendAsync("DPA=-70000", "DPB=123");
 
-        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal(new CountsPoint(-65000, 5123), result.FinalPosition);
         Assert.Equal((5000, 5000), (result.PolledTrace[^1].X, result.PolledTrace[^1].Y));
@@ -123,7 +124,7 @@ public class JobRunnerTests
         await using var bench = new SimulatedBench(spacing: spacing);
         await bench.SendAsync("DPA=-70000", "DPB=-123");
 
-        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal("Done: 4 segments.", result.Sentence);
         Assert.Equal(new CountsPoint(-65000, 4877), result.FinalPosition);

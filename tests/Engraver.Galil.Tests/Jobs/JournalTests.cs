@@ -2,6 +2,7 @@ using System.Text.Json;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
 using Engraver.TestKit;
 
@@ -15,7 +16,7 @@ public class JournalTests
     [InlineData(JobMode.Program)]
     public async Task The_journal_has_a_header_a_line_for_each_sequence_and_an_end(JobMode mode)
     {
-        var lines = await JournalOfAsync(MotionPrograms.TwoStrokes, SimulatedBench.Job with { Mode = mode, DrawingName = "two.dxf" });
+        var lines = await JournalOfAsync(MotionPrograms.TwoStrokes, SimulatedBench.Job with { Strategy = mode.Strategy(), DrawingName = "two.dxf" });
 
         Assert.Equal(["found", "job", "opened", .. mode == JobMode.Program ? (string[])[] : ["opened"], "end"], lines.Select(line => line.GetProperty("kind").GetString()).Where(kind => kind != "progress"));
         Assert.Equal("VAS=256000", lines[0].GetProperty("state").GetProperty("motion").EnumerateArray().Single(setting => setting.GetProperty("operand").GetString() == "_VAS").GetProperty("restoreCommand").GetString());
@@ -69,7 +70,7 @@ public class JournalTests
         var pipe = NamedPipe.Make(Path.Combine(folder.FullName, "job.jsonl"));
         var gone = Task.Factory.StartNew(() => { using var reader = new StreamReader(pipe); while (reader.ReadLine() is { } line && !line.Contains("\"kind\":\"job\"", StringComparison.Ordinal)) { } }, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         var told = new List<(string Id, int Outputs)>();
-        var options = SimulatedBench.Job with { Mode = mode, JournalPath = pipe, Polled = point => gone.Wait(point.ToolOn ? Timeout.Infinite : 0), Told = finding => told.Add((finding.Rule.Id, bench.Controller.Status.Outputs)) };
+        var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = pipe, Polled = point => gone.Wait(point.ToolOn ? Timeout.Infinite : 0), Told = finding => told.Add((finding.Rule.Id, bench.Controller.Status.Outputs)) };
 
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), options);
         folder.Delete(recursive: true);

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 
@@ -29,7 +30,7 @@ public class LeftAsFoundTests
         using var stop = new CancellationTokenSource();
         var press = new CancelWhen(progress => end == "stopped" && progress.X > 9000, stop.Cancel);
 
-        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Strategy = mode.Strategy() }, press, stop.Token);
 
         Assert.Equal(end, result.Outcome.ToString().ToLowerInvariant());
         Assert.Empty(result.NotRestored);
@@ -48,7 +49,7 @@ public class LeftAsFoundTests
         var halts = 0;
         await using (var session = await bench.OpenAsync(opened: link => link.Harm = line => line == "HX1\r" && ++halts <= 2 ? "HX6\r" : line))
         {
-            var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Mode = mode }, null, CancellationToken.None);
+            var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, null, CancellationToken.None);
 
             Assert.Equal(JobOutcome.Complete, result.Outcome);
             Assert.Empty(result.NotRestored);
@@ -104,7 +105,7 @@ public class LeftAsFoundTests
 
         var result = way == "serial"
             ? await bench.RunSerialAsync(19200, MotionPrograms.Paper, mode)
-            : await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+            : await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Strategy = mode.Strategy() }, press, stop.Token);
 
         Assert.Equal(way == "stopped" ? JobOutcome.Stopped : JobOutcome.Complete, result.Outcome);
         Assert.Empty(result.NotRestored);

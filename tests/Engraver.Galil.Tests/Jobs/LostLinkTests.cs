@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -34,7 +35,7 @@ public class LostLinkTests
             bench.Controller.DropConnections();
         });
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode }, cut);
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() }, cut);
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
@@ -87,7 +88,7 @@ public class LostLinkTests
             bench.Controller.Advance(TimeSpan.FromSeconds(2));
         });
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, held);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, held);
 
         Assert.Equal((JobOutcome.LinkLost, 0), (result.Outcome, result.SegmentsExecuted));
         Assert.Contains("watchdog", result.Sentence, StringComparison.Ordinal);
@@ -104,7 +105,7 @@ public class LostLinkTests
         await bench.RunAsync(MotionPrograms.LongLine(200000), options, new CancelWhen(progress => progress.X > 50000, bench.Controller.DropConnections));
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
 
-        var result = await bench.RunAsync(MotionPrograms.Paper, options with { Mode = JobMode.Calls });
+        var result = await bench.RunAsync(MotionPrograms.Paper, options with { Strategy = JobMode.Calls.Strategy() });
 
         Assert.Equal(JobOutcome.Complete, result.Outcome);
         Assert.EndsWith(new Accepted("#OWNER\nEN").ToString(), await bench.FingerprintAsync(), StringComparison.Ordinal);

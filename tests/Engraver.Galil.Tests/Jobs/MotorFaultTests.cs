@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -20,7 +21,7 @@ public class MotorFaultTests
         await bench.SendAsync("ERA=200", "OEA=" + offOnError);
         var jam = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.HoldMotor(0, true));
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, jam);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
         Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);
@@ -37,7 +38,7 @@ public class MotorFaultTests
         await using var bench = new SimulatedBench();
         var jam = new CancelWhen(progress => progress.X > 58000, () => bench.Controller.HoldMotor(0, true));
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Mode = mode }, jam);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
         Assert.Equal(JobOutcome.Deviated, result.Outcome);
         Assert.Contains("could not follow", result.Sentence, StringComparison.Ordinal);
@@ -57,7 +58,7 @@ public class MotorFaultTests
         await bench.SendAsync("ERA=12345", "OEB=1");
         var jam = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.HoldMotor(0, true));
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Mode = mode }, jam);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Strategy = mode.Strategy() }, jam);
 
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
         Assert.Contains("following error", result.Sentence, StringComparison.Ordinal);

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 
@@ -28,7 +29,7 @@ public class RefusalTests
         await using var bench = new SimulatedBench();
         var hit = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.SetLimitSwitch(0, forward: true, active: true));
 
-        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, hit);
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Strategy = mode.Strategy() }, hit);
 
         Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, result.SegmentsExecuted));
         Assert.Contains("forward limit switch", result.Sentence, StringComparison.Ordinal);
@@ -52,7 +53,7 @@ public class RefusalTests
     {
         await using var bench = new SimulatedBench();
 
-        var result = await bench.RunAsync(MotionPrograms.ArcChain(3, 5), SimulatedBench.Job with { Mode = JobMode.Calls });
+        var result = await bench.RunAsync(MotionPrograms.ArcChain(3, 5), SimulatedBench.Job with { Strategy = JobMode.Calls.Strategy() });
 
         Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange), (result.Outcome, (TcCode?)result.Refusal?.Code));
         Assert.Equal((0, 0), (bench.Last.Outputs, bench.Controller.Status.RunningThreads));

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -24,7 +25,7 @@ public class RefusedQuestionTests
             string Mend(string heard) => heard.Replace(unknown, operand, StringComparison.Ordinal); // the echo on a serial line
             await using var session = baud == 0 ? await bench.OpenAsync(opened: link => link.Harm = Harm) : await bench.OpenSerialAsync(baud, harm: Harm, mend: Mend);
 
-            var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Mode = mode }, null, CancellationToken.None);
+            var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, null, CancellationToken.None);
 
             Assert.Equal((operand, JobOutcome.Refused, ""), (operand, result.Outcome, result.Outcome == JobOutcome.Refused ? "" : result.Sentence));
             Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));

@@ -1,8 +1,9 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -23,6 +24,6 @@ internal static class SerialBench
         this SimulatedBench bench, int baud, MotionProgram program, JobMode mode, IProgress<JobProgress>? progress = null, Action<string>? sending = null, CancellationToken stop = default)
     {
         await using var session = await bench.OpenSerialAsync(baud, sending);
-        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode }, progress, stop);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, progress, stop);
     }
 }

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Tests.Programs.Timing;
 using FsCheck;

@@ -2,10 +2,10 @@ using System.Text;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.Simulator.Clocks;
 

@@ -2,6 +2,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -197,7 +198,7 @@ public class SomebodyElseTests
         await using var session = await bench.OpenAsync();
         var act = new CancelWhen(progress => progress.X > 50000, () => bench.Interfere("SB 1"));
 
-        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode, DryRun = true }, act, CancellationToken.None);
+        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy(), DryRun = true }, act, CancellationToken.None);
 
         Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, bench.Controller.Status.Outputs));
     }
@@ -206,7 +207,7 @@ public class SomebodyElseTests
         SimulatedBench bench, MotionProgram program, JobMode mode, int baud, Func<JobProgress, bool> when, Action act, Func<string, string>? harm = null)
     {
         await using var session = baud == Network ? await bench.OpenAsync(opened: link => link.Harm = harm) : await bench.OpenSerialAsync(baud, harm: harm);
-        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(when, act), CancellationToken.None);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(when, act), CancellationToken.None);
     }
 
     /// <summary>The path of the motors with the tool on, by the record, counts.</summary>

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Jobs.Holds;
 using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;
@@ -14,7 +15,7 @@ public class SpindleLoadingTests
     /// <summary>Room for the part as two programs, most of it for the subprograms.</summary>
     private const int Lines = 130;
 
-    private static readonly JobOptions s_program = SimulatedBench.Job with { Mode = JobMode.Program };
+    private static readonly JobOptions s_program = SimulatedBench.Job with { Strategy = JobMode.Program.Strategy() };
 
     private static readonly MotionProgram s_part = Rake();
 

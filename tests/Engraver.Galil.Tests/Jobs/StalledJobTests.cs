@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -115,6 +116,6 @@ public class StalledJobTests
         var acting = new CancelWhen(when, act);
         var progress = new Both(acting, new CancelWhen(now => now.Seconds > patience, stop.Cancel));
         await using var session = baud == Network ? await bench.OpenAsync(opened: link => link.Harm = harm) : await bench.OpenSerialAsync(baud, harm: harm);
-        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode }, progress, stop.Token);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, progress, stop.Token);
     }
 }

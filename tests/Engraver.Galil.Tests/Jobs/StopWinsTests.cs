@@ -1,8 +1,9 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -43,7 +44,7 @@ public class StopWinsTests
             if (line.StartsWith(step, StringComparison.Ordinal)) stop.Cancel(); // it is sent already
         };
 
-        var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Mode = mode }, null, stop.Token);
+        var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Strategy = mode.Strategy() }, null, stop.Token);
 
         Assert.Equal((JobOutcome.Stopped, true), (result.Outcome, braked));
         Assert.Empty(behind);
@@ -70,7 +71,7 @@ public class StopWinsTests
             bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
             behind = (bench.Controller.Status.IsMoving, bench.Controller.Status.Outputs);
         });
-        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, press, stop.Token);
         await links[1].SomebodyWaits;
         while (!running.IsCompleted)
         {
@@ -100,7 +101,7 @@ public class StopWinsTests
                 return Task.FromResult<IControllerLink>(links[^1]);
             },
             new SessionOptions(), time, CancellationToken.None);
-        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 50000, time.Pause), stop.Token);
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(progress => progress.X > 50000, time.Pause), stop.Token);
         await time.Paused;
         links[1].Sending = said.Add;
 

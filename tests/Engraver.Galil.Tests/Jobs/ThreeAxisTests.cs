@@ -1,8 +1,9 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -62,7 +63,7 @@ public class ThreeAxisTests
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.Paper with { Profile = MachineProfile.Default with { Axes = s_axes } };
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal("Done: 4 segments.", result.Sentence);
         Assert.Equal(new CountsPoint(5000, 5000), result.FinalPosition);

@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Toolpaths;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Tests.Programs;
 using Engraver.Simulator;
@@ -28,7 +29,7 @@ public class UnequalAxesFeedTests
         var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(countsX, countsY), FeedMmPerMinute = 60.0 * FeedMmPerSecond };
         var program = MotionProgramGenerator.Generate(Star(), profile, 0.001, null, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous).Program!;
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode });
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() });
 
         Assert.Equal(JobOutcome.Complete, result.Outcome);
         var speeds = Speeds(bench.Controller.Record.Snapshot(), profile).ToList();

@@ -1,8 +1,9 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -44,7 +45,7 @@ public class WatchdogSpeedTests
         await using var session = await ControllerSession.OpenAsync(
             async cancellation => host.Over(new ClockedLink(await TcpLink.ConnectAsync("127.0.0.1", place.Port, s_patience, TimeProvider.System, cancellation), clock.Heard)), new SessionOptions(), clock, patience.Token);
 
-        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(400000), session, SimulatedBench.Job with { Mode = mode }, death, patience.Token).WaitAsync(patience.Token);
+        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(400000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, death, patience.Token).WaitAsync(patience.Token);
         clock.Dispose(); // the end of the process closes its connection to the clock
         await controller.WaitUntilAsync(status => (status.Outputs & Tool) == 0 && !status.IsMoving, patience.Token);
 

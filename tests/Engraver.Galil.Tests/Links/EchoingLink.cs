@@ -1,7 +1,6 @@
 using System.Text;
 using System.Threading.Channels;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;
 

@@ -1,6 +1,6 @@
 using System.Text;
 using System.Threading.Channels;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Links;
 

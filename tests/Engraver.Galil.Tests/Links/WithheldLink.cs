@@ -1,6 +1,5 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;
 

@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links.Recording;
 using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Protocol;
@@ -166,55 +167,6 @@ public class CommandChannelTests
         await trace.CloseAsync(CancellationToken.None);
 
         Assert.Equal("0.001500 A > MG x\n0.001500 A <  1.0000 | :\n", text.ToString());
-    }
-
-    [Fact]
-    public async Task A_trace_on_a_full_disk_ends_and_the_commands_go_on()
-    {
-        if (OperatingSystem.IsWindows()) return; // no device is always full there
-        var trace = new WireTrace(new StreamWriter("/dev/full") { AutoFlush = true }, _time);
-        await using var channel = new CommandChannel(new ScriptedLink(_ => ":"), "A", Limit, _time, trace);
-
-        Assert.IsType<Accepted>(await channel.SendAsync("STS", CancellationToken.None));
-        Assert.IsType<Accepted>(await channel.SendAsync("CB 1", CancellationToken.None));
-        await trace.CloseAsync(CancellationToken.None);
-
-        Assert.Contains("the disk is full", trace.Failure, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public async Task A_trace_whose_reader_has_stopped_reading_holds_up_no_command_and_after_the_stop_nobody()
-    {
-        using var stalled = new StalledWriter();
-        var trace = new WireTrace(stalled, _time);
-        await using var channel = new CommandChannel(new ScriptedLink(_ => ":"), "A", Limit, _time, trace);
-        using var stop = new CancellationTokenSource();
-
-        Assert.IsType<Accepted>(await channel.SendAsync("STS", CancellationToken.None));
-        Assert.IsType<Accepted>(await channel.SendAsync("CB 1", CancellationToken.None));
-        var closing = trace.CloseAsync(stop.Token);
-        Assert.False(closing.IsCompleted); // without the operator's stop the reader is waited for indefinitely
-        await stop.CancelAsync();
-        while (!closing.IsCompleted)
-        {
-            _time.Advance(WireTrace.Patience);
-            await Task.Yield();
-        }
-
-        await closing;
-        Assert.Contains("stopped reading", trace.Failure, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public async Task A_trace_whose_reader_does_not_keep_up_ends_and_says_so()
-    {
-        var stalled = new StalledWriter();
-        var trace = new WireTrace(stalled, _time);
-        for (var line = 0; line <= WireTrace.MostWaiting + 1; line++) trace.Write("A", '>', "STS");
-        await stalled.DisposeAsync();
-        await trace.CloseAsync(CancellationToken.None);
-
-        Assert.Contains("fast enough", trace.Failure, StringComparison.Ordinal);
     }
 
     private CommandChannel Channel(ScriptedLink link) => new(link, "A", Limit, _time, null);

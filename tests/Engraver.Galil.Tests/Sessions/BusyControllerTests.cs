@@ -18,7 +18,7 @@ public class BusyControllerTests
         var end = await controller.ListenTcpAsync(0, CancellationToken.None);
 
         var failure = await Assert.ThrowsAsync<ControllerLinkException>(() => Galil.Sessions.ControllerSession.OpenAsync(
-            async cancellation => await Galil.Links.TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(60), TimeProvider.System, cancellation),
+            async cancellation => await Engraver.Links.TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(60), TimeProvider.System, cancellation, () => Galil.Sessions.ControllerSession.HandlesTaken),
             new Galil.Sessions.SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) },
             TimeProvider.System,
             CancellationToken.None));

@@ -1,9 +1,9 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 

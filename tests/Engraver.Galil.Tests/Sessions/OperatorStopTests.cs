@@ -1,6 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;
@@ -39,7 +39,7 @@ public class OperatorStopTests
             stop.Cancel();
         });
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() }, press, stop.Token);
 
         Assert.Equal((JobOutcome.Stopped, "Stopped by the operator."), (result.Outcome, result.Sentence));
         Assert.NotEqual(0, pressedAt);
@@ -58,7 +58,7 @@ public class OperatorStopTests
         await using var bench = new SimulatedBench();
         using var stop = new CancellationTokenSource();
 
-        var result = await bench.RunAsync(MotionPrograms.ShortLines(1600), SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 30000, stop.Cancel), stop.Token);
+        var result = await bench.RunAsync(MotionPrograms.ShortLines(1600), SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(progress => progress.X > 30000, stop.Cancel), stop.Token);
 
         Assert.InRange(result.SegmentsExecuted, (bench.Last.A / 60) - 1, (bench.Last.A / 60) + 1);
         Assert.Equal(result.SegmentsExecuted, result.ExecutedEntityIndices.Count);
@@ -97,7 +97,7 @@ public class OperatorStopTests
         await using var session = await bench.OpenAsync(opened: links.Add);
         using var stop = new CancellationTokenSource();
         var running = JobRunner.RunAsync(
-            MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
+            MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
         await links[0].SomebodyWaits;
 
         var braked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);

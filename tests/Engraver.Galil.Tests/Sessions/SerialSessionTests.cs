@@ -1,10 +1,10 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Sessions;
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
@@ -134,7 +135,7 @@ public class CertificateTests
         await File.WriteAllBytesAsync(part.File, DxfText.WithEntities([.. Enumerable.Range(0, 800).SelectMany(i => new (int, object)[] { (0, "LINE"), (10, 0.1 * i), (20, 0.0), (11, 0.1 * (i + 1)), (21, 0.0) })]).ToAscii());
         var line = new SerialAddress("/dev/ttyS0", 1200);
         var job = JobPreparation.Prepare(part.Request().Drawing, part.Settings, MotionStyle.Continuous);
-        var fit = JobPlan.FitToLink(job.Motion.Program!, line, JobMode.Stream, job.Drawing);
+        var fit = JobPlan.FitToLink(job.Motion.Program!, line, JobMode.Stream.Strategy(), job.Drawing);
         Assert.NotEmpty(fit.Diagnostics);
         await part.CertifyAsync(part.Request() with { Address = line });
 

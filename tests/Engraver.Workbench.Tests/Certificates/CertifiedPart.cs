@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
@@ -40,7 +41,7 @@ internal sealed class CertifiedPart : IDisposable
     /// <summary>Certificate status of a run of the part, optionally with other settings.</summary>
     public CertificateStanding Standing(JobMode mode = JobMode.Stream, DrawingSettings? settings = null)
     {
-        var job = JobPreparation.Prepare(DrawingFile.Open(File, settings ?? Settings, CancellationToken.None), settings ?? Settings, JobPlan.StyleOf(mode));
+        var job = JobPreparation.Prepare(DrawingFile.Open(File, settings ?? Settings, CancellationToken.None), settings ?? Settings, mode.Strategy().Style);
         return CertificateStanding.OfRun(job, job.Motion.Program!);
     }
 

@@ -1,5 +1,6 @@
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Tests.Commands;
@@ -10,9 +11,10 @@ internal sealed class CommandTalk : IAsyncDisposable
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-commands-");
     private readonly List<CommandMessage> _said = [];
 
-    public CommandTalk()
+    /// <param name="families">The controller families that the session knows; null for those of the program.</param>
+    public CommandTalk(MachineFamilies? families = null)
     {
-        Session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName, Journal = Journal, AliasFile = PathOf("my.pgp") }, CommandCatalog.Built());
+        Session = new CommandSession(new CommandEnvironment { Families = families ?? MachineFamilies.Standard, Folder = _folder.FullName, RunJournalFolder = _folder.FullName, Journal = Journal, AliasFile = PathOf("my.pgp") }, CommandCatalog.Built());
         Session.Said += (_, message) => _said.Add(message);
     }
 

@@ -23,7 +23,7 @@ public class ResumeCommandTests
         Assert.Equal(talk.Session.Machine.LastRun.Journal, talk.Session.Prompt.Default);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
         Assert.InRange(talk.Session.Machine.Part!.Shown.Segments, 5, 40);
-        Assert.Equal(mode, talk.Session.Machine.Part.Mode.ToString());
+        Assert.Equal(mode, talk.Session.Machine.Part.Strategy!.Keyword);
         await talk.TypeAsync("CNCARM", "");
         Assert.NotNull(talk.Session.Machine.Armed);
         Assert.Contains("segments are treated as already cut", talk.Said, StringComparison.Ordinal);

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -82,8 +83,8 @@ public sealed class DerivationSessionTests : IDisposable
         Assert.False(_derivation.IsCurrent);
         var serial = await _derivation.ForCurrentAsync(CancellationToken.None);
 
-        var fit = JobPlan.FitToLink(network.Job!.Motion.Program!, _derivation.Line, JobMode.Stream, network.Job.Drawing).Program;
-        Assert.Equal(JobPlan.PlannedTimes(fit, _derivation.Line, JobMode.Stream), serial.Plan);
+        var fit = JobPlan.FitToLink(network.Job!.Motion.Program!, _derivation.Line, JobMode.Stream.Strategy(), network.Job.Drawing).Program;
+        Assert.Equal(JobPlan.PlannedTimes(fit, _derivation.Line, JobMode.Stream.Strategy()), serial.Plan);
         Assert.True(serial.Plan!.Value.Total > network.Plan!.Value.Total);
         Assert.Same(network.Motion, serial.Motion);
         _derivation.Line = null;

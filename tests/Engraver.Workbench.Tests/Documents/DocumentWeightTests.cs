@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Tests.Commands;
@@ -15,9 +16,9 @@ public class DocumentWeightTests
     public void Planning_a_line_allocates_a_bounded_number_of_bytes_and_posts_nothing()
     {
         var state = new DocumentState { Drawing = Squares(Lines / 4) };
-        _ = DerivedDocument.Create(state, JobMode.Stream, CancellationToken.None);
+        _ = DerivedDocument.Create(state, JobMode.Stream.Strategy(), CancellationToken.None);
         var before = GC.GetAllocatedBytesForCurrentThread();
-        var derived = DerivedDocument.Create(state, JobMode.Stream, CancellationToken.None);
+        var derived = DerivedDocument.Create(state, JobMode.Stream.Strategy(), CancellationToken.None);
         var bytes = (double)(GC.GetAllocatedBytesForCurrentThread() - before) / Lines;
 
         Assert.Equal(Lines, derived.Motion!.SegmentCount);
@@ -31,7 +32,7 @@ public class DocumentWeightTests
     public void What_is_kept_of_a_planned_line_is_bounded()
     {
         var state = new DocumentState { Drawing = Squares(Lines / 4) };
-        var program = DerivedDocument.Create(state, JobMode.Stream, CancellationToken.None).Job!.Motion.Program!;
+        var program = DerivedDocument.Create(state, JobMode.Stream.Strategy(), CancellationToken.None).Job!.Motion.Program!;
         var columns = new VectorColumns(Lines);
         var segments = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => (sequence.Speed, Segments: sequence.Segments.ToArray())).ToList();
         var before = GC.GetAllocatedBytesForCurrentThread();

@@ -82,7 +82,7 @@ public class PostTableTests
         folder.Delete(recursive: true);
         Assert.All(PostTable.All, entry => Assert.NotNull(entry.Reader));
         Assert.Throws<KeyNotFoundException>(() => PostTable.Find("punched-tape"));
-        Assert.Equal(MotionStyle.Calls, PostTable.ForMotion(MotionStyle.Calls).Post.Motion);
+        Assert.Equal(MotionStyle.Calls, PostTable.ForMotion(MachineFamilies.Default, MotionStyle.Calls)!.Post.Motion);
     }
 
     private static Core.Drawings.Drawing Open(string sample) => DrawingFile.Open(CommandTalk.Sample(sample + ".dxf"), new DrawingSettings(), CancellationToken.None);

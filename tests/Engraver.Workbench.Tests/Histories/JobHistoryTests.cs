@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Histories;
 using Engraver.Workbench.Settings;
@@ -27,8 +28,8 @@ public sealed class JobHistoryTests : IDisposable
         Assert.Equal(kept.Id, back.Id);
         Assert.Equal(entry.Checks, back.Checks);
         Assert.Equal(entry with { Id = kept.Id, Checks = null, Settings = back.Settings, Profile = back.Profile, Options = back.Options }, back with { Checks = null });
-        Assert.Equal((321.0, 0.003, "A"), (back.ToSettings().Machine.FeedMmPerMinute, back.ToSettings().MaxErrorMm, Assert.Single(back.ToSettings().Layers!)));
-        Assert.Equal(SettingWords.Of(settings), SettingWords.Of(back.ToSettings()));
+        Assert.Equal((321.0, 0.003, "A"), (back.ToSettings(MachineFamilies.Standard).Machine.FeedMmPerMinute, back.ToSettings(MachineFamilies.Standard).MaxErrorMm, Assert.Single(back.ToSettings(MachineFamilies.Standard).Layers!)));
+        Assert.Equal(SettingWords.Of(settings), SettingWords.Of(back.ToSettings(MachineFamilies.Standard)));
     }
 
     [Fact]
@@ -154,7 +155,7 @@ public sealed class JobHistoryTests : IDisposable
     {
         var entry = Entry("a.dxf", s_now);
 
-        Assert.Throws<FormatException>(() => (entry with { Settings = new Dictionary<string, string>(entry.Settings) { [key] = word } }).ToSettings());
+        Assert.Throws<FormatException>(() => (entry with { Settings = new Dictionary<string, string>(entry.Settings) { [key] = word } }).ToSettings(MachineFamilies.Standard));
     }
 
     [Fact]

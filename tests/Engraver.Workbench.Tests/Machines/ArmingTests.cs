@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
@@ -172,7 +173,7 @@ public class ArmingTests
         await using var bench = await MachineBench.ConnectedAsync();
         var failed = new ArmingChecklist([new ArmingCheck(false, "no")]);
 
-        Assert.Throws<InvalidOperationException>(() => bench.Machine.Arm(MachineBench.Job(), JobMode.Stream, dryRun: false, failed));
+        Assert.Throws<InvalidOperationException>(() => bench.Machine.Arm(MachineBench.Job(), JobMode.Stream.Strategy(), dryRun: false, failed));
     }
 
     [Fact]
@@ -222,7 +223,7 @@ public class ArmingTests
     private static void Arm(MachineBench bench)
     {
         var job = MachineBench.Job();
-        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false, MachineBench.Placed, bench.Time.GetUtcNow()));
+        bench.Machine.Arm(job, JobMode.Stream.Strategy(), dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false, MachineBench.Placed, bench.Time.GetUtcNow()));
         Assert.Equal(MachineState.Armed, bench.Machine.Status.State);
     }
 }

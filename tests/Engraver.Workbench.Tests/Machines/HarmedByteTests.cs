@@ -2,7 +2,8 @@ using System.Globalization;
 using System.Text.RegularExpressions;
 using Engraver.Galil.Jobs;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -147,7 +148,7 @@ public sealed class HarmedByteTests : IDisposable
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
         await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new HarmingLink(new StreamLink(controller.OpenConnection(), "memory"), wire)), () => MachineClock.FromSimulator(controller.JoinClock()));
         var job = Job(mode, part ?? Part());
-        var options = new MachineRunOptions(new TcpAddress("memory", 1), mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
+        var options = new MachineRunOptions(new TcpAddress("memory", 1), mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         try
         {
             var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
@@ -163,7 +164,7 @@ public sealed class HarmedByteTests : IDisposable
     {
         var path = Path.Combine(_folder.FullName, "part.dxf");
         File.WriteAllBytes(path, part);
-        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), JobPlan.StyleOf(mode));
+        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), mode.Strategy().Style);
     }
 
     /// <summary>A round-ended plate with a hole, a slanting line on the negative side, and a bow of short chords: 70 mm in all.</summary>

@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
@@ -136,8 +137,8 @@ public sealed class HeightPartTests : IDisposable
     private async Task<MachineRunReport> RunAsync(Drawing drawing, MachineProfile machine, JobMode mode)
     {
         var settings = new DrawingSettings { Machine = machine };
-        var job = JobPreparation.Prepare(drawing, settings, JobPlan.StyleOf(mode));
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode) { JournalPath = Path.Combine(_folder.FullName, "job.jsonl") };
+        var job = JobPreparation.Prepare(drawing, settings, mode.Strategy().Style);
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "job.jsonl") };
         return await MachineRun.RunAsync(job, job.Motion.Program!, options, TimeProvider.System, progress: null, CancellationToken.None);
     }
 

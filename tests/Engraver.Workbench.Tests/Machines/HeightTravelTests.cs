@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
@@ -80,10 +81,10 @@ public sealed class HeightTravelTests
         await File.WriteAllTextAsync(file, Mill("-50", "50"), bench.Limit);
         var mill = bench.Machine.Profile = MachineProfileSource.Load(file);
         await bench.Machine.SetOriginAsync((memory, _) => memory.WithOrigin("G54", 0, 0, 1600), bench.Limit);
-        var job = JobPreparation.Prepare(new DrawingBuilder().Line(5, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings { Machine = mill }, JobPlan.StyleOf(mode));
+        var job = JobPreparation.Prepare(new DrawingBuilder().Line(5, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings { Machine = mill }, mode.Strategy().Style);
         var before = bench.Controller.Record.Snapshot().Count;
 
-        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new MachineRunOptions(address, mode) { JournalPath = Path.Combine(folder.FullName, "job.jsonl"), DryRun = dryRun }, bench.Limit);
+        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new MachineRunOptions(address, mode.Strategy()) { JournalPath = Path.Combine(folder.FullName, "job.jsonl"), DryRun = dryRun }, bench.Limit);
 
         Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Sentence);
         var heights = MotionExtents.Of(job.Motion.Program!).Heights(mill, dryRun)!.Value;

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
@@ -68,7 +69,7 @@ public class MachineFactsTests
     public void Progress_never_stands_under_ready_armed_or_a_missing_origin()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 1, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var armed = new ArmedJob(job, JobMode.Stream, true, new ArmingChecklist([]), DateTimeOffset.UnixEpoch);
+        var armed = new ArmedJob(job, JobMode.Stream.Strategy(), true, new ArmingChecklist([]), DateTimeOffset.UnixEpoch);
         var old = s_idle with { Progress = s_told, Told = s_told };
         Assert.Equal((MachineState.Ready, null), (Status(old).State, Status(old).Progress));
         Assert.Equal((MachineState.NoOrigin, null), (State(old with { OriginMissing = s_nowhere }), Status(old with { OriginMissing = s_nowhere }).Progress));
@@ -89,7 +90,7 @@ public class MachineFactsTests
     public void What_is_armed_is_armed_only_at_a_machine_that_is_ready()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 1, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var armed = new ArmedJob(job, JobMode.Stream, false, new ArmingChecklist([]), DateTimeOffset.UnixEpoch);
+        var armed = new ArmedJob(job, JobMode.Stream.Strategy(), false, new ArmingChecklist([]), DateTimeOffset.UnixEpoch);
 
         Assert.Equal((MachineState.Armed, armed.Until), (s_idle.ToStatus(MachineProfile.Default, armed).State, s_idle.ToStatus(MachineProfile.Default, armed).ArmedUntil));
         var off = With(s_rest with { MotorsOff = "A" }).ToStatus(MachineProfile.Default, armed);

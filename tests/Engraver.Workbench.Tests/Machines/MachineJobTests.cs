@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
@@ -196,7 +197,7 @@ public sealed class MachineJobTests : IDisposable
     }
 
     private Task<MachineRunReport> RunAsync(MachineSession machine, PreparedJob job) => machine.RunAsync(
-        job, job.Motion.Program!, address => new MachineRunOptions(address, JobMode.Stream) { JournalPath = Path.Combine(_folder.FullName, $"{Guid.NewGuid():N}.jsonl") }, CancellationToken.None);
+        job, job.Motion.Program!, address => new MachineRunOptions(address, JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, $"{Guid.NewGuid():N}.jsonl") }, CancellationToken.None);
 
     private async Task SeenAsync(MachineSession machine, Func<MachineStatus, bool> wanted)
     {

@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
@@ -61,8 +62,8 @@ public sealed class OtherAxesTests : IDisposable
 
     private Task<MachineRunReport> RunAsync(DrawingSettings settings, JobMode mode)
     {
-        var job = JobPreparation.Prepare(Sample(settings), settings, JobPlan.StyleOf(mode));
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode) { JournalPath = Path.Combine(_folder.FullName, "job.jsonl") };
+        var job = JobPreparation.Prepare(Sample(settings), settings, mode.Strategy().Style);
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "job.jsonl") };
         return MachineRun.RunAsync(job, job.Motion.Program!, options, TimeProvider.System, progress: null, CancellationToken.None);
     }
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -74,8 +75,8 @@ public sealed class SameRunTests : IDisposable
         var (journal, trace) = (Path.Combine(_folder.FullName, "run.jsonl"), Path.Combine(_folder.FullName, "run.trace"));
         File.Delete(journal);
         var settings = new DrawingSettings();
-        var job = JobPreparation.Prepare(new DrawingBuilder().Square(2, 3, 4).Circle(12, 5, 2).Line(15, 0, 18, 1).Line(18, 1, 19, 1.2).Build(), settings, JobPlan.StyleOf(mode));
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode) { JournalPath = journal, TracePath = trace };
+        var job = JobPreparation.Prepare(new DrawingBuilder().Square(2, 3, 4).Circle(12, 5, 2).Line(15, 0, 18, 1).Line(18, 1, 19, 1.2).Build(), settings, mode.Strategy().Style);
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode.Strategy()) { JournalPath = journal, TracePath = trace };
 
         var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
         using var record = new StringWriter();

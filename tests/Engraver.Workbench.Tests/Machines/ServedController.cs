@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
@@ -43,9 +44,9 @@ internal sealed class ServedController : IAsyncDisposable
     /// <summary>Cuts the drawing over the link.</summary>
     public async Task<(JobResult Result, RunJudgement Judged)> CutAsync(string drawing, JobMode mode)
     {
-        var job = JobPreparation.Prepare(DrawingFile.Open(drawing, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), JobPlan.StyleOf(mode));
-        var options = new MachineRunOptions(_address, mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
-        var program = JobPlan.FitToLink(job.Motion.Program!, _address, mode, job.Drawing).Program;
+        var job = JobPreparation.Prepare(DrawingFile.Open(drawing, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), mode.Strategy().Style);
+        var options = new MachineRunOptions(_address, mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
+        var program = JobPlan.FitToLink(job.Motion.Program!, _address, mode.Strategy(), job.Drawing).Program;
         var report = await MachineRun.RunAsync(job, program, options, _clock, null, CancellationToken.None);
         return (report.Result, _controller is { } served ? RecordJudgement.Of(job, served.Record.Snapshot(), 0, 0) : report.Judgement);
     }

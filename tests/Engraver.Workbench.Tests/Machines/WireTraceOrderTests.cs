@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -15,7 +16,7 @@ public sealed class WireTraceOrderTests : IDisposable
     {
         var job = MachineBench.Job();
         var path = Path.Combine(_folder.FullName, "trace.txt");
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), TracePath = path };
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), TracePath = path };
         var report = await MachineRun.RunAsync(job, job.Motion.Program!, options, TimeProvider.System, null, CancellationToken.None);
         var lines = (await File.ReadAllLinesAsync(path)).Select(line => line[(line.IndexOf(' ', StringComparison.Ordinal) + 1)..]).ToList();
 

@@ -64,7 +64,7 @@ public class PlannedMotionTests
     public void A_segment_of_an_ellipse_is_on_its_move_and_what_follows_on_its_own()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Circle(0, 0, 3).Free(FreeCurves.Ellipse(20, 0, 12, 0.6, 0, 0, 360).ToCurve()).Line(40, 0, 50, 0).Line(50, 0, 50, 10).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
         StrokeMove[] moves = [.. job.Toolpath.Strokes.SelectMany(stroke => stroke.Moves)];
         Assert.True(moves.Length > job.Sequence.Table.Count + 3, $"{moves.Length} moves");
         for (var segment = 0; segment < motion.SegmentCount; segment++)
@@ -138,7 +138,7 @@ public class PlannedMotionTests
     public void A_line_is_run_by_its_trapezoid_and_with_the_tool_settled()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 30, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
         var begins = motion.TimeOfEntity(0)!.Value;
         var ramp = 20_000.0 / 256_000.0;
 
@@ -157,7 +157,7 @@ public class PlannedMotionTests
     public void What_follows_a_move_without_a_segment_is_on_its_own_move()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Curve(CurveType.LwPolyline, Segment.FromLine(new(0, 0), new(10, 0)), Segment.FromLine(new(10, 0), new(10.0003, 0)), Segment.FromLine(new(10.0003, 0), new(20, 5)), Segment.FromLine(new(20, 5), new(30, 5))).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
         Assert.Equal((3, 4), (motion.SegmentCount, job.Toolpath.Strokes[0].Moves.Count));
 
         Assert.Equal([0, 2, 3], Enumerable.Range(0, 3).Select(segment => motion.At(motion.TimeOfSegment(segment) + 0.01).Move));
@@ -188,7 +188,7 @@ public class PlannedMotionTests
     public void A_full_circle_begins_and_goes_on_and_never_jumps_to_its_end()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Circle(0, 0, 10).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
         var begins = motion.TimeOfSegment(0);
         var start = motion.At(begins).Position;
         foreach (var aside in (double[])[-0.02, 0.0, 0.02]) Assert.Equal(begins, motion.TimeOfPlace(0, start + new Vector2D(0, aside)), tolerance: 0.05);
@@ -201,7 +201,7 @@ public class PlannedMotionTests
     public void A_rapid_moves_each_axis_at_its_own_pace()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(50, 5, 60, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
         var rapid = motion.Timeline.Spans.First(span => span.Kind == MotionSpanKind.Rapid);
         var middle = motion.At(rapid.Start + (rapid.Seconds / 2.0));
 
@@ -214,7 +214,7 @@ public class PlannedMotionTests
     public void A_job_with_nothing_to_cut_stands_at_its_start()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings { Start = new Point2D(3, 4) }, MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
 
         Assert.Equal((0.0, new Point2D(3, 4), -1), (motion.DurationSeconds, motion.At(1.0).Position, motion.At(1.0).Segment));
     }
@@ -239,7 +239,7 @@ public class PlannedMotionTests
     private static (PreparedJob Job, PlannedMotion Motion) Motion(string sample)
     {
         var drawing = DrawingFile.Open(CommandTalk.Sample(sample), new DrawingSettings(), CancellationToken.None);
-        var derived = DerivedDocument.Create(new DocumentState { Drawing = drawing }, Engraver.Core.Machines.JobMode.Stream, CancellationToken.None);
+        var derived = DerivedDocument.Create(new DocumentState { Drawing = drawing }, JobMode.Stream.Strategy(), CancellationToken.None);
         return (derived.Job!, derived.Motion!);
     }
 }

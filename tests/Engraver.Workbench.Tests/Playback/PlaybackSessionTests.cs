@@ -16,7 +16,7 @@ public class PlaybackSessionTests
     public PlaybackSessionTests()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 110, 0).Line(0, 50, 90, 50).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        _motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        _motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Default.NetworkTimes, null, CancellationToken.None);
         _playback = new PlaybackSession(_time);
         _playback.Load(_motion);
     }

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Commands;
@@ -51,7 +52,7 @@ public class SettingWordingTests
         var drawing = new TestKit.DrawingBuilder().Line(0, 0, 10, 0).Line(10.25, 0, 90, 0).Build();
         talk.Session.Document.Take("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = drawing });
         await talk.TypeAsync("CHECK");
-        var derived = Engraver.Workbench.Documents.DerivedDocument.Create(talk.State, Engraver.Core.Machines.JobMode.Stream, CancellationToken.None);
+        var derived = Engraver.Workbench.Documents.DerivedDocument.Create(talk.State, JobMode.Stream.Strategy(), CancellationToken.None);
 
         Assert.Contains("warning SEQ0003: The contour is open at 10, 0: the nearest other open end is 0.25 mm away, on entity A2. Close the gap in the drawing, or set CNCJOINTOL above the gap.", talk.Said, StringComparison.Ordinal);
         Assert.EndsWith("\n0 errors, 2 warnings.", talk.Said, StringComparison.Ordinal);

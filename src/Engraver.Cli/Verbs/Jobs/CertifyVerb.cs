@@ -52,14 +52,15 @@ internal sealed class CertifyVerb
     {
         var (settings, file) = (_drawing.Settings(parsed), _drawing.File(parsed));
         VerbHost.KeepApart(file, parsed.GetValue(_output));
-        var hash = ContentHash.OfFile(file);
-        var request = new CertificationRequest(DrawingFile.Open(file, settings, stop), hash, settings, Target(parsed), TimeProvider.System.GetUtcNow())
+        var (strategy, hash) = (ModeOption.Strategy(parsed, _mode, settings), ContentHash.OfFile(file));
+        var target = Target(parsed, settings, strategy);
+        var request = new CertificationRequest(DrawingFile.Open(file, settings, stop), hash, settings, target, TimeProvider.System.GetUtcNow())
         {
-            Dialect = Dialect(parsed),
+            Dialect = Dialect(parsed, target),
             Program = parsed.GetValue(_program) is { } program ? Given(program) : null,
             Posted = Posted(parsed) with { Start = parsed.GetValue(_program) is { } started ? _host.KeptStart(parsed, started) : null },
             Address = parsed.GetValue(_connect),
-            Mode = ModeOption.Mode(parsed.GetValue(_mode)),
+            Strategy = strategy,
         };
         var place = parsed.GetValue(_output) ?? CertificateFile.PathOf(file, request.Target.Post.Name, request.Dialect);
         return parsed.GetValue(_check) ? Check(parsed, request, place) : await CertifyAsync(parsed, request, place, stop).ConfigureAwait(false);
@@ -93,11 +94,11 @@ internal sealed class CertifyVerb
         return standing.State == CertificateState.Stands ? ExitCode.Done : ExitCode.DrawingError;
     }
 
-    /// <summary>Without a target: the program that would be sent to the machine in this mode.</summary>
-    private PostEntry Target(ParseResult parsed) =>
-        parsed.GetValue(_target) is { } name ? PostTable.Find(name) : PostTable.ForMotion(JobPlan.StyleOf(ModeOption.Mode(parsed.GetValue(_mode))));
+    /// <summary>Without a target: what the machine would be sent with this strategy; the first of the table where its family has no post.</summary>
+    private PostEntry Target(ParseResult parsed, DrawingSettings settings, ExecutionStrategy strategy) =>
+        parsed.GetValue(_target) is { } name ? PostTable.Find(name) : PostTable.ForMotion(MachineFamilies.DriverOf(settings.Machine), strategy.Style) ?? PostTable.All[0];
 
-    private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.ForMotion(MotionStyle.Continuous).Post.Name;
+    private string Target(CommandResult result) => result.GetResult(_target) is { Tokens: [var named] } ? named.Value : PostTable.All[0].Post.Name;
 
     /// <exception cref="UsageException">An option describes a given program but none is given: the program posted here has the defaults.</exception>
     private PostedWith Posted(ParseResult parsed)
@@ -108,10 +109,9 @@ internal sealed class CertifyVerb
 
     /// <summary>Null for the default dialect of the target.</summary>
     /// <exception cref="UsageException">The target does not have it.</exception>
-    private string? Dialect(ParseResult parsed)
+    private string? Dialect(ParseResult parsed, PostEntry target)
     {
         if (parsed.GetValue(_dialect) is not { } dialect) return null;
-        var target = Target(parsed);
         if (!target.Dialects.ContainsKey(dialect)) throw new UsageException(Wording.Get("Post.OptionNotSupported", _dialect.Name, target.Post.Name));
         return target.Post.Options.Any(option => option.Name == "dialect" && option.Default == dialect) ? null : dialect;
     }

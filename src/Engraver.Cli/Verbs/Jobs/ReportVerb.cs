@@ -29,7 +29,7 @@ internal static class ReportVerb
             if (kept is not null && !File.Exists(kept) && !File.Exists(KeptTrace.PathOf(kept))) throw new UsageException(Wording.Get("Report.NoJournal", kept));
             var history = new JobHistory(JobHistory.FolderIn(null));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var request = new JobReportRequest(read, settings, ModeOption.Mode(parsed.GetValue(mode)), TimeProvider.System.GetUtcNow()) { Address = parsed.GetValue(connect), Rates = parsed.GetValue(rate), Journal = kept };
+            var request = new JobReportRequest(read, settings, ModeOption.Strategy(parsed, mode, settings), TimeProvider.System.GetUtcNow()) { Address = parsed.GetValue(connect), Rates = parsed.GetValue(rate), Journal = kept };
             var report = JobReport.Create(request.WithRunOf(history.Look()), stop);
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => JobReportPage.Write(report, TimeZoneInfo.Local, writer));
             if (report.Run is { } run && history.Keep(run with { Report = Path.GetFullPath(parsed.GetRequiredValue(output)) }) is { } failure) host.Error.WriteLine(Wording.Get("Verbs.HistoryNotWritten", failure));

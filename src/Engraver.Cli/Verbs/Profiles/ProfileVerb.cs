@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Output;
 using Engraver.Core.Machines.Profiles;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs.Profiles;
@@ -16,7 +17,7 @@ internal static class ProfileVerb
         check.SetAction((parsed, _) =>
         {
             var path = parsed.GetRequiredValue(file);
-            var read = MachineProfileSource.Read(path);
+            var read = MachineProfileSource.Read(path, MachineFamilies.Standard);
             IReadOnlyList<string> meaning = read.Profile is { } profile ? ProfileMeaning.Of(profile) : [];
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, ProfileJson.From(path, read, meaning), ProfileContract.Default.ProfileJson);
             else foreach (var sentence in meaning) host.Out.WriteLine(sentence);

@@ -1,8 +1,14 @@
+using System.Text.Json.Serialization;
+
 namespace Engraver.Core.Machines.Profiles;
 
 /// <summary>The fields of a profile file; missing fields keep the default machine profile's value.</summary>
 internal sealed class MachineProfileDocument
 {
+    /// <summary>Key of a controller family; null for the program's default.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public string? Controller { get; set; }
+
     public string? AxisX { get; set; }
 
     public string? AxisY { get; set; }
@@ -51,6 +57,7 @@ internal sealed class MachineProfileDocument
 
     public static MachineProfileDocument From(MachineProfile profile) => new()
     {
+        Controller = profile.Controller?.Key,
         AxisX = profile.Axes.X.Letter.ToString(),
         AxisY = profile.Axes.Y.Letter.ToString(),
         AxisZ = profile.Axes.Z?.Letter.ToString(),
@@ -96,8 +103,10 @@ internal sealed class MachineProfileDocument
         CostPerStart = profile.Rates?.PerStart,
     };
 
-    public MachineProfile Over(MachineProfile profile) => new()
+    /// <param name="controller">The family that <see cref="Controller"/> names.</param>
+    public MachineProfile Over(MachineProfile profile, IControllerFamily? controller) => new()
     {
+        Controller = controller,
         Axes = new MachineAxes(Axis('X', AxisX, CountsPerMillimetreX, MotorTypeX, TravelX, profile.Axes.X), Axis('Y', AxisY, CountsPerMillimetreY, MotorTypeY, TravelY, profile.Axes.Y), AxisOfHeight(profile.Axes.Z)),
         FeedMmPerMinute = FeedMmPerMinute ?? profile.FeedMmPerMinute,
         RapidMmPerMinute = RapidMmPerMinute ?? profile.RapidMmPerMinute,

@@ -13,13 +13,15 @@ public static class MachineProfileFile
 
     /// <summary>Reads a profile and checks it against what the controller accepts. Every error is a diagnostic, with the line where the text itself is
     /// wrong.</summary>
-    public static MachineProfileReading Read(string json, MachineLimits limits)
+    /// <param name="limits">Those of the controller of a profile that names no family.</param>
+    /// <param name="families">The families that a profile may name; null for none.</param>
+    public static MachineProfileReading Read(string json, MachineLimits limits, IReadOnlyList<IControllerFamily>? families = null)
     {
         var fields = JsonFields.Read(json);
         IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown(Known).Select(field => MotionRules.ProfileFieldUnknown.At(new SourceRef(field.Line), field.Path, JsonFields.Nearest(field.Name, Known(field.Owner)!)))];
         try
         {
-            var read = Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits, isWhole: unknown.Count == 0);
+            var read = Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits, families ?? [], isWhole: unknown.Count == 0);
             IReadOnlyList<Diagnostic> findings = [.. Written(read.Diagnostics, fields, isWhole: unknown.Count == 0).Select(finding => finding.Source == default ? finding with { Source = new SourceRef(fields.LineOf(finding.Facts[0])) } : finding)];
             return unknown.Count == 0 ? read with { Diagnostics = findings } : new MachineProfileReading(null, [.. unknown, .. findings]);
         }
@@ -41,11 +43,13 @@ public static class MachineProfileFile
     /// <summary>The profile with every field, ready to be edited.</summary>
     public static string Write(MachineProfile profile) => JsonSerializer.Serialize(MachineProfileDocument.From(profile), MachineProfileJson.Default.MachineProfileDocument) + "\n";
 
-    private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits, bool isWhole)
+    private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits, IReadOnlyList<IControllerFamily> families, bool isWhole)
     {
         if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.NullInsteadOfObject"))]);
-        var profile = document.Over(MachineProfile.Default);
-        IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Where(field => isWhole || field.Field == "toolDrive").Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.AnyValue"), field.Needs)), .. MachineProfileValidation.Check(profile, limits)];
+        var controller = families.FirstOrDefault(family => family.Key == document.Controller);
+        if (document.Controller is { } unknown && controller is null) return new MachineProfileReading(null, [MotionRules.SettingOutOfRange.At(default, "controller", unknown, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", families.Select(family => family.Key))))]);
+        var profile = document.Over(MachineProfile.Default, controller);
+        IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Where(field => isWhole || field.Field == "toolDrive").Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.AnyValue"), field.Needs)), .. MachineProfileValidation.Check(profile, controller?.Limits ?? limits)];
         if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", Wording.Get("MachineProfileFile.AnyValue"), Wording.Get("MachineProfileValidation.NoAxisZ"))];
         if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
         return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);

@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Jobs.Journal;
 

@@ -2,6 +2,7 @@ using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -23,13 +24,13 @@ internal static class ResumeFinder
     public static async Task<ResumePlace> FindAsync(CommandChannel channel, MotionProgram program, JobMode mode, string journal, CancellationToken cancellation)
     {
         var job = Read(journal, out var refused);
-        if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePlace.Refused(refused) with { Mode = job?.Header.Mode, Settings = job?.Header.Settings, IsOtherPath = job is not null && Unfit(job, mode).Length == 0 };
+        if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePlace.Refused(refused) with { Strategy = job?.Header.Mode.Strategy(), Settings = job?.Header.Settings, IsOtherPath = job is not null && Unfit(job, mode).Length == 0 };
         var witness = new JournalWitness(job, program);
         if (witness.WhyNotThere() is { Length: > 0 } elsewhere) return ResumePlace.Refused(elsewhere);
         var kept = await AskAsync(channel, ResidentProgram.Variables.JobMark, cancellation).ConfigureAwait(false);
         var tripped = await AskAsync(channel, ResidentProgram.Variables.TripMark, cancellation).ConfigureAwait(false);
         var frame = new CountsPoint(job.Header.FrameX, job.Header.FrameY);
-        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode, HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings, IsUnsealed = job.IsUnsealed };
+        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Strategy = mode.Strategy(), HeightOfCut = job.Header.HeightOfCut, Settings = job.Header.Settings, IsUnsealed = job.IsUnsealed };
         var sequences = kept == job.Header.Mark ? await AskAsync(channel, ResidentProgram.Variables.Sequence, cancellation).ConfigureAwait(false) : null;
         if (witness.WhyNotCounted(sequences) is { Length: > 0 } contradicted) return ResumePlace.Refused(contradicted);
         if (tripped != job.Header.Mark || job.Opened is not { } opened) return found;
@@ -89,11 +90,9 @@ internal static class ResumeFinder
     {
         { Fault: { Length: > 0 } fault } => fault,
         { WhyOver: { Length: > 0 } over } => over,
-        { Header.Mode: var other } when other != mode => Wording.Get("Resume.OtherMode", Word(other), Word(mode)),
+        { Header.Mode: var other } when other != mode => Wording.Get("Resume.OtherMode", other.Strategy().Key, mode.Strategy().Key),
         _ => "",
     };
-
-    private static string Word(JobMode mode) => mode switch { JobMode.Stream => "stream", JobMode.Calls => "calls", _ => "program" };
 
     private static double Speed(MotionProgram program, JobPlace place) => program.SpeedBehind(place.Segments) * JobControl.FeedRange.Fastest;
 

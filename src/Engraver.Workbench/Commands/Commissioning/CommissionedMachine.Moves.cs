@@ -24,7 +24,7 @@ internal sealed partial class CommissionedMachine
     {
         get
         {
-            var step = MachineFamilies.Driver.Limits.AccelerationStep;
+            var step = MachineFamilies.DriverOf(Start).Limits.AccelerationStep;
             return Start with
             {
                 Axes = new MachineAxes(InCounts(Start.Axes.X), InCounts(Start.Axes.Y), Start.Axes.Z is { } z ? InCounts(z) : null),

@@ -38,7 +38,8 @@ internal sealed partial class CommissionedMachine
     public static async Task<CommissionedMachine> FindAsync(CommandContext context, CancellationToken cancellation)
     {
         var letters = context.Machine.Profile.Axes.Letters;
-        var there = MachineFamilies.Driver.Limits.Axes[..Math.Min(MachineFamilies.Driver.Limits.Axes.Length, context.Machine.Identity!.Axes)];
+        var known = MachineFamilies.DriverOf(context.Machine.Profile).Limits.Axes;
+        var there = known[..Math.Min(known.Length, context.Machine.Identity!.Axes)];
         if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.Spell(Wording.Get("Commission.AxesDiffer", letters, there)));
         return new CommissionedMachine(context, await context.Machine.SetUpAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
     }

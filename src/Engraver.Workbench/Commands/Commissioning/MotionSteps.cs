@@ -94,7 +94,7 @@ internal sealed class ScaleStep : ICommissioningStep
     private static void Take(CommissionedMachine machine, MachineAxis axis)
     {
         var next = ProfileAxis.With(machine.Profile, axis);
-        if (MachineProfileValidation.Check(next, MachineFamilies.Driver.Limits) is [{ } finding, ..])
+        if (MachineProfileValidation.Check(next, MachineFamilies.DriverOf(next).Limits) is [{ } finding, ..])
         {
             machine.Context.Say(SettingWording.AtCommandLine(finding).Message, MessageKind.Warning);
             return;
@@ -159,7 +159,7 @@ internal sealed class OutputStep : ICommissioningStep
 
     public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
-        var prompt = new NumberPrompt(Wording.Get("Commission.EnterToolOutput", machine.Profile.ToolOutput)) { Least = 1.0, Most = MachineFamilies.Driver.Limits.Outputs, Whole = true, EnterEnds = true };
+        var prompt = new NumberPrompt(Wording.Get("Commission.EnterToolOutput", machine.Profile.ToolOutput)) { Least = 1.0, Most = MachineFamilies.DriverOf(machine.Profile).Limits.Outputs, Whole = true, EnterEnds = true };
         while (await machine.Context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var typed })
         {
             var output = (int)typed;

@@ -22,7 +22,7 @@ internal sealed class CertifyCommand : ICommand
     {
         var file = context.Drawing.FileName;
         if (context.Document.IsDrawingEdited || context.Document.FilePath != file) throw new CommandException(CommandFailure.Usage, Wording.Get("Certify.Edited"));
-        var usual = PostTable.ForMotion(JobPlan.StyleOf(context.Derivation.Mode)).Keyword;
+        var usual = (PostTable.ForMotion(context.Driver, context.Derivation.Strategy.Style) ?? PostTable.All[0]).Keyword;
         var keyword = await context.ChoiceAsync(Wording.Get("Certify.EnterTarget"), s_targets, context.Remembered(Name, usual)).ConfigureAwait(false);
         context.Remember(Name, keyword);
         var made = await ReadBackProgress.ShowAsync(context.Progress, progress => Certification.CertifyAsync(Request(context, file, s_readable.First(choice => choice.Keyword == keyword), cancellation), progress, cancellation), cancellation).ConfigureAwait(false);
@@ -40,12 +40,12 @@ internal sealed class CertifyCommand : ICommand
     {
         var (settings, hash) = (context.Document.Current.Settings, ContentHash.OfFile(file));
         var drawing = DrawingFile.Open(file, settings, cancellation);
-        return new CertificationRequest(drawing, hash, settings, target.Entry, context.Time.GetUtcNow()) { Dialect = target.Dialect, Address = context.Machine.Line, Mode = context.Derivation.Mode };
+        return new CertificationRequest(drawing, hash, settings, target.Entry, context.Time.GetUtcNow()) { Dialect = target.Dialect, Address = context.Machine.Line, Strategy = context.Derivation.Strategy };
     }
 
     /// <summary>Updates the start checks.</summary>
     private static async Task LookAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Derivation.Current is { Job: { Motion.Program: { } program } job } derived) await context.Certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false);
+        if (context.Derivation.Current is { Job: { Motion.Program: { } program } job } derived) await context.Certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false);
     }
 }

@@ -32,8 +32,8 @@ internal sealed class HistoryCommand : ICommand
         if (reading.Entries.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoEntries"));
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("History.EnterNumber"))).ConfigureAwait(false);
         var entry = reading.Find(name) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoEntry", name));
-        if (option == "rePort") await JobPageFile.WriteAsync(context, entry, SettingsOf(entry), cancellation).ConfigureAwait(false);
-        else Open(context, entry, option == "Rerun" ? SettingsOf(entry) : null, cancellation);
+        if (option == "rePort") await JobPageFile.WriteAsync(context, entry, SettingsOf(entry, context.Families), cancellation).ConfigureAwait(false);
+        else Open(context, entry, option == "Rerun" ? SettingsOf(entry, context.Families) : null, cancellation);
         if (option == "Rerun" && entry.Kind == "post") await PostCommand.WriteAsync(context, PostOf(entry), entry.Options).ConfigureAwait(false);
     }
 
@@ -62,11 +62,11 @@ internal sealed class HistoryCommand : ICommand
         return isKnown ? post! : throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoSuchPost", HistoryText.Target(entry)));
     }
 
-    private static DrawingSettings SettingsOf(HistoryEntry entry)
+    private static DrawingSettings SettingsOf(HistoryEntry entry, MachineFamilies families)
     {
         try
         {
-            return entry.ToSettings();
+            return entry.ToSettings(families);
         }
         catch (FormatException unfit)
         {

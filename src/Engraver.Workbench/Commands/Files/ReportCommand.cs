@@ -1,5 +1,5 @@
-using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Histories;
@@ -20,7 +20,7 @@ internal sealed class ReportCommand : ICommand
         var name = await context.ValueAsync(new FilePrompt(Wording.Get("Report.EnterFileName"), new FileWanted("report", true, ".html") { Suggested = Path.GetFullPath(JobReportPage.PathOf(drawing.FileName)) }) { Default = usual }).ConfigureAwait(false);
         var path = name == usual ? JobReportPage.PathOf(drawing.FileName) : context.FileToWrite(name);
         if (name != usual || !context.IsScripted) await ReplacePrompt.ConfirmAsync(context, path, name).ConfigureAwait(false);
-        var request = new JobReportRequest(drawing, settings, context.Derivation.Mode, context.Time.GetUtcNow()) { Address = context.Machine.Line, Spell = SettingWording.AtCommandLine };
+        var request = new JobReportRequest(drawing, settings, context.Derivation.Strategy, context.Time.GetUtcNow()) { Families = context.Families, Address = context.Machine.Line, Spell = SettingWording.AtCommandLine };
         await JobPageFile.WriteAsync(context, request.WithRunOf(context.History.Look()), path, cancellation).ConfigureAwait(false);
     }
 }
@@ -42,9 +42,10 @@ internal static class JobPageFile
     {
         var drawing = DrawingFile.Open(entry.Drawing, settings, cancellation);
         if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, Wording.Get("Report.DrawingUnreadable", entry.Drawing, drawing.Diagnostics[0].Message));
-        var mode = entry.Mode switch { "calls" => JobMode.Calls, "program" => JobMode.Program, _ => JobMode.Stream };
-        var address = entry.Address is { } word && ControllerAddress.TryParse(word, out var known) ? known : null;
-        var request = new JobReportRequest(drawing, settings, mode, context.Time.GetUtcNow()) { Address = address, Run = entry, Journal = entry.Journal, Spell = SettingWording.AtCommandLine };
+        var driver = MachineFamilies.DriverOf(settings.Machine);
+        var strategy = driver.Strategies.FirstOrDefault(one => one.Key == entry.Mode) ?? driver.DefaultStrategy;
+        var address = entry.Address is { } word && context.Families.TryParseAddress(word, out var known) ? known : null;
+        var request = new JobReportRequest(drawing, settings, strategy, context.Time.GetUtcNow()) { Families = context.Families, Address = address, Run = entry, Journal = entry.Journal, Spell = SettingWording.AtCommandLine };
         return WriteAsync(context, request, JobReportPage.PathOf(entry.Drawing), cancellation);
     }
 }

@@ -10,8 +10,6 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCARM: Runs the start checks, and enables START for 60 s or until anything changes.</summary>
 internal sealed class CncArmCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List([.. Enum.GetNames<JobMode>(), "Dryrun", "Trajectories", "oFf"]);
-
     public CommandInfo Info { get; } = new("CNCARM", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
@@ -24,17 +22,17 @@ internal sealed class CncArmCommand : ICommand
             return;
         }
 
-        var job = mode.RunsTrajectories ? JobStart.Followed(context, mode.Mode) : await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
-        JobStart.SayPart(context, job, mode.Mode);
+        var job = mode.RunsTrajectories ? JobStart.Followed(context, mode.Strategy) : await JobAsync(context, mode.Strategy, cancellation).ConfigureAwait(false);
+        JobStart.SayPart(context, job, mode.Strategy);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.ContinueWithErrors")).ConfigureAwait(false);
         var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
-        var certificate = job.Motion.Program is { } certified ? await StandingAsync(context, job, context.Machine.FitToLink(certified, mode.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
+        var certificate = job.Motion.Program is { } certified ? await StandingAsync(context, job, context.Machine.FitToLink(certified, mode.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
         var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow(), certificate?.Check);
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
-        var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
-        context.Say(Wording.Get(mode.DryRun ? "CncArm.ArmedToolOff" : "CncArm.Armed", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Mode));
+        var armed = context.Machine.Arm(job, mode.Strategy, mode.DryRun, checklist);
+        context.Say(Wording.Get(mode.DryRun ? "CncArm.ArmedToolOff" : "CncArm.Armed", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Strategy.Keyword));
     }
 
     /// <summary>The certificate status of the job; for the document's job the displayed status is updated too.</summary>
@@ -42,12 +40,14 @@ internal sealed class CncArmCommand : ICommand
         ReferenceEquals(job, context.Derivation.Current.Job) ? context.Certificates.LookAsync(job, program, cancellation) : Task.Run(() => CertificateStanding.OfRun(job, program), cancellation);
 
     /// <returns>Null: the operator chose to disarm.</returns>
-    private static async Task<(JobMode Mode, bool DryRun, bool RunsTrajectories)?> ModeAsync(CommandContext context)
+    private static async Task<(ExecutionStrategy Strategy, bool DryRun, bool RunsTrajectories)?> ModeAsync(CommandContext context)
     {
-        var (dryRun, runsTrajectories) = (false, false);
+        var (driver, dryRun, runsTrajectories) = (context.Driver, false, false);
+        var remembered = driver.Strategies.FirstOrDefault(strategy => strategy.Keyword == context.Remembered("CNCARM")) ?? driver.DefaultStrategy;
+        var answers = Keyword.List([.. driver.Strategies.Select(strategy => strategy.Keyword), "Dryrun", "Trajectories", "oFf"]);
         while (true)
         {
-            var answer = await context.ChoiceAsync(Wording.Get(dryRun ? "CncArm.EnterModeToolOff" : "CncArm.EnterMode"), s_answers, context.Remembered("CNCARM", nameof(JobMode.Stream))).ConfigureAwait(false);
+            var answer = await context.ChoiceAsync(Wording.Get(dryRun ? "CncArm.EnterModeToolOff" : "CncArm.EnterMode"), answers, remembered.Keyword).ConfigureAwait(false);
             if (answer == "oFf") return null;
             if (answer is "Dryrun" or "Trajectories")
             {
@@ -56,16 +56,16 @@ internal sealed class CncArmCommand : ICommand
             }
 
             context.Remember("CNCARM", answer);
-            return (Enum.Parse<JobMode>(answer), dryRun, runsTrajectories);
+            return (driver.Strategies.First(strategy => strategy.Keyword == answer), dryRun, runsTrajectories);
         }
     }
 
-    /// <summary>The derived job if it has the same mode; otherwise a job prepared on another thread.</summary>
-    private static async Task<PreparedJob> JobAsync(CommandContext context, JobMode mode, CancellationToken cancellation)
+    /// <summary>The job that was derived already when it is of the same strategy; otherwise one that is prepared on another thread.</summary>
+    private static async Task<PreparedJob> JobAsync(CommandContext context, ExecutionStrategy strategy, CancellationToken cancellation)
     {
-        if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Mode == mode && ReferenceEquals(derived.Drawing, context.Drawing)) return derived;
+        if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Strategy == strategy && ReferenceEquals(derived.Drawing, context.Drawing)) return derived;
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, JobPlan.StyleOf(mode), cancellation), cancellation).ConfigureAwait(false);
+        return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, strategy.Style, cancellation), cancellation).ConfigureAwait(false);
     }
 }
 

@@ -22,7 +22,7 @@ internal sealed class CncFrameCommand : ICommand
         var shape = Enum.Parse<FrameShape>(await context.ChoiceAsync(Wording.Get("CncFrame.EnterShape"), s_shapes, context.Remembered("CNCFRAME", nameof(FrameShape.Rectangle))).ConfigureAwait(false));
         context.Remember("CNCFRAME", shape.ToString());
         if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOff"));
-        var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
+        var job = await JobStart.PrepareAsync(context, context.Driver.DefaultStrategy).ConfigureAwait(false);
         var frame = JobFrame.Of(job, shape) ?? throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         var result = await context.Machine.FrameAsync(frame, context.NewRunJournal("frame"), cancellation).ConfigureAwait(false);
         FindingMessages.Say(context, job.Drawing.FileName, result.Diagnostics, Severity.Warning);

@@ -73,7 +73,7 @@ internal sealed class CncResumeCommand : ICommand
 
     private static async Task FromContourAsync(CommandContext context)
     {
-        var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
+        var job = await JobStart.PrepareAsync(context, context.Driver.DefaultStrategy).ConfigureAwait(false);
         var program = job.Motion.Program!;
         var contour = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("CncResume.EnterContour", program.Strokes.Count)) { Whole = true, Least = 1, Most = program.Strokes.Count }).ConfigureAwait(false);
         Choose(context, program, new JobPart(new ResumeRequest { Stroke = contour - 1 }, JobBeginning.ToStroke(program, contour - 1), null, context.Drawing, context.Document.Current.Settings));
@@ -81,19 +81,20 @@ internal sealed class CncResumeCommand : ICommand
 
     private static async Task FromJournalAsync(CommandContext context, string journal, bool atOrigin, CancellationToken cancellation)
     {
-        var (job, program, found) = await FindAsync(context, JobMode.Stream, journal, cancellation).ConfigureAwait(false);
-        if (found is { Refusal: not null, Mode: { } begun and not JobMode.Stream }) (job, program, found) = await FindAsync(context, begun, journal, cancellation).ConfigureAwait(false);
+        var strategy = context.Driver.DefaultStrategy;
+        var (job, program, found) = await FindAsync(context, strategy, journal, cancellation).ConfigureAwait(false);
+        if (found is { Refusal: not null, Strategy: { } begun } && begun != strategy) (job, program, found) = await FindAsync(context, begun, journal, cancellation).ConfigureAwait(false);
         if (JobWords.WhyNotResumed(found, job) is { } why) throw new CommandException(CommandFailure.Refused, PreparationRules.NotResumed.At(default, journal, why).Message);
         if (found.IsUnsealed) context.Say(PreparationRules.JournalUnsealed.At(default, journal).Message, MessageKind.Warning);
-        if (found.Mode is { } mode) context.Remember("CNCARM", mode.ToString());
-        Choose(context, program, new JobPart(new ResumeRequest { Journal = journal, LeadInMm = LeadInOf(context), AtOrigin = atOrigin }, found.Place, found.Mode, context.Drawing, context.Document.Current.Settings));
+        if (found.Strategy is { } known) context.Remember("CNCARM", known.Keyword);
+        Choose(context, program, new JobPart(new ResumeRequest { Journal = journal, LeadInMm = LeadInOf(context), AtOrigin = atOrigin }, found.Place, found.Strategy, context.Drawing, context.Document.Current.Settings));
     }
 
-    private static async Task<(PreparedJob Job, MotionProgram Program, ResumePlace Found)> FindAsync(CommandContext context, JobMode mode, string journal, CancellationToken cancellation)
+    private static async Task<(PreparedJob Job, MotionProgram Program, ResumePlace Found)> FindAsync(CommandContext context, ExecutionStrategy strategy, string journal, CancellationToken cancellation)
     {
-        var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
-        var program = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing).Program;
-        return (job, program, await context.Machine.FindResumeAsync(program, mode, journal, cancellation).ConfigureAwait(false));
+        var job = await JobStart.PrepareAsync(context, strategy).ConfigureAwait(false);
+        var program = context.Machine.FitToLink(job.Motion.Program!, strategy, job.Drawing).Program;
+        return (job, program, await context.Machine.FindResumeAsync(program, strategy, journal, cancellation).ConfigureAwait(false));
     }
 
     private static void Choose(CommandContext context, MotionProgram program, JobPart part)

@@ -1,5 +1,4 @@
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Commands.Machine;
 
@@ -15,7 +14,7 @@ internal sealed class CncOutputCommand : ICommand
         HandMotion.Check(context);
         var profile = context.Machine.Profile;
         var typed = await context.ValueAsync(new TextPrompt(Wording.Get("CncOutput.EnterOutput"))).ConfigureAwait(false);
-        var most = MachineFamilies.Driver.Limits.Outputs;
+        var most = context.Driver.Limits.Outputs;
         var output = profile.Outputs.Find(typed, most) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncOutput.NotAnOutput", typed, most, string.Join(", ", profile.Outputs.All.Values)));
         var on = await context.ChoiceAsync(Wording.Get("CncOutput.EnterState", profile.Outputs[output]), s_states, null).ConfigureAwait(false) == "ON";
         if (profile.IsForJobsOnly(output, on)) throw new CommandException(CommandFailure.Refused, Wording.Get(on ? "CncOutput.ToolOutput" : "CncOutput.ToolOutputActiveLow", output));

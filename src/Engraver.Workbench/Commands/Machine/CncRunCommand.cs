@@ -9,8 +9,6 @@ namespace Engraver.Workbench.Commands.Machine;
 /// drawing or its trajectories.</summary>
 internal sealed class CncRunCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", "Trajectories", .. Enum.GetNames<JobMode>()]);
-
     public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine) { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
@@ -20,35 +18,37 @@ internal sealed class CncRunCommand : ICommand
         if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptCannotStart"));
         if (context.Machine.Armed is { } armed)
         {
-            await RunAsync(context, armed.Job, armed.Mode, armed.DryRun, cancellation).ConfigureAwait(false);
+            await RunAsync(context, armed.Job, armed.Strategy, armed.DryRun, cancellation).ConfigureAwait(false);
             return;
         }
 
         if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NotArmed", machine));
-        var (mode, dryRun, runsTrajectories) = (context.Machine.Part?.Mode ?? JobMode.Stream, false, false);
+        var (driver, dryRun, runsTrajectories) = (context.Driver, false, false);
+        var answers = Keyword.List(["Yes", "No", "Dryrun", "Trajectories", .. driver.Strategies.Select(one => one.Keyword)]);
+        var strategy = context.Machine.Part?.Strategy ?? driver.DefaultStrategy;
         while (true)
         {
-            var job = await JobStart.PrepareAsync(context, mode, runsTrajectories).ConfigureAwait(false);
-            JobStart.SayPart(context, job, mode);
-            var answer = await context.ChoiceAsync(Wording.Get(dryRun ? "CncRun.StartDryRun" : "CncRun.StartCutting", machine, mode), s_answers, "No").ConfigureAwait(false);
+            var job = await JobStart.PrepareAsync(context, strategy, runsTrajectories).ConfigureAwait(false);
+            JobStart.SayPart(context, job, strategy);
+            var answer = await context.ChoiceAsync(Wording.Get(dryRun ? "CncRun.StartDryRun" : "CncRun.StartCutting", machine, strategy.Keyword), answers, "No").ConfigureAwait(false);
             if (answer == "No") return;
             if (answer == "Dryrun") dryRun = true;
             else if (answer == "Trajectories") runsTrajectories = !runsTrajectories;
-            else if (Enum.TryParse<JobMode>(answer, out var chosen)) mode = chosen;
+            else if (driver.Strategies.FirstOrDefault(one => one.Keyword == answer) is { } chosen) strategy = chosen;
             else
             {
-                await RunAsync(context, job, mode, dryRun, cancellation).ConfigureAwait(false);
+                await RunAsync(context, job, strategy, dryRun, cancellation).ConfigureAwait(false);
                 return;
             }
         }
     }
 
-    private static async Task RunAsync(CommandContext context, PreparedJob job, JobMode mode, bool dryRun, CancellationToken cancellation)
+    private static async Task RunAsync(CommandContext context, PreparedJob job, ExecutionStrategy strategy, bool dryRun, CancellationToken cancellation)
     {
-        var fit = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing);
+        var fit = context.Machine.FitToLink(job.Motion.Program!, strategy, job.Drawing);
         FindingMessages.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
         var checks = context.Machine.Armed?.Checklist;
-        await JobStart.RunAsync(context, job, checks, options => context.Machine.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, mode, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
+        await JobStart.RunAsync(context, job, checks, options => context.Machine.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, strategy, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
     }
 }
 
@@ -59,7 +59,8 @@ internal sealed class CncSimCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
-        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
+        var strategy = context.Driver.DefaultStrategy;
+        var job = await JobStart.PrepareAsync(context, strategy).ConfigureAwait(false);
+        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, strategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
     }
 }

@@ -58,7 +58,7 @@ internal sealed class CncTraceCommand : ICommand
     private static void Show(CommandContext context, string file)
     {
         CheckFree(context);
-        var job = JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, JobPlan.StyleOf(Core.Machines.JobMode.Stream));
+        var job = JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, context.Driver.DefaultStrategy.Style);
         var trace = Read(file);
         if (!trace.CanBeOf(DrawnFingerprint.Of(job.Analysed.ToSegments()))) throw new CommandException(CommandFailure.Usage, Wording.Get("CncTrace.OtherDrawing", file, Path.GetFileName(context.Drawing.FileName)));
         context.Machine.ShowRun(new RecordedRun(job, trace));

@@ -17,13 +17,13 @@ internal static class JobStart
 {
     /// <summary>The job with a motion program; the operator must confirm if the drawing has errors.</summary>
     /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
-    public static Task<PreparedJob> PrepareAsync(CommandContext context, JobMode mode) => PrepareAsync(context, mode, runsTrajectories: false);
+    public static Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy) => PrepareAsync(context, strategy, runsTrajectories: false);
 
     /// <summary>The same, of the drawing or of the trajectories of the document.</summary>
     /// <exception cref="CommandException">There is nothing to cut, or the operator declined.</exception>
-    public static async Task<PreparedJob> PrepareAsync(CommandContext context, JobMode mode, bool runsTrajectories)
+    public static async Task<PreparedJob> PrepareAsync(CommandContext context, ExecutionStrategy strategy, bool runsTrajectories)
     {
-        var job = runsTrajectories ? Followed(context, mode) : JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, JobPlan.StyleOf(mode));
+        var job = runsTrajectories ? Followed(context, strategy) : JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, strategy.Style);
         FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
         if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
@@ -33,15 +33,15 @@ internal static class JobStart
 
     /// <summary>The trajectories of the document as a job; reports their number and error bound.</summary>
     /// <exception cref="CommandException">There are none.</exception>
-    public static PreparedJob Followed(CommandContext context, JobMode mode)
+    public static PreparedJob Followed(CommandContext context, ExecutionStrategy strategy)
     {
-        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectoryPick.All(context), JobPlan.StyleOf(mode));
+        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectoryPick.All(context), strategy.Style);
         context.Say(Wording.Get("JobStart.Trajectories", CountText.Format(followed.Trajectories.Count, "Trajectory"), Figures.Bound(followed.Bound)));
         return followed.Job;
     }
 
-    public static MachineRunOptions Options(CommandContext context, PreparedJob job, ControllerAddress address, JobMode mode, bool dryRun) =>
-        job.Settings is { Finish: FinishPlace.Park, Machine.Park: null } ? throw new CommandException(CommandFailure.Usage, Wording.Get("CncFinish.NoParkPosition")) : new(address, mode)
+    public static MachineRunOptions Options(CommandContext context, PreparedJob job, ControllerAddress address, ExecutionStrategy strategy, bool dryRun) =>
+        job.Settings is { Finish: FinishPlace.Park, Machine.Park: null } ? throw new CommandException(CommandFailure.Usage, Wording.Get("CncFinish.NoParkPosition")) : new(address, strategy)
         {
             Finish = job.Settings.Finish,
             JournalPath = context.NewRunJournal(job.Drawing.FileName),
@@ -106,11 +106,11 @@ internal static class JobStart
     }
 
     /// <summary>Reports which part will be cut if it is not the whole drawing.</summary>
-    /// <exception cref="CommandException">The job was started in another mode.</exception>
-    public static void SayPart(CommandContext context, PreparedJob job, JobMode mode)
+    /// <exception cref="CommandException">It was started with another strategy.</exception>
+    public static void SayPart(CommandContext context, PreparedJob job, ExecutionStrategy strategy)
     {
         if (context.Machine.Part is not { } part || job.Followed is not null || job.Motion.Program is not { } program) return;
-        if (part.Mode is { } begun && begun != mode) throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.PartOtherMode", begun, mode));
+        if (part.Strategy is { } begun && begun != strategy) throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.PartOtherMode", begun.Keyword, strategy.Keyword));
         var place = part.Request.Journal is null ? JobBeginning.ToStroke(program, part.Request.Stroke) : part.Shown;
         context.Say(Wording.Get("JobStart.Part", place.Segments, program.SegmentCount), MessageKind.Warning);
     }

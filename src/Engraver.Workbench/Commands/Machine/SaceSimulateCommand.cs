@@ -1,5 +1,4 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Documents;
@@ -14,11 +13,11 @@ internal sealed class SaceSimulateCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectoryPick.All(context), MotionStyle.Continuous);
+        var followed = TrajectoryJob.Prepare(context.Drawing, context.Document.Current.Settings, TrajectoryPick.All(context), context.Driver.DefaultStrategy.Style);
         var job = followed.Job;
         FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
         if (job.Motion.Program is not { SegmentCount: > 0 } program) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
-        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, program, address => options(JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
+        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, program, address => options(JobStart.Options(context, job, address, context.Driver.DefaultStrategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
         context.Say(Wording.Get("Trajectories.Simulated", Figures.Bound(followed.Bound)), MessageKind.Result);
     }
 }

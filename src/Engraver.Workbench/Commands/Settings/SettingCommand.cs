@@ -47,7 +47,7 @@ internal sealed class SettingCommand : ISettingCommand
         var value = await context.ValueAsync(prompt).ConfigureAwait(false);
         var state = context.Document.Current;
         var settings = _write(state.Settings, value);
-        if (MachineProfileValidation.Check(settings.Machine, MachineFamilies.Driver.Limits) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
+        if (MachineProfileValidation.Check(settings.Machine, MachineFamilies.DriverOf(settings.Machine).Limits) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
         context.Take(state with { Settings = settings });
     }
 }

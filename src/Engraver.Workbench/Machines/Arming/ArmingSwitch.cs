@@ -21,9 +21,9 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
         }
     }
 
-    public ArmedJob Arm(PreparedJob job, JobMode mode, bool dryRun, ArmingChecklist checklist)
+    public ArmedJob Arm(PreparedJob job, ExecutionStrategy strategy, bool dryRun, ArmingChecklist checklist)
     {
-        var armed = new ArmedJob(job, mode, dryRun, checklist, time.GetUtcNow() + Lasts);
+        var armed = new ArmedJob(job, strategy, dryRun, checklist, time.GetUtcNow() + Lasts);
         lock (_guard)
         {
             _end?.Dispose();
@@ -57,6 +57,6 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
 }
 
 /// <summary>An armed job, which may be started until a time or until a checked condition changes.</summary>
-/// <param name="Job">Prepared in the style of the mode.</param>
+/// <param name="Job">Prepared in the style of the strategy.</param>
 /// <param name="Until">Time at which arming expires.</param>
-public sealed record ArmedJob(PreparedJob Job, JobMode Mode, bool DryRun, ArmingChecklist Checklist, DateTimeOffset Until);
+public sealed record ArmedJob(PreparedJob Job, ExecutionStrategy Strategy, bool DryRun, ArmingChecklist Checklist, DateTimeOffset Until);

@@ -20,7 +20,9 @@ public static class MachineRun
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        await using var connection = MachineConnection.To(options.Address, time);
+        ArgumentNullException.ThrowIfNull(program);
+        ArgumentNullException.ThrowIfNull(options);
+        await using var connection = MachineFamilies.Standard.At(options.Address, program.Profile).Connect(options.Address, time, false, null);
         return await RunAsync(job, program, connection, options, time, progress, stop).ConfigureAwait(false);
     }
 
@@ -64,7 +66,7 @@ public static class MachineRun
         }
         catch (MachineUnavailableException refused)
         {
-            return new MachineRunReport(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, machine.Identity.Model, machine.PlannedSeconds(program, options.Mode));
+            return new MachineRunReport(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, machine.Identity.Model, machine.PlannedSeconds(program, options.Strategy));
         }
     }
 
@@ -78,7 +80,7 @@ public static class MachineRun
         var beginning = await JobBeginning.FindAsync(machine, job, program, options, (options.Hold ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
         var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.DryRun, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
-        var planned = machine.PlannedSeconds(beginning.RestOf(placement.Program), options.Mode);
+        var planned = machine.PlannedSeconds(beginning.RestOf(placement.Program), options.Strategy);
         var unready = await WhyNotAsync(placement, options.Hold ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);
         if (unready is not null) return new MachineRunReport(JobResult.NotStarted(placement.Program.Strokes.Count, Wording.Get("MachineRun.NotReady", unready)), RunJudgement.Unknown, machine.Identity.Model, planned);
@@ -129,7 +131,7 @@ public static class MachineRun
         var jobOptions = new JobOptions
         {
             Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(placement.Program, ended, listener, polled)),
-            Mode = options.Mode,
+            Strategy = options.Strategy,
             JournalPath = options.JournalPath,
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,

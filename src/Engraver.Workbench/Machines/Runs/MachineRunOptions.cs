@@ -6,7 +6,7 @@ using Engraver.Workbench.Machines.Origins;
 namespace Engraver.Workbench.Machines.Runs;
 
 /// <summary>Options of a run.</summary>
-public sealed record MachineRunOptions(ControllerAddress Address, JobMode Mode)
+public sealed record MachineRunOptions(ControllerAddress Address, ExecutionStrategy Strategy)
 {
     /// <summary>Path of the journal.</summary>
     public required string JournalPath { get; init; }

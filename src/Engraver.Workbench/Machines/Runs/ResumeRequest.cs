@@ -37,10 +37,10 @@ public sealed record ResumeRequest
 /// <summary>The part of the drawing that START cuts: the rest of an interrupted job, or the contours from one on. Valid until it is cut or the drawing, the
 /// settings or the work origin change.</summary>
 /// <param name="Shown">Start of the part; earlier segments are shown as done.</param>
-/// <param name="Mode">The required mode; null for any.</param>
+/// <param name="Strategy">The strategy with which it was started; null where that is not known.</param>
 /// <param name="Drawing">The drawing of the part.</param>
 /// <param name="Settings">The settings of the part.</param>
-public sealed record JobPart(ResumeRequest Request, JobPlace Shown, JobMode? Mode, Drawing Drawing, DrawingSettings Settings);
+public sealed record JobPart(ResumeRequest Request, JobPlace Shown, ExecutionStrategy? Strategy, Drawing Drawing, DrawingSettings Settings);
 
 /// <summary>The start position of a job, determined before any motion.</summary>
 /// <param name="Place">Start; earlier segments are not cut.</param>
@@ -64,7 +64,7 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
         if (options.Resume is not { } request) return new JobBeginning(default, 0.0, options.Origin);
         var leadIn = request.LeadInMm * program.Profile.Scale.Largest;
         if (request.Journal is not { } journal) return new JobBeginning(ToStroke(program, request.Stroke), 0.0, options.Origin);
-        var found = await machine.FindResumeAsync(program, options.Mode, journal, cancellation).ConfigureAwait(false);
+        var found = await machine.FindResumeAsync(program, options.Strategy, journal, cancellation).ConfigureAwait(false);
         if (JobWords.WhyNotResumed(found, job) is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
         if (found.IsUnsealed) options.Told?.Invoke(PreparationRules.JournalUnsealed.At(default, journal));
         var resumed = new JobBeginning(found.Place, leadIn + found.Doubt, options.Origin);

@@ -16,10 +16,10 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Reports.Pages;
 
 /// <summary>The data of a job report: the job, its plan and cost, its certificate, and its run if any.</summary>
-/// <param name="Job">Prepared in the style of <paramref name="Mode"/>.</param>
+/// <param name="Job">Prepared in the style of <paramref name="Strategy"/>.</param>
 /// <param name="Certificate">Status of the certificate beside its drawing.</param>
 /// <param name="Now">Date of the report.</param>
-public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStanding Certificate, DateTimeOffset Now)
+public sealed record JobReport(PreparedJob Job, ExecutionStrategy Strategy, CertificateStanding Certificate, DateTimeOffset Now)
 {
     /// <summary>The motion program with feeds limited to the link; null if nothing can be cut.</summary>
     public MotionProgram? Program { get; private init; }
@@ -63,22 +63,22 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
     public static JobReport Create(JobReportRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
-        var job = JobPreparation.PrepareUnlessCancelled(request.Drawing, request.Settings, JobPlan.StyleOf(request.Mode), cancellation);
-        var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Mode, job.Drawing) : null;
+        var job = JobPreparation.PrepareUnlessCancelled(request.Drawing, request.Settings, request.Strategy.Style, cancellation);
+        var fit = job.Motion.Program is { } planned ? JobPlan.FitToLink(planned, request.Address, request.Strategy, job.Drawing) : null;
         var program = fit?.Program;
-        var times = program is null ? default : JobPlan.PlannedTimes(program, request.Address, request.Mode);
+        var times = program is null ? default : JobPlan.PlannedTimes(program, request.Address, request.Strategy);
         var standing = program is null ? CertificateStanding.None : CertificateStanding.OfRun(job, program);
         cancellation.ThrowIfCancellationRequested();
-        var report = new JobReport(job, request.Mode, standing, request.Now)
+        var report = new JobReport(job, request.Strategy, standing, request.Now)
         {
             Program = program,
             Times = times,
             Cost = program is null ? null : JobSheet.Of(job, times, request.Rates ?? request.Settings.Machine.Rates).Cost,
-            Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, cancellation) : null,
+            Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Toolpath, MachineFamilies.DriverOf(program.Profile).NetworkTimes, null, cancellation) : null,
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
-            OtherCertificates = [.. OthersOf(request, JobPlan.StyleOf(request.Mode), cancellation)],
+            OtherCertificates = [.. OthersOf(request, request.Strategy.Style, cancellation)],
             Run = request.Run,
-            RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing.FileName, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash) : [],
+            RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing.FileName, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash(request.Families)) : [],
         };
         if (request.Journal is not { } journal) return report;
         report = report.WithTrace(journal);
@@ -90,7 +90,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
     {
         if (told.Program.Length == 0) return true;
         if (program is not null && ProgramFingerprint.Of(program) == told.Program) return true;
-        return JobPlan.StyleOf(told.Mode) != program?.Style && JobPreparation.Prepare(job.Drawing, job.Settings, JobPlan.StyleOf(told.Mode)).Motion.Program is { } other && ProgramFingerprint.Of(other) == told.Program;
+        return told.Strategy.Style != program?.Style && JobPreparation.Prepare(job.Drawing, job.Settings, told.Strategy.Style).Motion.Program is { } other && ProgramFingerprint.Of(other) == told.Program;
     }
 
     private static IEnumerable<(string, CertificateStanding)> OthersOf(JobReportRequest request, MotionStyle sent, CancellationToken cancellation)
@@ -101,7 +101,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
             cancellation.ThrowIfCancellationRequested();
             var path = CertificateFile.PathOf(request.Drawing.FileName, entry.Post.Name, dialect);
             if (!File.Exists(path)) continue;
-            var job = new CertificationRequest(request.Drawing, hash.Value, request.Settings, entry, request.Now) { Dialect = dialect, Address = request.Address, Mode = request.Mode };
+            var job = new CertificationRequest(request.Drawing, hash.Value, request.Settings, entry, request.Now) { Dialect = dialect, Address = request.Address, Strategy = request.Strategy };
             yield return ($"{entry.Post.Name} {dialect}".TrimEnd(), CertificateStanding.Of(path, Certification.IdentityOf(job)));
         }
     }
@@ -121,10 +121,13 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
 }
 
 /// <summary>Parameters of a job report.</summary>
-public sealed record JobReportRequest(Drawing Drawing, DrawingSettings Settings, JobMode Mode, DateTimeOffset Now)
+public sealed record JobReportRequest(Drawing Drawing, DrawingSettings Settings, ExecutionStrategy Strategy, DateTimeOffset Now)
 {
     /// <summary>The link of the job; null for a network.</summary>
     public ControllerAddress? Address { get; init; }
+
+    /// <summary>The controller families that the profile of a run may name.</summary>
+    public MachineFamilies Families { get; init; } = MachineFamilies.Standard;
 
     /// <summary>Machine rates; null for those of the profile.</summary>
     public JobRates? Rates { get; init; }

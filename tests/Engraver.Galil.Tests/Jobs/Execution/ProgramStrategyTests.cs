@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Programs;
@@ -10,7 +11,7 @@ namespace Engraver.Galil.Tests.Jobs.Execution;
 /// <summary>Features of the downloaded job only: chunks, a memory that is too small, lines that fail in the controller.</summary>
 public class ProgramStrategyTests
 {
-    private static readonly JobOptions Job = SimulatedBench.Job with { Mode = JobMode.Program };
+    private static readonly JobOptions Job = SimulatedBench.Job with { Strategy = JobMode.Program.Strategy() };
 
     [Fact]
     public async Task A_job_longer_than_the_default_memory_comes_in_chunks_and_every_stroke_is_cut_whole()

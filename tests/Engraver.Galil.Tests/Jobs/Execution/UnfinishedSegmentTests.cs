@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
@@ -26,7 +27,7 @@ public class UnfinishedSegmentTests
             pressed = bench.Last.A;
             stop.Cancel();
         });
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy() }, press, stop.Token);
         var cut = UnfinishedSegment.CutLength(program, result, Tolerance);
         var expected = kind == "line" ? pressed - 1000.0 : 60000.0 * Math.Acos(1.0 - (pressed / 60000.0));
 

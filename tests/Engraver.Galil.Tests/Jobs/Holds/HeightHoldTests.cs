@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;

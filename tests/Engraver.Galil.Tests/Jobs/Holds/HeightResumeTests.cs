@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
@@ -83,7 +84,7 @@ public sealed class HeightResumeTests : IDisposable
 
     private async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, ResumePlace? from, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        var options = SimulatedBench.Job with { Mode = mode, JournalPath = PathOf(journal), Frame = default(CountsPoint), Address = "bench" };
+        var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = PathOf(journal), Frame = default(CountsPoint), Address = "bench" };
         if (from is not null) options = options with { From = from.Place, LeadIn = LeadIn + from.Doubt };
         return await bench.RunAsync(program, options, progress, stop);
     }

@@ -3,6 +3,7 @@ using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Driver;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
@@ -156,7 +157,7 @@ public sealed class HeldMoveTests : IDisposable
         };
         var again = new CancelWhen(now => late is not null && now.Phase == JobPhase.Running && now.ToolOn, operators.Control.Hold);
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, Control = operators.Control, Frame = default(CountsPoint) }, new Both(operators, again));
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, Frame = default(CountsPoint) }, new Both(operators, again));
 
         Assert.Equal((JobOutcome.Complete, 2), (result.Outcome, result.Holds));
         Assert.Equal(JobOutcome.Refused, (await late!).Outcome);
@@ -210,7 +211,7 @@ public sealed class HeldMoveTests : IDisposable
         };
         var onTheWay = new CancelWhen(now => stage == 1 && now.Phase != JobPhase.Held && now.Place.Y is > -15000 and < -1000, operators.Control.Hold);
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, Control = operators.Control, Frame = default(CountsPoint) }, new Both(onTheWay, operators));
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, Frame = default(CountsPoint) }, new Both(onTheWay, operators));
 
         Assert.Equal((JobOutcome.Complete, 2), (result.Outcome, result.Holds));
         Assert.Equal(JobOutcome.Complete, (await again!).Outcome);
@@ -258,7 +259,7 @@ public sealed class HeldMoveTests : IDisposable
                 if (isEnded) bench.Controller.DropConnections();
                 isEnded |= line.StartsWith("STS", StringComparison.Ordinal);
             };
-            var lost = await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode, Control = operators.Control, Frame = default(CountsPoint), Address = "bench", JournalPath = PathOf("cut") }, operators, CancellationToken.None);
+            var lost = await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, Frame = default(CountsPoint), Address = "bench", JournalPath = PathOf("cut") }, operators, CancellationToken.None);
             Assert.Equal((JobOutcome.LinkLost, true), (lost.Outcome, isEnded));
         }
 
@@ -319,14 +320,14 @@ public sealed class HeldMoveTests : IDisposable
     }
 
     private Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, MovingOperator operators, IReadOnlyList<SoftLimit>? limits = null, string? journal = null, CancellationToken stop = default) =>
-        bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, Control = operators.Control, SoftLimits = limits ?? [], Frame = default(CountsPoint), Address = "bench", JournalPath = journal is null ? null : PathOf(journal) }, operators, stop);
+        bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, SoftLimits = limits ?? [], Frame = default(CountsPoint), Address = "bench", JournalPath = journal is null ? null : PathOf(journal) }, operators, stop);
 
     private async Task<JobResult> ResumeAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, string next, IProgress<JobProgress>? progress = null, CancellationToken stop = default)
     {
         ResumePlace found;
         await using (var session = await bench.OpenAsync()) found = await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
         Assert.Equal((null, true), (found.Refusal, found.IsSameZero));
-        return await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, JournalPath = PathOf(next), Frame = default(CountsPoint), Address = "bench", From = found.Place, LeadIn = 500.0 + found.Doubt, HeightOfCut = found.HeightOfCut }, progress, stop);
+        return await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = PathOf(next), Frame = default(CountsPoint), Address = "bench", From = found.Place, LeadIn = 500.0 + found.Doubt, HeightOfCut = found.HeightOfCut }, progress, stop);
     }
 
     private string PathOf(string name) => Path.Combine(_folder, name + ".jsonl");

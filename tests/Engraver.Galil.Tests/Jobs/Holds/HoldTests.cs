@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
@@ -143,6 +144,6 @@ public class HoldTests
     internal static async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, int baud, HoldingOperator operators, bool dryRun = false, IProgress<JobProgress>? also = null, string? journal = null, CancellationToken stop = default)
     {
         await using var session = baud == Network ? await bench.OpenAsync() : await bench.OpenSerialAsync(baud);
-        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode, Control = operators.Control, DryRun = dryRun, JournalPath = journal }, also is null ? operators : new Both(operators, also), stop);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Strategy = mode.Strategy(), Control = operators.Control, DryRun = dryRun, JournalPath = journal }, also is null ? operators : new Both(operators, also), stop);
     }
 }

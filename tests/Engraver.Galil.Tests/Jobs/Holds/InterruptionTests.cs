@@ -3,6 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
@@ -69,7 +70,7 @@ public sealed class InterruptionTests : IDisposable
             journal = Path.Combine(_folder, $"{run}.jsonl");
             using var stop = new CancellationTokenSource();
             var trouble = run < 6 ? new Trouble(bench, random, stop) : null;
-            var options = SimulatedBench.Job with { Mode = mode, JournalPath = journal, Frame = default(CountsPoint), Address = "bench", Control = trouble?.Control };
+            var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = journal, Frame = default(CountsPoint), Address = "bench", Control = trouble?.Control };
             if (from is not null) options = options with { From = from.Place, LeadIn = LeadIn + from.Doubt };
 
             var result = await bench.RunAsync(program, options, trouble, stop.Token);

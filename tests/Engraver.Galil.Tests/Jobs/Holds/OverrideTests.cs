@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Timing;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;

@@ -2,6 +2,7 @@ using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
@@ -162,7 +163,7 @@ public sealed class ResumeTests : IDisposable
 
     private async Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, ResumePlace? from, IProgress<JobProgress>? progress, CancellationToken stop, bool dryRun = false)
     {
-        var options = SimulatedBench.Job with { Mode = mode, JournalPath = PathOf(journal), Frame = default(CountsPoint), DryRun = dryRun, Address = "bench" };
+        var options = SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = PathOf(journal), Frame = default(CountsPoint), DryRun = dryRun, Address = "bench" };
         if (from is not null) options = options with { From = from.Place, LeadIn = LeadIn + from.Doubt };
         return await bench.RunAsync(program, options, progress, stop);
     }
@@ -181,7 +182,7 @@ public sealed class ResumeTests : IDisposable
             bench.Controller.DropConnections();
             bench.Controller.Advance(TimeSpan.FromSeconds(3));
         });
-        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, JournalPath = PathOf(journal), Frame = default(CountsPoint), Address = "bench" }, died);
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Strategy = mode.Strategy(), JournalPath = PathOf(journal), Frame = default(CountsPoint), Address = "bench" }, died);
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
         var lines = await File.ReadAllLinesAsync(PathOf(journal));

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs.Journal;
 
@@ -22,11 +23,11 @@ public sealed class CrashRecoveryTests : IDisposable
     {
         await using var bench = new SimulatedBench();
         var before = await OwnedAsync(bench);
-        await DieAsync(bench, First with { Mode = died });
+        await DieAsync(bench, First with { Strategy = died.Strategy() });
         Assert.Contains("M\u00E4rz", before, StringComparison.Ordinal); // byte for byte, in any encoding
         Assert.NotEqual(before, await bench.FingerprintAsync());
 
-        var result = await bench.RunAsync(MotionPrograms.Paper, Second with { Mode = next });
+        var result = await bench.RunAsync(MotionPrograms.Paper, Second with { Strategy = next.Strategy() });
 
         Assert.Equal((JobOutcome.Complete, ""), (result.Outcome, string.Join('\n', result.NotRestored)));
         Assert.Equal(before, await bench.FingerprintAsync());

@@ -3,6 +3,7 @@ using System.Text.RegularExpressions;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs.Journal;
 

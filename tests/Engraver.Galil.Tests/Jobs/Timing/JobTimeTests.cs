@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Timing;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Tests.Programs;

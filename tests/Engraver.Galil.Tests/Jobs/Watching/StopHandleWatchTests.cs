@@ -1,8 +1,9 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs.Watching;
 
@@ -20,7 +21,7 @@ public class StopHandleWatchTests
         await using var session = await bench.OpenAsync(opened: links.Add);
         var cut = new CancelWhen(progress => progress.X > 20000, () => Cut(links[1]));
 
-        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, cut, CancellationToken.None);
+        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Strategy = mode.Strategy() }, cut, CancellationToken.None);
 
         Assert.Equal((JobOutcome.Complete, "MOT0021"), (result.Outcome, Assert.Single(result.Diagnostics).Id));
         Assert.Equal((3, false), (links.Count, session.StopHandle.IsBroken));

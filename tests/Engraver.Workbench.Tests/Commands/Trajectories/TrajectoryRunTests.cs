@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
@@ -74,7 +75,7 @@ public class TrajectoryRunTests
         var whole = TrajectoryJob.Prepare(talk.State.Drawing!, talk.State.Settings, all, MotionStyle.Continuous).Job;
         var raised = all.Count > 1 ? all.SkipLast(1).ToList() : [all[0] with { Curve = all[0].Curve.Moved(0.1) }];
         var other = TrajectoryJob.Prepare(talk.State.Drawing!, talk.State.Settings, raised, MotionStyle.Continuous).Job;
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream) { JournalPath = talk.PathOf("job.jsonl") };
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream.Strategy()) { JournalPath = talk.PathOf("job.jsonl") };
         var report = await MachineRun.RunAsync(whole, other.Motion.Program!, options, TimeProvider.System, progress: null, CancellationToken.None);
 
         Assert.Equal(JobOutcome.Deviated, report.Result.Outcome);

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
 

@@ -1,9 +1,10 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -193,7 +194,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(limit);
         var watcher = watched?.Invoke(stop);
         await using var connection = Connection();
-        var options = new MachineRunOptions(new TcpAddress("faulty", 1), mode)
+        var options = new MachineRunOptions(new TcpAddress("faulty", 1), mode.Strategy())
         {
             JournalPath = Journal(),
             Memories = Memories,
@@ -316,7 +317,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
         var path = Path.Combine(_folder.FullName, "part.dxf");
         var settings = new DrawingSettings { Machine = _profile };
         File.WriteAllBytes(path, Part());
-        return JobPreparation.Prepare(DrawingFile.Open(path, settings, CancellationToken.None), settings, JobPlan.StyleOf(mode));
+        return JobPreparation.Prepare(DrawingFile.Open(path, settings, CancellationToken.None), settings, mode.Strategy().Style);
     }
 
     private static RunJudgement Judged(PreparedJob job, List<MotionSample> cut, CountsPoint? frame) =>

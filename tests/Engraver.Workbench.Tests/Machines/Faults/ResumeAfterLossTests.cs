@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;

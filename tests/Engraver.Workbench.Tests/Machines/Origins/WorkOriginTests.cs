@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
@@ -271,8 +272,8 @@ public sealed class WorkOriginTests : IAsyncDisposable
     private async Task<MachineRunReport> RunAsync(JobMode mode, Func<MachineRunOptions, MachineRunOptions>? with = null, MachineProfile? profile = null, IProgress<JobProgress>? progress = null, CancellationToken stop = default)
     {
         var settings = new DrawingSettings { Machine = profile ?? MachineProfile.Default };
-        var job = JobPreparation.Prepare(Drawing(), settings, JobPlan.StyleOf(mode));
-        var options = new MachineRunOptions(await AddressAsync(), mode) { JournalPath = Path.Combine(_folder.FullName, $"run{++_runs}.jsonl"), Memories = new MachineMemories(_folder.FullName), Holder = "a test" };
+        var job = JobPreparation.Prepare(Drawing(), settings, mode.Strategy().Style);
+        var options = new MachineRunOptions(await AddressAsync(), mode.Strategy()) { JournalPath = Path.Combine(_folder.FullName, $"run{++_runs}.jsonl"), Memories = new MachineMemories(_folder.FullName), Holder = "a test" };
         return await MachineRun.RunAsync(job, job.Motion.Program!, with?.Invoke(options) ?? options, _clock, progress, stop).WaitAsync(_limit.Token);
     }
 

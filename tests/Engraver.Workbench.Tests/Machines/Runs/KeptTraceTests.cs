@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
+using Engraver.Galil.Language;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
@@ -21,7 +22,7 @@ public sealed class KeptTraceTests : IDisposable
     {
         await using var bench = await MachineBench.ConnectedAsync();
         var job = MachineBench.Job();
-        MachineRunOptions Options(ControllerAddress address) => new(address, JobMode.Stream) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
+        MachineRunOptions Options(ControllerAddress address) => new(address, JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         var report = isSimulated
             ? await bench.Machine.SimulateAsync(job, job.Motion.Program!, Options, bench.Limit)
             : await bench.Machine.RunAsync(job, job.Motion.Program!, Options, bench.Limit);
@@ -44,7 +45,7 @@ public sealed class KeptTraceTests : IDisposable
         await using var bench = await MachineBench.ConnectedAsync(new SimulatorOptions { Speed = double.PositiveInfinity, ServoLag = TimeSpan.FromMilliseconds(20) });
         var job = MachineBench.Job();
         var journal = Path.Combine(_folder.FullName, "run.jsonl");
-        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream) { JournalPath = journal }, bench.Limit);
+        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = journal }, bench.Limit);
         Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Sentence);
 
         var kept = KeptTrace.Read(journal);
@@ -68,7 +69,7 @@ public sealed class KeptTraceTests : IDisposable
         {
             if (bench.Machine is { IsRunning: true, Recorded: { } recorded }) seen.Add(recorded.Trace.Places.Count(place => place.ToolOn));
         };
-        await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), DryRun = isDryRun }, bench.Limit);
+        await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), DryRun = isDryRun }, bench.Limit);
 
         var growth = seen.Distinct().ToList();
         Assert.True(growth.Count > 5, string.Join(' ', growth));
@@ -85,7 +86,7 @@ public sealed class KeptTraceTests : IDisposable
         Directory.CreateDirectory(KeptTrace.PathOf(journal)); // Where the file should be.
         var told = new List<string>();
 
-        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream) { JournalPath = journal, Told = finding => told.Add(finding.Id) }, bench.Limit);
+        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = journal, Told = finding => told.Add(finding.Id) }, bench.Limit);
 
         Assert.Equal((JobOutcome.Complete, "JOB0020"), (report.Result.Outcome, Assert.Single(told)));
         Assert.NotEmpty(report.Trace!.Places);

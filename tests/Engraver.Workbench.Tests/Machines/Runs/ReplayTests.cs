@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
+using Engraver.Galil.Language;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
@@ -173,8 +174,8 @@ public sealed class ReplayTests : IDisposable
     {
         await using var own = connection is null ? Simulated() : null;
         var machine = connection ?? own!;
-        var job = JobPreparation.Prepare(new DrawingBuilder().Square(2, 3, 4).Circle(12, 5, 2).Line(15, 0, 18, 1).Line(18, 1, 19, 1.2).Build(), settings ?? new DrawingSettings(), JobPlan.StyleOf(mode));
-        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode) { JournalPath = Journal, Control = control, Finish = job.Settings.Finish, Origin = origin ?? new OriginRequest.Work() };
+        var job = JobPreparation.Prepare(new DrawingBuilder().Square(2, 3, 4).Circle(12, 5, 2).Line(15, 0, 18, 1).Line(18, 1, 19, 1.2).Build(), settings ?? new DrawingSettings(), mode.Strategy().Style);
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode.Strategy()) { JournalPath = Journal, Control = control, Finish = job.Settings.Finish, Origin = origin ?? new OriginRequest.Work() };
         var report = await MachineRun.RunAsync(job, job.Motion.Program!, machine, options, TimeProvider.System, new Heard(heard), stop);
         using var record = new StringWriter();
         machine.Simulator!.Record.WriteCsv(record);

@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -81,8 +82,8 @@ public class RunJudgeTests
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
         var isCut = false;
         await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new CutLink(new StreamLink(controller.OpenConnection(), "memory"), () => isCut)), () => MachineClock.FromSimulator(controller.JoinClock()));
-        var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 100, 0).Build(), new DrawingSettings(), JobPlan.StyleOf(mode));
-        var options = new MachineRunOptions(new TcpAddress("memory", 1), mode) { JournalPath = journal };
+        var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 100, 0).Build(), new DrawingSettings(), mode.Strategy().Style);
+        var options = new MachineRunOptions(new TcpAddress("memory", 1), mode.Strategy()) { JournalPath = journal };
 
         var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, new JobListener(progress => isCut |= progress.X > 20000), CancellationToken.None);
         File.Delete(journal);

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Galil.Language;
+using Engraver.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -37,7 +38,7 @@ public sealed class UntoldMotorTests : IDisposable
         await using var connection = MachineConnection.Through("memory", _ => Task.FromResult(isKnown ? Link() : new MotorQuestionLink(Link())), () => MachineClock.FromSimulator(controller.JoinClock()));
         var settings = new DrawingSettings();
         var job = JobPreparation.Prepare(DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, "paper-001.dxf"), settings, CancellationToken.None), settings, MotionStyle.Continuous);
-        var options = new MachineRunOptions(new TcpAddress("memory", 1), JobMode.Stream) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), Told = told };
+        var options = new MachineRunOptions(new TcpAddress("memory", 1), JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), Told = told };
         return await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
     }
 

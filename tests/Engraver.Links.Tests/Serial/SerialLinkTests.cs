@@ -1,9 +1,9 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links.Serial;
 using Engraver.TestKit;
 
-namespace Engraver.Galil.Tests.Links;
+namespace Engraver.Links.Tests.Serial;
 
 /// <summary>The link on a pseudo-terminal without a controller.</summary>
 public class SerialLinkTests

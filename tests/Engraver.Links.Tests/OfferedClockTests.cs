@@ -1,9 +1,9 @@
 using System.Net;
 using System.Net.Sockets;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links;
 
-namespace Engraver.Galil.Tests.Links;
+namespace Engraver.Links.Tests;
 
 /// <summary>The port of <c>clock=</c> may have no listener, another service, or one that ends in the middle.</summary>
 public sealed class OfferedClockTests : IDisposable

@@ -1,11 +1,12 @@
 using System.Globalization;
+using Engraver.Core.Motion;
 
-namespace Engraver.Galil.Protocol;
+namespace Engraver.Links.Recording;
 
 /// <summary>Every line sent and every reply received, with the time, for <c>--trace</c>. Several channels may write into one trace.</summary>
 /// <remarks>A line is: seconds since the start of the trace, the handle's name, <c>&gt;</c> sent or <c>&lt;</c> received or <c>!</c> unsolicited, the text. A
 /// separate thread writes the lines (<see cref="LineFile"/>).</remarks>
-public sealed class WireTrace
+public sealed class WireTrace : IWireTrace
 {
     internal const int MostWaiting = LineFile.MostWaiting;
 
@@ -31,7 +32,7 @@ public sealed class WireTrace
     /// <param name="stop">The operator's stop: from then on the trace's reader is waited for only while it makes progress.</param>
     public Task CloseAsync(CancellationToken stop) => _file.CloseAsync(stop);
 
-    internal void Write(string handle, char direction, string text)
+    public void Write(string handle, char direction, string text)
     {
         if (_file.Failure is not null) return;
         var seconds = _time.GetElapsedTime(_start).TotalSeconds.ToString("0.000000", CultureInfo.InvariantCulture);

@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace Engraver.Galil.Protocol;
+namespace Engraver.Links.Recording;
 
 /// <summary>All bytes that a host sent to a controller over all its links, in order, with their times. Sent again at the same times, they move a machine in the
 /// same way.</summary>
@@ -18,9 +18,6 @@ public sealed record Conversation(ConversationClock Clock, IReadOnlyList<Convers
 
     /// <summary>The times are exact: those of the controller itself.</summary>
     public bool IsControllersClock => Clock != ConversationClock.Wall;
-
-    /// <summary>The command that sets the counted position of an axis, before a recording that starts at that position is sent.</summary>
-    public static byte[] Placing(char axis, long place) => Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"DP{axis}={place}\r"));
 
     /// <summary>Reads the file. An incomplete last line, as a crash may leave it, is omitted.</summary>
     /// <exception cref="FormatException">The text is not a recording; the message names the line.</exception>

@@ -1,10 +1,10 @@
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links.Serial;
 using Engraver.Simulator;
 using Engraver.TestKit;
 
-namespace Engraver.Galil.Tests.Links;
+namespace Engraver.Links.Tests.Serial;
 
 /// <summary>The serial line of a simulated controller takes ten bit times at its rate for each byte, unless the timing of its bytes is switched off.</summary>
 public sealed class SimulatedLineTests : IDisposable

@@ -1,9 +1,9 @@
 using System.Net;
 using System.Net.Sockets;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links;
 
-namespace Engraver.Galil.Tests.Links;
+namespace Engraver.Links.Tests;
 
 public class TcpLinkTests
 {

@@ -1,4 +1,4 @@
-namespace Engraver.Galil.Links;
+namespace Engraver.Links.Serial;
 
 /// <summary>The serial devices of this computer as listed by the system. Whether anything is connected to a device is not known before it is opened.</summary>
 public static class SerialDeviceList

@@ -1,8 +1,8 @@
-using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
+using Engraver.Core.Machines;
+using Engraver.Links.Recording;
 using Engraver.TestKit;
 
-namespace Engraver.Galil.Tests.Protocol;
+namespace Engraver.Links.Tests.Recording;
 
 /// <summary>The bytes sent over the links of a machine are recorded, and read back unchanged.</summary>
 public class ConversationTests

@@ -1,7 +1,6 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
 
-namespace Engraver.Galil.Protocol;
+namespace Engraver.Links.Recording;
 
 /// <summary>Records the conversation of a session (<see cref="Conversation"/>). Writing its file never delays the session.</summary>
 public sealed class ConversationRecorder

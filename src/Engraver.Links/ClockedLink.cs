@@ -1,6 +1,6 @@
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links;
 
 /// <summary>A link to a controller that shares its clock: every reply over it means that the clock may have advanced.</summary>
 /// <param name="link">Owned by this link.</param>

@@ -1,6 +1,4 @@
-using Engraver.Core.Machines;
-
-namespace Engraver.Galil.Links;
+namespace Engraver.Core.Machines;
 
 /// <summary>Bytes to and from a controller over any medium: a socket, a serial line, memory. One reader and one writer at a time.</summary>
 /// <remarks>Failures are <see cref="IOException"/>; the protocol above turns them into the three link exceptions.</remarks>

@@ -2,10 +2,9 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
-using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links;
 
 /// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>). While this object exists, the controller's time
 /// advances only through commands of this host and while this host waits.</summary>
@@ -61,7 +60,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         {
             clock.Dispose();
             throw new ControllerLinkException(
-                Wording.Get("OfferedClock.NoClock", port, SystemReason.Of(failure)), failure);
+                Wording.Get("OfferedClock.NoClock", port, SocketReason.Of(failure)), failure);
         }
     }
 

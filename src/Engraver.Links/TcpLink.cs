@@ -1,16 +1,12 @@
 using System.Net.Sockets;
-using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links;
 
-/// <summary>A link over one TCP connection, which is one handle of the controller (galil-dmc.md A.1).</summary>
-/// <remarks>TCP_NODELAY: one command is one packet, and the next packet carries the acknowledgement (galil-dmc.md A.4).</remarks>
+/// <summary>A link over one TCP connection.</summary>
+/// <remarks>Without delay (TCP_NODELAY): one command is one packet, and the next packet carries the acknowledgement.</remarks>
 public sealed class TcpLink : IControllerLink
 {
-    /// <summary>The message for a connection that is closed immediately after it was accepted (galil-dmc.md A.1).</summary>
-    internal static string HandlesTaken => Wording.Get("TcpLink.HandlesTaken");
-
     private readonly Socket _socket;
 
     private TcpLink(Socket socket, string description)
@@ -22,9 +18,10 @@ public sealed class TcpLink : IControllerLink
     public string Description { get; }
 
     /// <summary>Connects within <paramref name="timeout"/>.</summary>
-    /// <exception cref="ControllerLinkException">No listener, an unknown name, or every handle is in use (the controller then answers with RST).</exception>
+    /// <param name="resetHint">Sentences for the operator when the other side resets the connection at once, in terms of its controller; null for none.</param>
+    /// <exception cref="ControllerLinkException">No listener, an unknown name, or the other side reset the connection.</exception>
     /// <exception cref="ControllerTimeoutException">No reply in time.</exception>
-    public static async Task<TcpLink> ConnectAsync(string host, int port, TimeSpan timeout, TimeProvider time, CancellationToken cancellation)
+    public static async Task<TcpLink> ConnectAsync(string host, int port, TimeSpan timeout, TimeProvider time, CancellationToken cancellation, Func<string>? resetHint = null)
     {
         var description = $"tcp://{host}:{port}";
         using var limit = new CancellationTokenSource(timeout, time);
@@ -38,8 +35,8 @@ public sealed class TcpLink : IControllerLink
         catch (SocketException failure)
         {
             socket.Dispose();
-            var hint = failure.SocketErrorCode == SocketError.ConnectionReset ? " " + HandlesTaken : "";
-            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, SystemReason.Of(failure)) + hint, failure);
+            var hint = failure.SocketErrorCode == SocketError.ConnectionReset && resetHint is not null ? " " + resetHint() : "";
+            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, SocketReason.Of(failure)) + hint, failure);
         }
         catch (OperationCanceledException failure) when (!cancellation.IsCancellationRequested)
         {
@@ -61,7 +58,7 @@ public sealed class TcpLink : IControllerLink
         }
         catch (SocketException failure)
         {
-            throw new IOException(SystemReason.Of(failure), failure);
+            throw new IOException(SocketReason.Of(failure), failure);
         }
     }
 
@@ -73,7 +70,7 @@ public sealed class TcpLink : IControllerLink
         }
         catch (SocketException failure)
         {
-            throw new IOException(SystemReason.Of(failure), failure);
+            throw new IOException(SocketReason.Of(failure), failure);
         }
     }
 

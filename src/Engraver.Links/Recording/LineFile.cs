@@ -1,7 +1,7 @@
 using System.Threading.Channels;
 using Engraver.Core.Languages;
 
-namespace Engraver.Galil.Protocol;
+namespace Engraver.Links.Recording;
 
 /// <summary>A text file that several threads write line by line without waiting: a separate thread writes it, because the stop of the machine uses the same
 /// methods.</summary>

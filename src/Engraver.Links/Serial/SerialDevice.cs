@@ -2,9 +2,9 @@ using System.Runtime.InteropServices;
 using System.Text;
 using Engraver.Core.Machines;
 using Microsoft.Win32.SafeHandles;
-using static Engraver.Galil.Links.SerialNative;
+using static Engraver.Links.Serial.SerialNative;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links.Serial;
 
 /// <summary>An open serial device, with an event that wakes the waiting thread. No method blocks except <see cref="Wait"/>.</summary>
 internal sealed class SerialDevice : IDisposable
@@ -72,7 +72,7 @@ internal sealed class SerialDevice : IDisposable
         return count switch
         {
             > 0 => (int)count,
-            0 => throw new IOException(Wording.Get("Links.DeviceDisconnected")),
+            0 => throw new IOException(Wording.Get("SerialLink.DeviceDisconnected")),
             _ => NothingOr(Marshal.GetLastPInvokeError()),
         };
     }

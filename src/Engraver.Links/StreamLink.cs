@@ -1,6 +1,6 @@
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links;
 
 /// <summary>A link over any stream, which it owns: the bytes of the in-process simulator, or of a test.</summary>
 public sealed class StreamLink(Stream stream, string description) : IControllerLink

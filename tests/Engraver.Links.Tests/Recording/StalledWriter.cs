@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace Engraver.Galil.Tests.Protocol;
+namespace Engraver.Links.Tests.Recording;
 
 /// <summary>A file whose reader has stopped reading: a line is not written until the test has ended.</summary>
 internal sealed class StalledWriter : TextWriter

@@ -3,7 +3,7 @@ using Microsoft.Win32.SafeHandles;
 
 [assembly: DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links.Serial;
 
 /// <summary>The system calls for a serial line on Linux. The line settings use ioctl with the kernel's own structure, because termios of libc differs between
 /// versions.</summary>

@@ -3,7 +3,7 @@ using System.IO.Pipelines;
 using System.Runtime.InteropServices;
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links.Serial;
 
 /// <summary>A link over an RS-232 line on Linux, or over a pseudo-terminal (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit).</summary>
 /// <remarks>One thread waits for the device in both directions, without a time limit and without polling. When an adapter is unplugged, this wait and all reads
@@ -158,7 +158,7 @@ public sealed class SerialLink : IControllerLink
             _received.Writer.FlushAsync(CancellationToken.None).AsTask().GetAwaiter().GetResult();
         }
 
-        if ((happened & SerialNative.PollGone) != 0) throw new IOException(Wording.Get("Links.DeviceDisconnected"));
+        if ((happened & SerialNative.PollGone) != 0) throw new IOException(Wording.Get("SerialLink.DeviceDisconnected"));
     }
 
     private void Fail(IOException failure)

@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using Engraver.Core.Machines;
-using static Engraver.Galil.Links.SerialNative;
+using static Engraver.Links.Serial.SerialNative;
 
-namespace Engraver.Galil.Links;
+namespace Engraver.Links.Serial;
 
 /// <summary>Line settings of the kernel: eight data bits, no parity, one stop bit, every byte unchanged (cfmakeraw), a rate and a flow control.</summary>
 internal static class SerialSettings
