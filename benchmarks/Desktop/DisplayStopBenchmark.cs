@@ -49,7 +49,7 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
         var times = new double[StopPresses.Jobs];
         for (var i = 0; i < times.Length; i++)
         {
-            while (desk.Session.Machine.Armed is null)
+            while (desk.Session.Machine.Arming.Armed is null)
             {
                 await UntilAsync(() => desk.Session.Machine.Status.State is MachineState.Ready, Task.Delay(Timeout.Infinite, CancellationToken.None));
                 await desk.RunAsync("CNCARM", "Stream");

@@ -61,7 +61,7 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
     /// <summary>Arms the job, again where the watch has disarmed it because it saw a machine that had just come to rest.</summary>
     private void Arm()
     {
-        while (session.Desk.Session.Machine.Armed is null)
+        while (session.Desk.Session.Machine.Arming.Armed is null)
         {
             desktop.StepUntil(() => session.Desk.Session.Machine.Status.State is MachineState.Ready, s_patience);
             Await(session.Desk.RunAsync("CNCARM", "Stream"));

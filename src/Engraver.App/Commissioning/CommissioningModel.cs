@@ -18,7 +18,7 @@ public sealed class CommissioningModel : Observable
     public CommissioningModel(DesktopModel desk)
     {
         _desk = desk;
-        Begin = new Act(() => _ = desk.RunAsync(Command), () => desk.Session.Machine.Description is not null && !desk.IsMoving && !IsUnderWay);
+        Begin = new Act(() => _ = desk.RunAsync(Command), () => desk.Session.Machine.Connection.Description is not null && !desk.IsMoving && !IsUnderWay);
         BreakOff = new Act(() => _ = desk.CancelAsync(), () => IsUnderWay);
         Answer = new Act(option => _ = desk.EnterAsync(((Keyword)option!).Name), () => IsAsked);
         Keep = new Act(() => _ = desk.EnterAsync(""), () => IsAsked);

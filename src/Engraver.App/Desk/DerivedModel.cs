@@ -150,7 +150,7 @@ public sealed class DerivedModel(CommandSession session)
     }
 
     /// <summary>The job that runs is the one that is planned here, not one of trajectories or one fitted to a slow line.</summary>
-    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.ShownJob?.Followed is null;
+    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.Runs.ShownJob?.Followed is null;
 
     /// <summary>To which moment of the plan the machine has come: in a segment as far as it has come along it, between strokes to the next segment. In a
     /// segment that is begun it is not farther back than it was (held and moved away, or stopped).</summary>

@@ -230,18 +230,18 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
     public void StopNow()
     {
-        Session.Machine.Stop();
+        Session.Machine.Controls.Stop();
         Session.Ahead.Flush();
     }
 
     /// <summary>Holds the job under way. From any thread; waits for nothing.</summary>
-    public void HoldNow() => Session.Machine.HoldJob();
+    public void HoldNow() => Session.Machine.Controls.HoldJob();
 
     /// <summary>Changes the operator's feed by a part of the programmed one.</summary>
-    public void OverrideBy(double part) => Session.Machine.Override(Math.Round(Session.Machine.Status.FeedRatio + part, 2), null);
+    public void OverrideBy(double part) => Session.Machine.Controls.Override(Math.Round(Session.Machine.Status.FeedRatio + part, 2), null);
 
     /// <summary>The same for rapids.</summary>
-    public void OverrideRapidsBy(double part) => Session.Machine.Override(null, Math.Round(Session.Machine.Status.RapidRatio + part, 2));
+    public void OverrideRapidsBy(double part) => Session.Machine.Controls.Override(null, Math.Round(Session.Machine.Status.RapidRatio + part, 2));
 
     public async ValueTask DisposeAsync()
     {

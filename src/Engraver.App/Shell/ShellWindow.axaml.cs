@@ -261,7 +261,7 @@ public partial class ShellWindow : Window
 
     private bool Escape()
     {
-        Canvas.Escape();
+        Canvas.Pointing.Escape();
         TakeKeyboard();
         return true;
     }

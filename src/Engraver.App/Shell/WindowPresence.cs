@@ -34,7 +34,7 @@ internal sealed class WindowPresence
         desk.Changed += Look;
     }
 
-    private OperatorPresence Presence => _desk.Session.Machine.Presence;
+    private OperatorPresence Presence => _desk.Session.Machine.Hand.Presence;
 
     private void OnHand(object? sender, RoutedEventArgs e) => _isLeft = false;
 

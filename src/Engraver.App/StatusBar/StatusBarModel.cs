@@ -50,7 +50,7 @@ public sealed class StatusBarModel : Observable
 
     public string Profile => _desk.Session.Settings.Current.LastProfile is { } file ? Path.GetFileNameWithoutExtension(file) : Text.Get("Status.DefaultProfile");
 
-    public string Link => _desk.Session.Machine.Description ?? Text.Get("Status.NotConnected");
+    public string Link => _desk.Session.Machine.Connection.Description ?? Text.Get("Status.NotConnected");
 
     /// <summary>The cursor stands at a place of the drawing.</summary>
     public void Point(Point2D place)

@@ -30,7 +30,7 @@ public sealed class TerminalModel : Observable
         set => Set(ref _line, value ?? "");
     }
 
-    private LiveTerminal Terminal => _desk.Session.Machine.Terminal;
+    private LiveTerminal Terminal => _desk.Session.Machine.Connection.Terminal;
 
     /// <summary>Enter: the line goes to the controller. A link that fails is an alarm; the line stays on the page.</summary>
     public async Task SubmitAsync()

@@ -19,7 +19,7 @@ namespace Engraver.Workbench.Commands;
 /// for.</summary>
 /// <remarks>One caller at a time, except that while a command is at work those that are heard beside it (CNCSTOP, ZOOM, LIST) and <see cref="CancelAsync"/>
 /// may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
-public sealed partial class CommandSession : IAsyncDisposable
+public sealed class CommandSession : IAsyncDisposable
 {
     private readonly FrameStack _frames = new();
     private readonly ScriptQueue _scripts = new();
@@ -31,7 +31,8 @@ public sealed partial class CommandSession : IAsyncDisposable
     {
         Environment = environment;
         Catalog = catalog;
-        Machine = new MachineSession(environment.Time) { OriginsFolder = MachineMemories.FolderIn(environment.RunJournalFolder) };
+        Beside = new BesideCommands(this, _frames);
+        Machine = new MachineSession(environment.Time, MachineMemories.FolderIn(environment.RunJournalFolder));
         Derivation = new DerivationSession(Document);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
@@ -85,6 +86,9 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// <summary>The command that Enter would repeat; null for none, and for one that starts motion.</summary>
     public string? Repeatable => _last is { Info: { StartsMotion: false } info } ? info.Name : null;
 
+    /// <summary>The commands that run beside the one at work.</summary>
+    public BesideCommands Beside { get; }
+
     /// <summary>What becomes of inputs that are typed while a command works.</summary>
     public TypedAhead Ahead { get; }
 
@@ -104,7 +108,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     {
         get
         {
-            if (_aside is { Pending: { } beside } aside) return View(aside, "", beside.Prompt);
+            if (Beside.Asking is { Pending: { } question } beside) return View(beside, "", question.Prompt);
             return _frames.Top is { Pending: { } asks } frame ? View(frame, _frames.Before, asks.Prompt) : PromptView.Idle;
 
             PromptView View(CommandFrame frame, string before, Prompt asks) =>
@@ -122,11 +126,11 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     /// <summary>A machine that is not simulated moves only after CNCARM, whoever starts it; a simulated one also when a script says so, and where the
     /// environment wants no arming.</summary>
-    internal bool RunNeedsArming => !Machine.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
+    internal bool RunNeedsArming => !Machine.Connection.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
 
     /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but a machine that is not simulated is started by a
     /// person.</summary>
-    internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.IsSimulation;
+    internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.Connection.IsSimulation;
 
     /// <summary>True while inputs come from a script.</summary>
     internal bool IsScripted => _scripts.IsRunnable;
@@ -134,7 +138,11 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// <summary>The name of the command inside which another runs; null when none does.</summary>
     internal string? Outer => _frames.IsNested ? _frames.Outermost!.Info.Name : null;
 
+    /// <summary>A job runs or something moves: no input is kept to be run after it.</summary>
+    internal bool IsMachineAtWork => Machine.IsRunning || Machine.Status.State.IsMotion();
+
     internal bool OpensDialog(string command) => Dialogs?.Invoke(command) ?? false;
+
     /// <summary>Where a number alone is measured from, towards the cursor, when a place is asked for (direct distance entry), drawing units; null when it
     /// is no place, or one that stands alone.</summary>
     public Point2D? DistanceFrom => _frames.Top is { Pending.Prompt: PointPrompt { Use: PointUse.Place, From: { } from } } ? from : null;
@@ -160,7 +168,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     private async Task<InputResult> EnterAsync(string input, string shown, CancellationToken cancellation)
     {
         Environment.Journal?.WriteLine(ScriptText.Write(input));
-        if (_aside is { Pending: not null } || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(input, cancellation, shown).ConfigureAwait(false));
+        if (Beside.Asks || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false));
         try
         {
             var result = await EnterOneAsync(input, cancellation, shown).ConfigureAwait(false);
@@ -178,7 +186,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterInsideAsync(string command, CancellationToken cancellation)
     {
         if (_frames.Top is not { Pending: not null } frame) return await EnterAsync(command, cancellation).ConfigureAwait(false);
-        if (Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(command, cancellation).ConfigureAwait(false));
+        if (Interlocked.Exchange(ref _taking, 1) != 0) return Told(await Beside.EnterAsync(command, cancellation).ConfigureAwait(false));
         try
         {
             Environment.Journal?.WriteLine("'" + command);
@@ -214,7 +222,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// gets the result.</summary>
     public async Task CancelAsync()
     {
-        if (await EndBesideAsync().ConfigureAwait(false)) return;
+        if (await Beside.EndAsync().ConfigureAwait(false)) return;
         if (IsBusy)
         {
             _scripts.Clear();
@@ -238,7 +246,7 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        await EndBesideAsync().ConfigureAwait(false);
+        await Beside.EndAsync().ConfigureAwait(false);
         await EndAllAsync().ConfigureAwait(false);
         _ties.Dispose();
         Derivation.Dispose();
@@ -263,7 +271,7 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation, string? shown = null)
     {
-        if (_frames.Top is { Pending: null }) return await HearAsync(input, cancellation, shown).ConfigureAwait(false);
+        if (_frames.Top is { Pending: null }) return await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false);
         Echo(shown ?? input);
         if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
@@ -325,12 +333,12 @@ public sealed partial class CommandSession : IAsyncDisposable
         return result;
     }
 
-    private void Echo(string input)
+    internal void Echo(string input)
     {
         if (SystemVariables.Variable(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
     }
 
-    private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
+    internal ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
 
     /// <summary>Enters what is queued, until a command fails or the inputs are used up.</summary>
     private async Task<InputResult> RunScriptsAsync(CancellationToken cancellation)

@@ -31,7 +31,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         Type(here, "theme", "light");
         here.Until(() => here.Commands.View.Current.Theme.ToString() == "Light");
         Type(here, "ortho", "on", "pickbox", "7");
-        here.Until(() => here.Commands.View.Current.Ortho && here.Window.Canvas.PickBox == 7.0);
+        here.Until(() => here.Commands.View.Current.Ortho && here.Window.Canvas.Pointing.PickBox == 7.0);
 
         Runs(here);
         Assert.Null(here.Desk.Prompt.Command);
@@ -115,7 +115,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         Type(here, "cncstop");
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Null(here.Desk.Prompt.Command);
     });
 
@@ -174,7 +174,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Progress is { SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Runs.Progress is { SegmentsSent: > 0 });
     }
 
     /// <summary>Types quickly: nothing is waited for between two words.</summary>
@@ -195,6 +195,6 @@ public sealed class BesideTests(DesktopFixture fixture)
     {
         here.Hands.Press(Key.Pause);
         here.Rest();
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     }
 }

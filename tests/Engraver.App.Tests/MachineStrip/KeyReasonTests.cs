@@ -31,10 +31,10 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
         Says(here, "ArmKey", "job running", "A job is running");
         Says(here, "StartKey", "job running", "A job is running");
         here.Hands.Press(Avalonia.Input.Key.Pause);
-        here.Until(() => here.Commands.Machine.LastRun is not null);
+        here.Until(() => here.Commands.Machine.Runs.LastRun is not null);
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
 
     [Fact]

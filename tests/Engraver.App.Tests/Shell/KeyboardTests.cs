@@ -97,7 +97,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         here.Hands.Type("3");
         Assert.Equal(("", "MG 2+3"), (here.Window.Model.Command.Line, Terminal(here).Line));
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Terminal.Lines.Any(line => line.Text.Contains("5.0000", StringComparison.Ordinal)));
+        here.Until(() => here.Commands.Machine.Connection.Terminal.Lines.Any(line => line.Text.Contains("5.0000", StringComparison.Ordinal)));
 
         here.Hands.Press(Key.Escape);
         here.Rest();

@@ -69,7 +69,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     {
         here.Enter("OPEN", "nameplate.dxf", "CHECK", "CNCORDER", "Nearest", "CNCCONNECT", "sim:", "CNCARM", "Stream", "CNCRUN");
 
-        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Contains("nameplate.dxf", here.Window.Title, StringComparison.Ordinal);
     });
 

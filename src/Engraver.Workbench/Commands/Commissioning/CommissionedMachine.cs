@@ -5,8 +5,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>The machine that is being commissioned: how it was found, what was accepted since, and the profile that the answers describe so far.</summary>
-internal sealed partial class CommissionedMachine
+/// <summary>The machine that is being commissioned: its state when it was found, what was accepted since, and the profile that the answers describe so far.</summary>
+internal sealed class CommissionedMachine
 {
     private readonly SetupFacts _found;
     private readonly HashSet<char> _rewired = [];
@@ -17,9 +17,12 @@ internal sealed partial class CommissionedMachine
     {
         (Context, _found) = (context, found);
         Start = Profile = context.Machine.Profile;
+        Moves = new TestMoves(this);
     }
 
     public CommandContext Context { get; }
+
+    public TestMoves Moves { get; }
 
     /// <summary>The profile by which the controller is watched and moved; it does not change before the end.</summary>
     public MachineProfile Start { get; }
@@ -32,23 +35,23 @@ internal sealed partial class CommissionedMachine
 
     public string Letters => Start.Axes.Letters;
 
-    private MachineSession Session => Context.Machine;
+    private MachineSetup Setup => Context.Machine.Setup;
 
     /// <exception cref="CommandException">The profile names an axis that this controller does not have.</exception>
     public static async Task<CommissionedMachine> FindAsync(CommandContext context, CancellationToken cancellation)
     {
         var letters = context.Machine.Profile.Axes.Letters;
-        var there = MachineFamilies.Driver.Limits.Axes[..Math.Min(MachineFamilies.Driver.Limits.Axes.Length, context.Machine.Identity!.Axes)];
+        var there = MachineFamilies.Driver.Limits.Axes[..Math.Min(MachineFamilies.Driver.Limits.Axes.Length, context.Machine.Connection.Identity!.Axes)];
         if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.Spell(Wording.Get("Commission.AxesDiffer", letters, there)));
-        return new CommissionedMachine(context, await context.Machine.SetUpAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
+        return new CommissionedMachine(context, await context.Machine.Setup.ApplyAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>What the controller knows now.</summary>
+    /// <summary>The wiring settings of the controller now.</summary>
     public Task<SetupFacts> ReadAsync(CancellationToken cancellation) => SetUpAsync(setup => setup.ReadAsync(Letters, cancellation).AsTask(), cancellation);
 
-    /// <summary>Sets a value, which the operator has accepted by asking for it.</summary>
+    /// <summary>Sets a value that the operator has requested.</summary>
     /// <param name="said">The setting in words, for the end.</param>
-    /// <returns>False when the controller does not have it; the sentence was said, and what was found is set.</returns>
+    /// <returns>False when the controller does not have it; the reason was reported, and the earlier value is set again.</returns>
     public async Task<bool> AcceptAsync(SetupValue value, string said, CancellationToken cancellation)
     {
         if (!await TryAsync(value, cancellation).ConfigureAwait(false)) return false;
@@ -71,14 +74,14 @@ internal sealed partial class CommissionedMachine
         Context.Say(said, MessageKind.Result);
     }
 
-    /// <summary>Switches a motor off, because only so can it be told what it is.</summary>
+    /// <summary>Switches a motor off, because the controller takes its type only then.</summary>
     /// <returns>False when the operator does not want it, or the controller refuses it.</returns>
     public async Task<bool> SwitchOffAsync(char axis, CancellationToken cancellation) =>
         (await ReadAsync(cancellation).ConfigureAwait(false))[axis].IsMotorOff
         || (await Context.ConfirmAsync(Wording.Get("Commission.ConfirmMotorOff", axis)).ConfigureAwait(false) && await SwitchAsync(axis, on: false).ConfigureAwait(false));
 
     /// <summary>Switches the motors on that are off, each after a question.</summary>
-    /// <returns>False when one of them stays off: nothing can be moved.</returns>
+    /// <returns>False when one of them stays off: then nothing can be moved.</returns>
     public async Task<bool> SwitchAllOnAsync(CancellationToken cancellation)
     {
         var facts = await ReadAsync(cancellation).ConfigureAwait(false);
@@ -96,8 +99,8 @@ internal sealed partial class CommissionedMachine
         return true;
     }
 
-    /// <summary>Switches motors off that were found off, and those on that were found on. One whose type or encoder was changed, and one that ran away, is
-    /// not switched on by this program: it stays off, which is said.</summary>
+    /// <summary>Switches motors off that were found off, and those on that were found on. A motor whose type or encoder was changed, and one that ran away,
+    /// is not switched on by this program: it stays off, which is reported.</summary>
     /// <remarks>Once: a second call does nothing.</remarks>
     public async Task LeaveMotorsAsFoundAsync()
     {
@@ -118,7 +121,10 @@ internal sealed partial class CommissionedMachine
         }
     }
 
-    /// <summary>Says which settings stay in the controller.</summary>
+    /// <summary>Motors that are off now stay off at the end.</summary>
+    public void LeaveMotorsOff() => _rewired.UnionWith(Letters);
+
+    /// <summary>Reports which settings stay in the controller.</summary>
     /// <param name="isDone">The operator was asked whether they are burned.</param>
     public void SayWhatStays(bool isDone)
     {
@@ -127,9 +133,9 @@ internal sealed partial class CommissionedMachine
         foreach (var said in _accepted) Context.Say(said, MessageKind.Warning);
     }
 
-    /// <exception cref="CommandException">Nobody is connected any more, because the link was lost in a move.</exception>
+    /// <exception cref="CommandException">The controller is no longer connected, because the link was lost in a move.</exception>
     private Task<T> SetUpAsync<T>(Func<IMachineSetup, Task<T>> act, CancellationToken cancellation) =>
-        Session.CanBeSetUp ? Session.SetUpAsync(act, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
+        Setup.IsPossible ? Setup.ApplyAsync(act, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
 
     private async Task<bool> SwitchAsync(char axis, bool on)
     {

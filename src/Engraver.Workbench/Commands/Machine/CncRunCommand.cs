@@ -15,17 +15,17 @@ internal sealed class CncRunCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
         if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptCannotStart"));
-        if (context.Machine.Armed is { } armed)
+        if (context.Machine.Arming.Armed is { } armed)
         {
             await RunAsync(context, armed.Job, armed.Mode, armed.DryRun, cancellation).ConfigureAwait(false);
             return;
         }
 
         if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NotArmed", machine));
-        var (mode, dryRun, runsTrajectories) = (context.Machine.Part?.Mode ?? JobMode.Stream, false, false);
+        var (mode, dryRun, runsTrajectories) = (context.Machine.Runs.Part?.Mode ?? JobMode.Stream, false, false);
         while (true)
         {
             var job = await JobStart.PrepareAsync(context, mode, runsTrajectories).ConfigureAwait(false);
@@ -45,10 +45,10 @@ internal sealed class CncRunCommand : ICommand
 
     private static async Task RunAsync(CommandContext context, PreparedJob job, JobMode mode, bool dryRun, CancellationToken cancellation)
     {
-        var fit = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing);
+        var fit = context.Machine.Connection.FitToLink(job.Motion.Program!, mode, job.Drawing);
         FindingMessages.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
-        var checks = context.Machine.Armed?.Checklist;
-        await JobStart.RunAsync(context, job, checks, options => context.Machine.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, mode, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
+        var checks = context.Machine.Arming.Armed?.Checklist;
+        await JobStart.RunAsync(context, job, checks, options => context.Machine.Runs.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, mode, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
     }
 }
 
@@ -60,6 +60,6 @@ internal sealed class CncSimCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
-        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
+        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.Runs.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
     }
 }

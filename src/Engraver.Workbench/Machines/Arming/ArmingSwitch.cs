@@ -3,9 +3,10 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Arming;
 
-/// <summary>Holds an armed job until it is started, disarmed, or its time is over.</summary>
-internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
+/// <summary>The armed job, until it is started or disarmed, or its time has expired.</summary>
+public sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
 {
+    /// <summary>A job stays armed for this long.</summary>
     public static readonly TimeSpan Lasts = TimeSpan.FromSeconds(60);
 
     private readonly Lock _guard = new();
@@ -21,7 +22,7 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
         }
     }
 
-    public ArmedJob Arm(PreparedJob job, JobMode mode, bool dryRun, ArmingChecklist checklist)
+    internal ArmedJob Arm(PreparedJob job, JobMode mode, bool dryRun, ArmingChecklist checklist)
     {
         var armed = new ArmedJob(job, mode, dryRun, checklist, time.GetUtcNow() + Lasts);
         lock (_guard)
@@ -35,6 +36,7 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
         return armed;
     }
 
+    /// <summary>Disarms.</summary>
     /// <returns>False when nothing was armed.</returns>
     public bool Disarm()
     {
@@ -58,5 +60,5 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
 
 /// <summary>A job that was checked and may be started until a moment, or until anything it was checked against changes.</summary>
 /// <param name="Job">Prepared in the style of the mode.</param>
-/// <param name="Until">When arming ends by itself.</param>
+/// <param name="Until">When arming expires.</param>
 public sealed record ArmedJob(PreparedJob Job, JobMode Mode, bool DryRun, ArmingChecklist Checklist, DateTimeOffset Until);
