@@ -30,7 +30,7 @@ public sealed class CanvasSource
         _first = new FirstPicture(desk.Time);
         desk.Session.Derivation.Before = state => _first.Of(state.Drawing);
         canvas.PictureDrawn += () => _first.Show(canvas.HasPictureOfScene ? canvas.Scene?.Drawing : null);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         desk.Derived.Moved += ShowTool;
         Look();
     }

@@ -23,7 +23,7 @@ public sealed class FileQuestions : Observable
         Dialog = new FileDialogModel(desk);
         Dialog.Answered += choice => _ = AnswerAsync(choice);
         Dialog.Left += Abandon;
-        desk.Changed += LookSoon;
+        desk.Notifications.Changed += LookSoon;
     }
 
     /// <summary>Raised when what was asked for could not be done; the command window says why.</summary>
@@ -44,7 +44,7 @@ public sealed class FileQuestions : Observable
     {
         if (!await MayLoseEditsAsync("Files.Edited", "Files.OpenAnyway")) return;
         Remember(FileWanted.Drawing, path);
-        await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
+        await TellAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Write(path)));
     }
 
     /// <summary>Asks about edits before the window closes. A question that stands already is left for this one.</summary>
@@ -52,7 +52,7 @@ public sealed class FileQuestions : Observable
     public Task<bool> MayCloseAsync() => MayLoseEditsAsync("Files.EditedClose", "Files.DoNotSave");
 
     /// <summary>Runs a script that was dropped.</summary>
-    public Task RunScriptAsync(string path) => TellAsync(_desk.RunAsync("SCRIPT", TypedFileName.Write(path)));
+    public Task RunScriptAsync(string path) => TellAsync(_desk.Queue.RunAsync("SCRIPT", TypedFileName.Write(path)));
 
     private async Task TellAsync(Task<InputResult> work)
     {
@@ -72,7 +72,7 @@ public sealed class FileQuestions : Observable
         _isLooking = false;
         var wanted = _desk.Prompt.File;
         if (_asked is not null && !ReferenceEquals(wanted, _asked)) Leave();
-        if (wanted is null || _asked is not null || !WantsDialogs || _desk.IsBusy || !_desk.Idle.IsCompleted) return;
+        if (wanted is null || _asked is not null || !WantsDialogs || _desk.Queue.IsBusy || !_desk.Queue.Idle.IsCompleted) return;
         _asked = wanted;
         Dialog.Open(wanted, Text.Find("Command." + _desk.Prompt.Command) ?? _desk.Prompt.Command!, _typed());
     }
@@ -87,14 +87,14 @@ public sealed class FileQuestions : Observable
     private void Abandon()
     {
         Dialog.Close();
-        _ = _desk.CancelAsync();
+        _ = _desk.Queue.CancelAsync();
     }
 
     /// <summary>Answers the command. The dialog goes at once: what is typed from now on is for the command line.</summary>
     private Task AnswerNowAsync(FileWanted wanted, string? path)
     {
         Dialog.Close();
-        return TellAsync(_desk.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
+        return TellAsync(_desk.Queue.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
     }
 
     /// <summary>The path as somebody would type it: a file in the working folder by its name alone. A journal of inputs then runs in another place
@@ -139,13 +139,13 @@ public sealed class FileQuestions : Observable
     private async Task SaveAndOpenAsync(string path)
     {
         Dialog.Close();
-        if (await SaveAsync()) await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
+        if (await SaveAsync()) await TellAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Write(path)));
         else Refused?.Invoke();
     }
 
     /// <returns>False when it could not be saved; also for a new drawing, whose file the dialog asks for now: what should come afterwards is asked for
     /// again.</returns>
-    private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.RunAsync("QSAVE", "Yes") : await _desk.RunAsync("QSAVE")) is InputResult.Done;
+    private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.Queue.RunAsync("QSAVE", "Yes") : await _desk.Queue.RunAsync("QSAVE")) is InputResult.Done;
 
     /// <returns>False when the operator wants to keep the drawing open, or it could not be saved.</returns>
     private async Task<bool> MayLoseEditsAsync(string question, string without)

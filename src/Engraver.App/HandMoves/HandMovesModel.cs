@@ -34,7 +34,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         ZeroX = Command("CNCZERO", "X");
         ZeroY = Command("CNCZERO", "Y");
         ZeroZ = Command("CNCZERO", "Z");
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 
@@ -133,14 +133,14 @@ public sealed class HandMovesModel : Observable, IDisposable
         if (_jog is { IsReleased: false }) return;
         if (WhyNot() is { } why)
         {
-            _desk.Tell(MessageKind.Error, why);
+            _desk.Notifications.Say(MessageKind.Error, why);
             return;
         }
 
         if (Step.Millimetres is { } step)
         {
             if (!_desk.IsMoving || _desk.Session.Machine.Controls.IsHeld) StepBy(way, step);
-            else _desk.Tell(MessageKind.Error, Text.Get("Pad.Busy")); // the jog before it has not ended yet
+            else _desk.Notifications.Say(MessageKind.Error, Text.Get("Pad.Busy")); // the jog before it has not ended yet
             return;
         }
 
@@ -187,8 +187,8 @@ public sealed class HandMovesModel : Observable, IDisposable
 
     private void StepBy(JogVelocity way, double step)
     {
-        if (way.Z != 0.0) _ = _desk.RunAsync("CNCJOG", way.Z > 0.0 ? "Z+" : "Z-", Show(step));
-        else _ = _desk.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
+        if (way.Z != 0.0) _ = _desk.Queue.RunAsync("CNCJOG", way.Z > 0.0 ? "Z+" : "Z-", Show(step));
+        else _ = _desk.Queue.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
     }
 
     /// <param name="before">The jog before this one, which leaves the controller as it was found first.</param>
@@ -203,13 +203,13 @@ public sealed class HandMovesModel : Observable, IDisposable
         try
         {
             var result = await ended;
-            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Tell(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
-            if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Tell(MessageKind.Error, result.Sentence);
-            foreach (var left in result.NotRestored) _desk.Tell(MessageKind.Warning, left);
+            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Notifications.Say(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
+            if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Notifications.Say(MessageKind.Error, result.Sentence);
+            foreach (var left in result.NotRestored) _desk.Notifications.Say(MessageKind.Warning, left);
         }
         catch (Exception failure) when (failure is ControllerException or InvalidOperationException)
         {
-            _desk.Tell(MessageKind.Error, failure.Message);
+            _desk.Notifications.Say(MessageKind.Error, failure.Message);
         }
         finally
         {
@@ -217,7 +217,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         }
     }
 
-    private Act Command(params string[] inputs) => new(() => _ = _desk.RunAsync(inputs), () => _desk.Session.Machine.Connection.Description is not null && !_desk.IsMoving);
+    private Act Command(params string[] inputs) => new(() => _ = _desk.Queue.RunAsync(inputs), () => _desk.Session.Machine.Connection.Description is not null && !_desk.IsMoving);
 
     private void Look()
     {
@@ -251,12 +251,12 @@ public sealed class HandMovesModel : Observable, IDisposable
         Enumerable.Range(1, 8).Select(line => new LineRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));
 
     /// <summary>The operator chose an origin.</summary>
-    public void Choose(OriginRow origin) => _ = _desk.RunAsync("CNCORIGIN", origin.Name);
+    public void Choose(OriginRow origin) => _ = _desk.Queue.RunAsync("CNCORIGIN", origin.Name);
 
     /// <summary>The operator clicked an output.</summary>
     public void Switch(LineRow output)
     {
-        if (IsGuardOpen) _ = _desk.RunAsync("CNCOUTPUT", output.Number.ToString(CultureInfo.InvariantCulture), output.IsOn == true ? "OFF" : "ON");
+        if (IsGuardOpen) _ = _desk.Queue.RunAsync("CNCOUTPUT", output.Number.ToString(CultureInfo.InvariantCulture), output.IsOn == true ? "OFF" : "ON");
     }
 }
 

@@ -16,9 +16,9 @@ public sealed class JobModel : Observable
     public JobModel(DesktopModel desk)
     {
         _desk = desk;
-        Check = new Act(() => _ = desk.RunAsync("CHECK"));
-        Simulate = new Act(() => _ = desk.RunAsync("CNCSIM"));
-        desk.Changed += Look;
+        Check = new Act(() => _ = desk.Queue.RunAsync("CHECK"));
+        Simulate = new Act(() => _ = desk.Queue.RunAsync("CNCSIM"));
+        desk.Notifications.Changed += Look;
         Look();
     }
 

@@ -31,7 +31,7 @@ internal sealed class WindowPresence
         };
         window.AddHandler(InputElement.KeyDownEvent, OnHand, RoutingStrategies.Tunnel, handledEventsToo: true);
         window.AddHandler(InputElement.PointerPressedEvent, OnHand, RoutingStrategies.Tunnel, handledEventsToo: true);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
     }
 
     private OperatorPresence Presence => _desk.Session.Machine.Hand.Presence;

@@ -15,7 +15,7 @@ public sealed class RecentDrawings
     public RecentDrawings(DesktopModel desk)
     {
         _desk = desk;
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 

@@ -19,7 +19,7 @@ public sealed class StatusBarModel : Observable
         _desk = desk;
         Switches = StatusSwitch.All(desk);
         _work = new LongWork(desk, Look);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Point(Point2D.Origin);
     }
 

@@ -91,7 +91,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
     {
         here.Enter("CNCJOG", "X+");
         here.Hands.LoseFocus();
-        var asked = here.Desk.EnterAsync("Continuous");
+        var asked = here.Desk.Queue.EnterAsync("Continuous");
         here.Until(() => asked.IsCompleted);
         here.Until(() => here.History.Any(line => line.Contains("did not respond in time", StringComparison.Ordinal)) && !here.Commands.Machine.IsRunning);
 

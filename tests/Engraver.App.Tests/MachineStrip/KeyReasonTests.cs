@@ -26,7 +26,7 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
         Says(here, "StartKey", null, "Starts the armed job");
         Says(here, "HoldKey", null, "HOLD works only while a job is running");
         here.Click(here.Find<Button>("StartKey"));
-        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Runs.Progress.SegmentsSent: > 0 });
         here.Step();
         Says(here, "ArmKey", "job running", "A job is running");
         Says(here, "StartKey", "job running", "A job is running");

@@ -121,7 +121,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
         }
 
         if (here.Commands.Machine.Status.State is not (MachineState.Offline or MachineState.Ready)) here.Session.StopKeys.PressStop();
-        here.Until(() => here.Commands.Prompt.Command is null && !here.Desk.IsBusy || Again(here));
+        here.Until(() => here.Commands.Prompt.Command is null && !here.Desk.Queue.IsBusy || Again(here));
         here.Rest();
     }
 

@@ -112,7 +112,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
     {
         here.Open("paper-001.dxf");
         here.Show("Terminal");
-        _ = here.Desk.RunAsync("DIST");
+        _ = here.Desk.Queue.RunAsync("DIST");
         here.Rest();
         here.Click(here.Window.Canvas);
         here.Hands.Type("4,5");
@@ -147,7 +147,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         here.Show("Machine");
         here.Find<JogPad>("Pad").Focus();
         Assert.True(here.Find<JogPad>("Pad").IsFocused);
-        _ = here.Desk.RunAsync("OPEN");
+        _ = here.Desk.Queue.RunAsync("OPEN");
         here.Until(() => here.Find<UserControl>("FileSheet").IsVisible);
         here.Rest();
         here.Hands.KeyDown(Key.Left);

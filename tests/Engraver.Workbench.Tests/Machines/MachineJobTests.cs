@@ -176,6 +176,43 @@ public sealed class MachineJobTests : IDisposable
     }
 
     [Fact]
+    public async Task Disconnecting_while_a_job_runs_stops_the_machine_first()
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 1 });
+        var end = await controller.ListenTcpAsync(0, _limit.Token);
+        await using var machine = new MachineSession(TimeProvider.System);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}")), _limit.Token);
+        var running = RunAsync(machine, MachineBench.Job());
+        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+
+        await machine.Connection.DisconnectAsync();
+
+        Assert.Equal(JobOutcome.Stopped, (await running.WaitAsync(_limit.Token)).Result.Outcome);
+        Assert.Equal((true, 0), (controller.Status.IsIdle, (int)controller.Status.Outputs));
+        Assert.Equal((null, MachineState.Offline), (machine.Connection.Description, machine.Status.State));
+    }
+
+    [Fact]
+    public async Task While_a_job_runs_no_other_motion_begins_and_the_job_goes_on()
+    {
+        await using var machine = new MachineSession(TimeProvider.System);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        var running = RunAsync(machine, MachineBench.Job());
+        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+        var journal = Path.Combine(_folder.FullName, "hand.jsonl");
+
+        await Assert.ThrowsAsync<InvalidOperationException>(() => RunAsync(machine, MachineBench.Job()));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Hand.GoToAsync(default, journal, null, _limit.Token));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Hand.StepAsync(default, false, journal, null, _limit.Token));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Hand.SetMotorsAsync(false, _limit.Token));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Connection.ConnectAsync(ControllerAddress.Parse("sim:"), _limit.Token));
+        Assert.Equal(MachineState.Running, machine.Status.State);
+        machine.Controls.Stop();
+
+        Assert.Equal(JobOutcome.Stopped, (await running.WaitAsync(_limit.Token)).Result.Outcome);
+    }
+
+    [Fact]
     public async Task A_terminal_line_typed_while_a_job_runs_is_withheld()
     {
         await using var machine = new MachineSession(TimeProvider.System);
