@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Engraver.App.FileDialogs;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
@@ -196,7 +195,7 @@ public sealed class CommandQueue : IAsyncDisposable
         await Settled(_beside.Last);
     }
 
-    /// <summary>Ends it at once, and again when the input that was on its way to the session has begun its command; before any input that follows Esc.</summary>
+    /// <summary>Ends it at once, and again when the input that was on its way to the session has begun its command.</summary>
     private async Task EndBesideAsync(Task before)
     {
         var again = RunBeside(EndBesideNowAsync);
