@@ -14,8 +14,6 @@ namespace Engraver.Workbench.Machines;
 /// watch is paused before it and resumed after it.</remarks>
 public sealed class ConnectedMachine
 {
-    private const string NoneConnected = "No controller is connected.";
-
     private readonly TimeProvider _time;
     private readonly MachineStatusModel _status;
     private readonly MotionInterlock _interlock;
@@ -109,7 +107,7 @@ public sealed class ConnectedMachine
     internal async Task<MachineConnection> FreeAsync()
     {
         await _interlock.FreeAsync().ConfigureAwait(false);
-        return Watched.Connection ?? throw new InvalidOperationException(NoneConnected);
+        return Watched.Connection ?? throw new InvalidOperationException("No controller is connected.");
     }
 
     /// <summary>Makes a move by hand.</summary>

@@ -135,7 +135,7 @@ public sealed class WorkOrigins
         _runs.ForgetPlace();
     }
 
-    private static InvalidOperationException NotNow() => new("No controller is connected, or a job runs.");
+    private static InvalidOperationException NotNow() => new InvalidOperationException("No controller is connected, or a job runs.");
 
     private MachineHold RequireLease() => _machine.Lease ?? throw NotNow();
 

@@ -2,8 +2,9 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>The part of libX11 that is used: connections, windows, properties, keyboard, input methods, cursors and pictures. Names and arguments are Xlib's; C's <c>long</c> is <c>nint</c> (64-bit
-/// Linux). Requests are declared without a result, because errors are reported later.</summary>
+/// <summary>The part of libX11 that is used: connections, windows, properties, keyboard, input methods, cursors and pictures.</summary>
+/// <remarks>Names and arguments are Xlib's; C's <c>long</c> is <c>nint</c> (64-bit Linux). Requests are declared without a result, because errors are reported
+/// later.</remarks>
 internal static unsafe partial class Xlib
 {
     public const string Library = "libX11.so.6";

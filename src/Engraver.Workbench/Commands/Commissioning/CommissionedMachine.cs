@@ -5,7 +5,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>The machine that is being commissioned: its state when it was found, what was accepted since, and the profile that the answers describe so far.</summary>
+/// <summary>The machine that is being commissioned: its state when it was found, what was accepted since, and the profile that the answers describe so
+/// far.</summary>
 internal sealed class CommissionedMachine
 {
     private readonly SetupFacts _found;
