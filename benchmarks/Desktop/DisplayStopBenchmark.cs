@@ -24,7 +24,7 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
         await using var wire = new WireTap(await controller.ListenTcpAsync(0, CancellationToken.None));
         using var ear = new StopEar(wire);
         using var keyboard = new FakedKeyboard();
-        await desk.RunAsync("CNCCONNECT", wire.Address);
+        await desk.Queue.RunAsync("CNCCONNECT", wire.Address);
         await output.WriteLineAsync(StopEar.Head);
         await MeasureAsync(StopPresses.Idle, ear, keyboard);
         window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopPresses.Segments));
@@ -33,7 +33,7 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
         await MeasureAsync(StopPresses.Redraws, ear, keyboard);
         redraw.Stop();
         if (drawing is not null) await MeasureJobsAsync(drawing, ear, keyboard);
-        await desk.RunAsync("CNCDISCONNECT");
+        await desk.Queue.RunAsync("CNCDISCONNECT");
     }
 
     private async Task MeasureAsync(string what, StopEar ear, FakedKeyboard keyboard)
@@ -44,19 +44,19 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
 
     private async Task MeasureJobsAsync(string file, StopEar ear, FakedKeyboard keyboard)
     {
-        await desk.RunAsync("OPEN", file);
+        await desk.Queue.RunAsync("OPEN", file);
         await desk.SettleAsync();
         var times = new double[StopPresses.Jobs];
         for (var i = 0; i < times.Length; i++)
         {
-            while (desk.Session.Machine.Armed is null)
+            while (desk.Session.Machine.Arming.Armed is null)
             {
                 await UntilAsync(() => desk.Session.Machine.Status.State is MachineState.Ready, Task.Delay(Timeout.Infinite, CancellationToken.None));
-                await desk.RunAsync("CNCARM", "Stream");
+                await desk.Queue.RunAsync("CNCARM", "Stream");
             }
 
             var run = desk.StartArmedAsync();
-            await UntilAsync(() => desk.Session.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 }, run);
+            await UntilAsync(() => desk.Session.Machine is { Status.State: MachineState.Running, Runs.Progress.SegmentsSent: > 0 }, run);
             if (run.IsCompleted) throw new InvalidOperationException("The job ended before it was stopped.");
             ear.Forget();
             times[i] = (await StopPresses.TimesAsync(1, () => Press(keyboard, ear.AwaitBrake)))[0];
@@ -70,10 +70,10 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
     private async Task UntilAsync(Func<bool> condition, Task beside)
     {
         var held = new TaskCompletionSource();
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
         await Task.WhenAny(held.Task, beside);
-        desk.Changed -= Look;
+        desk.Notifications.Changed -= Look;
 
         void Look()
         {

@@ -24,14 +24,14 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         var controller = new SimulatedController(new SimulatorOptions());
         var wire = new WireTap(controller.ListenTcpAsync(0, CancellationToken.None).GetAwaiter().GetResult());
         using var ear = new StopEar(wire);
-        Await(session.Desk.RunAsync("CNCCONNECT", wire.Address));
+        Await(session.Desk.Queue.RunAsync("CNCCONNECT", wire.Address));
         output.WriteLine(StopEar.Head);
         Measure(StopPresses.Idle, ear, hand => desktop.StepUntil(() => hand.IsCompleted, TimeSpan.FromHours(1)));
         window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopPresses.Segments));
         Measure(StopPresses.Redraws, ear, Redraw);
         Measure("its thread is held up", ear, hand => hand.GetAwaiter().GetResult());
         if (drawing is not null) MeasureJobs(drawing, ear);
-        Await(session.Desk.RunAsync("CNCDISCONNECT"));
+        Await(session.Desk.Queue.RunAsync("CNCDISCONNECT"));
         Await(wire.DisposeAsync().AsTask());
         Await(controller.DisposeAsync().AsTask());
     }
@@ -39,14 +39,14 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
     /// <summary>Starts jobs and stops each after its streaming has started.</summary>
     private void MeasureJobs(string file, StopEar ear)
     {
-        Await(session.Desk.RunAsync("OPEN", file));
+        Await(session.Desk.Queue.RunAsync("OPEN", file));
         Await(session.Desk.SettleAsync());
         var times = new double[StopPresses.Jobs];
         for (var i = 0; i < times.Length; i++)
         {
             Arm();
             var run = session.Desk.StartArmedAsync();
-            desktop.StepUntil(() => session.Desk.Session.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 } || run.IsCompleted, s_patience);
+            desktop.StepUntil(() => session.Desk.Session.Machine is { Status.State: MachineState.Running, Runs.Progress.SegmentsSent: > 0 } || run.IsCompleted, s_patience);
             if (run.IsCompleted) throw new InvalidOperationException("The job ended before it was stopped.");
             ear.Forget();
             var stopped = StopPresses.TimesAsync(1, () => Press(ear.AwaitBrake));
@@ -61,10 +61,10 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
     /// <summary>Arms the job, again if the machine monitor has disarmed it because the machine had only just come to rest.</summary>
     private void Arm()
     {
-        while (session.Desk.Session.Machine.Armed is null)
+        while (session.Desk.Session.Machine.Arming.Armed is null)
         {
             desktop.StepUntil(() => session.Desk.Session.Machine.Status.State is MachineState.Ready, s_patience);
-            Await(session.Desk.RunAsync("CNCARM", "Stream"));
+            Await(session.Desk.Queue.RunAsync("CNCARM", "Stream"));
         }
     }
 

@@ -30,13 +30,13 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
         TellMemory("moved");
         for (var opening = 1; opening <= Openings; opening++)
         {
-            Await(session.Desk.RunAsync("CLOSE"));
+            Await(session.Desk.Queue.RunAsync("CLOSE"));
             Await(session.Desk.SettleAsync());
             Open(drawing, tells: false);
             TellMemory(string.Create(CultureInfo.InvariantCulture, $"closed and opened {opening} times"));
         }
 
-        Await(session.Desk.RunAsync("CLOSE"));
+        Await(session.Desk.Queue.RunAsync("CLOSE"));
         Await(session.Desk.SettleAsync());
         TellMemory("closed");
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"in use then: {GC.GetTotalMemory(forceFullCollection: true) / MegaByte:0} MB"));
@@ -45,7 +45,7 @@ internal sealed class WeightBenchmark(DesktopSession session, ShellWindow window
     private void Open(string drawing, bool tells)
     {
         var (watch, cpu) = (Stopwatch.StartNew(), Environment.CpuUsage.TotalTime);
-        var opening = session.Desk.RunAsync("OPEN", drawing);
+        var opening = session.Desk.Queue.RunAsync("OPEN", drawing);
         desktop.StepUntil(() => opening.IsCompleted, s_patience);
         Tell("read");
         desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_patience);

@@ -19,7 +19,7 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
     /// <param name="drawing">Path of the drawing that is open; null: none.</param>
     public void Repaint(string? drawing)
     {
-        if (drawing is not null) Await(session.Desk.RunAsync("OPEN", drawing));
+        if (drawing is not null) Await(session.Desk.Queue.RunAsync("OPEN", drawing));
         Await(session.Desk.SettleAsync());
         output.WriteLine("| Window | frames | p50 ms | p99 ms | worst ms |");
         output.WriteLine("|---|---:|---:|---:|---:|");
@@ -36,7 +36,7 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
     public void Open(string drawing)
     {
         var watch = Stopwatch.StartNew();
-        var opening = session.Desk.RunAsync("OPEN", drawing);
+        var opening = session.Desk.Queue.RunAsync("OPEN", drawing);
         desktop.StepUntil(() => opening.IsCompleted, s_patience);
         Tell("read", watch);
         desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_patience);

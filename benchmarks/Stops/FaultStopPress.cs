@@ -34,14 +34,14 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         await using var wire = baud is { } rate ? await FaultStopSerialTap.OverSerialAsync(controller, Path.Combine(folder, "line"), rate, stop).ConfigureAwait(false) : await FaultStopWire.OverTcpAsync(controller, stop).ConfigureAwait(false);
         var ear = new Ear(wire);
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(wire.Address), stop).ConfigureAwait(false);
-        var program = machine.FitToLink(job.Motion.Program!, MachineFamilies.Default.DefaultStrategy, job.Drawing).Program;
-        var run = machine.RunAsync(job, program, address => new MachineRunOptions(address, MachineFamilies.Default.DefaultStrategy) { JournalPath = Path.Combine(folder, "stop.jsonl") }, stop);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(wire.Address), stop).ConfigureAwait(false);
+        var program = machine.Connection.FitToLink(job.Motion.Program!, MachineFamilies.Default.DefaultStrategy, job.Drawing).Program;
+        var run = machine.Runs.RunAsync(job, program, address => new MachineRunOptions(address, MachineFamilies.Default.DefaultStrategy) { JournalPath = Path.Combine(folder, "stop.jsonl") }, stop);
         try
         {
             if (await Task.WhenAny(ear.Moves, run).ConfigureAwait(false) == run) return null;
             await Task.Delay(TimeSpan.FromSeconds(EarliestFault + ((LatestFault - EarliestFault) * _random.NextDouble())), stop).ConfigureAwait(false);
-            if (run.IsCompleted || machine.Progress is not { SegmentsSent: > 0 }) return null;
+            if (run.IsCompleted || machine.Runs.Progress is not { SegmentsSent: > 0 }) return null;
             ear.FaultComes();
             if (fault is not null) controller.Schedule(fault);
             await Task.Delay(TimeSpan.FromSeconds(PressWithin * _random.NextDouble()), stop).ConfigureAwait(false);
@@ -59,7 +59,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
         var collecting = GC.GetTotalPauseDuration();
         wire.Press(Stopwatch.GetTimestamp());
         var pressed = ear.Press();
-        machine.Stop();
+        machine.Controls.Stop();
         await Task.WhenAny(ear.Stop, Task.Delay(s_patience, stop), GoneAsync(machine, run)).ConfigureAwait(false);
         var pause = (GC.GetTotalPauseDuration() - collecting).TotalMilliseconds;
         double? time = ear.Stop.IsCompleted && !ear.IsBraked ? Stopwatch.GetElapsedTime(pressed, await ear.Stop.ConfigureAwait(false)).TotalMilliseconds : null;
@@ -70,7 +70,7 @@ internal sealed class FaultStopPress(string folder, int? baud, PreparedJob job)
     private static async Task GoneAsync(MachineSession machine, Task run)
     {
         await run.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-        if (machine.Description is not null) await Task.Delay(Timeout.Infinite, CancellationToken.None).ConfigureAwait(false);
+        if (machine.Connection.Description is not null) await Task.Delay(Timeout.Infinite, CancellationToken.None).ConfigureAwait(false);
     }
 
     /// <summary>Waits for the end of the job, whatever its result.</summary>

@@ -23,8 +23,8 @@ public partial class App : Application
         ArgumentNullException.ThrowIfNull(session);
         var desk = session.Desk;
         Follow();
-        desk.Changed += Follow;
-        desk.Failed += OnFailed;
+        desk.Notifications.Changed += Follow;
+        desk.Notifications.Failed += OnFailed;
         Dispatcher.UIThread.UnhandledException += OnUnhandled;
         var keys = InputElement.KeyDownEvent.AddClassHandler<Window>((_, e) => e.Handled |= PressOnce(session.StopKeys, e), RoutingStrategies.Tunnel);
         var leaving = InputElement.KeyDownEvent.AddClassHandler<Window>(LeaveDialog);

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Verbs;
+using Engraver.Cli.Verbs.Hand;
 using Engraver.Cli.Verbs.Jobs;
 using Engraver.Cli.Verbs.Profiles;
 using Engraver.Cli.Verbs.Sending;
@@ -35,10 +36,10 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(ReplayVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));
-        root.Subcommands.Add(HandVerbs.Jog(host));
+        root.Subcommands.Add(JogVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Home(host));
-        root.Subcommands.Add(HandVerbs.Zero(host));
-        root.Subcommands.Add(HandVerbs.Origin(host));
+        root.Subcommands.Add(OriginVerbs.Zero(host));
+        root.Subcommands.Add(OriginVerbs.Origin(host));
         root.Subcommands.Add(HandVerbs.Motors(host));
         root.Subcommands.Add(FrameVerb.Build(host));
         root.Subcommands.Add(ProfileVerb.Build(host));

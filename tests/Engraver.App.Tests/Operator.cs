@@ -58,7 +58,7 @@ internal sealed class Operator
         }
         catch (TimeoutException late)
         {
-            throw new TimeoutException($"{late.Message} Busy: {Desk.IsBusy}, asked: {Commands.Prompt.Command}, machine: {Commands.Machine.Status.State}, idle: {Desk.Idle.Status}. The history ends with:\n{string.Join('\n', History.TakeLast(15))}", late);
+            throw new TimeoutException($"{late.Message} Busy: {Desk.Queue.IsBusy}, asked: {Commands.Prompt.Command}, machine: {Commands.Machine.Status.State}, idle: {Desk.Queue.Idle.Status}. The history ends with:\n{string.Join('\n', History.TakeLast(15))}", late);
         }
     }
 
@@ -76,7 +76,7 @@ internal sealed class Operator
     /// <summary>Waits until every input is processed and all results are shown.</summary>
     public void Rest()
     {
-        Until(() => !Desk.IsBusy && Desk.Idle.IsCompleted && Window.Model.Files.IsAtRest);
+        Until(() => !Desk.Queue.IsBusy && Desk.Queue.Idle.IsCompleted && Window.Model.Files.IsAtRest);
         var settled = Desk.SettleAsync();
         Until(() => settled.IsCompleted && Window.CanvasSource.Shown.IsCompleted);
         Step();

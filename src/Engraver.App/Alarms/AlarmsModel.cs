@@ -14,7 +14,7 @@ public sealed class AlarmsModel : Observable
     {
         _desk = desk;
         AcknowledgeAll = new Act(() => desk.Session.Machine.Alarms.AcknowledgeAll());
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 

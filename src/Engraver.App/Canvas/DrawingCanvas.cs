@@ -15,9 +15,9 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The control that shows drawing and path. It draws, picks and snaps; <see cref="Commands"/> decides what a click does, <see cref="View"/> which
-/// part is seen.</summary>
-public sealed partial class DrawingCanvas : Panel
+/// <summary>The control that shows drawing and path; <see cref="Commands"/> decides what a click does, <see cref="View"/> which part is seen. What the mouse
+/// does is handled by <see cref="CanvasPointing"/>.</summary>
+public sealed class DrawingCanvas : Panel
 {
     public static readonly StyledProperty<CanvasScene?> SceneProperty = AvaloniaProperty.Register<DrawingCanvas, CanvasScene?>(nameof(Scene));
     public static readonly StyledProperty<OverlayScene?> OverlayProperty = AvaloniaProperty.Register<DrawingCanvas, OverlayScene?>(nameof(Overlay));
@@ -37,7 +37,6 @@ public sealed partial class DrawingCanvas : Panel
     private readonly CanvasCursor _cursor = new() { IsHitTestVisible = false };
     private readonly MachineNote _note = new();
     private readonly PictureRefiner _refiner;
-    private readonly GhostRunner _ghosts;
 
     public DrawingCanvas()
     {
@@ -45,7 +44,7 @@ public sealed partial class DrawingCanvas : Panel
         Children.AddRange([_picture, _signs, _cursor, _note]);
         (Background, Focusable, ClipToBounds, Cursor) = (Brushes.Transparent, true, true, new Cursor(StandardCursorType.None));
         _refiner = new PictureRefiner(_keeper);
-        _ghosts = new GhostRunner(ShowCursor);
+        Pointing = new CanvasPointing(this, _signs, _cursor);
         _keeper.Refined += (_, _) =>
         {
             _picture.InvalidateVisual();
@@ -122,6 +121,16 @@ public sealed partial class DrawingCanvas : Panel
     /// <summary>Takes what the operator does on the canvas; null: the canvas only shows.</summary>
     public ICanvasCommands? Commands { get; set; }
 
+    /// <summary>Length of the crosshair in percent of the canvas (CURSORSIZE).</summary>
+    public double CursorSize
+    {
+        get => _cursor.CursorSize;
+        set => _cursor.CursorSize = value;
+    }
+
+    /// <summary>The mouse on the canvas.</summary>
+    internal CanvasPointing Pointing { get; }
+
     /// <summary>True when the finished picture shows what is wanted, so that none is being drawn.</summary>
     public bool IsFresh => _keeper.IsFresh;
 
@@ -138,6 +147,9 @@ public sealed partial class DrawingCanvas : Panel
     /// <summary>The part of the drawing on the screen, in pixels of the screen.</summary>
     internal CanvasView PixelView => _keeper.View;
 
+    /// <summary>Drawing units per unit of the control.</summary>
+    internal double UnitsPerPoint => _keeper.View.UnitsPerPixel * Scaling;
+
     private double Scaling => TopLevel.GetTopLevel(this)?.RenderScaling ?? 1.0;
 
     /// <summary>Draws the wanted picture now, without waiting until the mouse rests: for screenshots and tests.</summary>
@@ -153,6 +165,73 @@ public sealed partial class DrawingCanvas : Panel
     {
         _keeper.Abandon();
         _keeper.Refine(CancellationToken.None);
+    }
+
+    /// <summary>From units of the control to drawing units.</summary>
+    internal Point2D ToDrawing(Point2D at) => _keeper.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
+
+    /// <summary>From drawing units to units of the control.</summary>
+    internal Point ToControl(Point2D place)
+    {
+        var pixel = _keeper.View.ToPixels(place);
+        return new Point(pixel.X / Scaling, pixel.Y / Scaling);
+    }
+
+    internal void UpdateSigns()
+    {
+        (_signs.Scene, _signs.View, _signs.Scaling, _signs.Colours) = (Scene, _keeper.View, Scaling, _keeper.Content.Theme);
+        (_signs.Highlight, _signs.Machine, _signs.Playback, _signs.PointedAt) = (Highlight, Machine, PlaybackPosition, View?.Current.Focus?.Place);
+        _note.Show(Machine?.Note ?? "");
+        _signs.ShowGrips(ShowsGrips ? Selection ?? [] : [], Pointing.HeldGrip);
+        _cursor.Colours = _keeper.Content.Theme;
+        _signs.InvalidateVisual();
+        _cursor.InvalidateVisual();
+    }
+
+    protected override void OnPointerPressed(PointerPressedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerPressed(e);
+        Focus();
+        if (ButtonOf(e.GetCurrentPoint(this).Properties.PointerUpdateKind) is not { } button) return;
+        e.Pointer.Capture(this);
+        Pointing.Press(PlaceOf(e), button, e.KeyModifiers.HasFlag(KeyModifiers.Shift), e.ClickCount);
+        e.Handled = true;
+    }
+
+    protected override void OnPointerMoved(PointerEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerMoved(e);
+        Pointing.Move(PlaceOf(e));
+    }
+
+    protected override void OnPointerReleased(PointerReleasedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerReleased(e);
+        Pointing.Release(PlaceOf(e), ButtonOf(e.GetCurrentPoint(this).Properties.PointerUpdateKind));
+        e.Pointer.Capture(null);
+    }
+
+    protected override void OnPointerWheelChanged(PointerWheelEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerWheelChanged(e);
+        Pointing.Wheel(PlaceOf(e), e.Delta.Y);
+        e.Handled = true;
+    }
+
+    protected override void OnPointerExited(PointerEventArgs e)
+    {
+        base.OnPointerExited(e);
+        Pointing.Leave();
+    }
+
+    protected override void OnPointerCaptureLost(PointerCaptureLostEventArgs e)
+    {
+        base.OnPointerCaptureLost(e);
+        if (Pointing.Pointer.IsPanning) Pointing.Pointer.Lost();
     }
 
     protected override Size ArrangeOverride(Size finalSize)
@@ -180,15 +259,12 @@ public sealed partial class DrawingCanvas : Panel
         base.OnDetachedFromVisualTree(e);
     }
 
-    /// <summary>What was hovered may be gone, or have another number: the cursor looks again what lies under it. A box that was begun was meant for what
-    /// was shown before.</summary>
     private void TakeScene()
     {
-        _pointer.DropBox();
-        (_signs.Hovered, _signs.HoveredGrip) = (null, null);
+        Pointing.DropScene();
         UpdateContent();
         UpdateSigns();
-        PointAgain();
+        Pointing.PointAgain();
     }
 
     private void Follow(ViewSession? before, ViewSession? now)
@@ -212,7 +288,7 @@ public sealed partial class DrawingCanvas : Panel
         UpdateView();
         UpdateContent();
         UpdateSigns();
-        PointAgain();
+        Pointing.PointAgain();
     }
 
     private void UpdateView() => UpdateView(Bounds.Size);
@@ -226,8 +302,8 @@ public sealed partial class DrawingCanvas : Panel
         if (view == _keeper.View) return;
         var before = _keeper.View;
         _keeper.View = view;
-        if (_keeper.Content.Scaling != scaling) _pointer.DropBox(); // on another screen
-        else _pointer.ViewMoved(at => Moved(at, before));
+        if (_keeper.Content.Scaling != scaling) Pointing.Pointer.DropBox(); // on another screen
+        else Pointing.Pointer.ViewMoved(at => Moved(at, before));
         UpdateSigns();
         _picture.InvalidateVisual();
         _refiner.WaitForHand();
@@ -254,17 +330,6 @@ public sealed partial class DrawingCanvas : Panel
         _refiner.DrawSoon();
     }
 
-    private void UpdateSigns()
-    {
-        (_signs.Scene, _signs.View, _signs.Scaling, _signs.Colours) = (Scene, _keeper.View, Scaling, _keeper.Content.Theme);
-        (_signs.Highlight, _signs.Machine, _signs.Playback, _signs.PointedAt) = (Highlight, Machine, PlaybackPosition, View?.Current.Focus?.Place);
-        _note.Show(Machine?.Note ?? "");
-        _signs.ShowGrips(ShowsGrips ? Selection ?? [] : [], _held);
-        _cursor.Colours = _keeper.Content.Theme;
-        _signs.InvalidateVisual();
-        _cursor.InvalidateVisual();
-    }
-
     /// <summary>The selection as flags by entity; the same array while the selection is the same list, so that nothing is drawn again without need.</summary>
     private bool[]? Flags(CanvasScene? scene, IReadOnlyList<int>? selection)
     {
@@ -278,5 +343,19 @@ public sealed partial class DrawingCanvas : Panel
 
         _flagged = selection;
         return flags;
+    }
+
+    private static PointerButton? ButtonOf(PointerUpdateKind kind) => kind switch
+    {
+        PointerUpdateKind.LeftButtonPressed or PointerUpdateKind.LeftButtonReleased => PointerButton.Left,
+        PointerUpdateKind.MiddleButtonPressed or PointerUpdateKind.MiddleButtonReleased => PointerButton.Middle,
+        PointerUpdateKind.RightButtonPressed or PointerUpdateKind.RightButtonReleased => PointerButton.Right,
+        _ => null,
+    };
+
+    private Point2D PlaceOf(PointerEventArgs e)
+    {
+        var at = e.GetPosition(this);
+        return new Point2D(at.X, at.Y);
     }
 }

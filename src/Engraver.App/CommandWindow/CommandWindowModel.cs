@@ -22,9 +22,9 @@ public sealed class CommandWindowModel : Observable, ISeen
     public CommandWindowModel(DesktopModel desk)
     {
         _desk = desk;
-        Choose = new Act(option => _ = desk.EnterAsync(((Keyword)option!).Name));
-        desk.Said += OnSaid;
-        desk.Changed += OnChanged;
+        Choose = new Act(option => _ = desk.Queue.EnterAsync(((Keyword)option!).Name));
+        desk.Notifications.Said += OnSaid;
+        desk.Notifications.Changed += OnChanged;
     }
 
     public ObservableCollection<HistoryLine> History { get; } = [];
@@ -43,7 +43,7 @@ public sealed class CommandWindowModel : Observable, ISeen
     public Act Choose { get; }
 
     /// <summary>Instruction and default without the options, which are shown beside it as buttons.</summary>
-    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command." + Work(_desk.Session.Machine.Status.State)) : PromptLine.WithoutOptions(_desk.Prompt.Text);
+    public string Instruction => _desk.Queue.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command." + Work(_desk.Session.Machine.Status.State)) : PromptLine.WithoutOptions(_desk.Prompt.Text);
 
     public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
 
@@ -90,7 +90,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         var input = Line;
         _inputs.Add(input);
         Line = "";
-        _ = _desk.TypeAsync(DirectDistance.Read(input, _desk.Session.DistanceFrom, _desk.Cursor));
+        _ = _desk.Queue.TypeAsync(DirectDistance.Read(input, _desk.Session.DistanceFrom, _desk.Cursor));
     }
 
     /// <summary>Pasted text of several lines: complete lines are passed to the command session after the typed text; an incomplete last line stays in the
@@ -101,7 +101,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         var all = (Line + text).ReplaceLineEndings("\n");
         var end = all.LastIndexOf('\n');
         Line = all[(end + 1)..];
-        _ = _desk.EnterLinesAsync(all[..(end + 1)]);
+        _ = _desk.Queue.EnterLinesAsync(all[..(end + 1)]);
     }
 
     /// <summary>Takes the typed text from the line, for use elsewhere.</summary>
@@ -117,7 +117,7 @@ public sealed class CommandWindowModel : Observable, ISeen
         var input = Named(suggestion);
         Line = "";
         _inputs.Add(input);
-        _ = _desk.TypeAsync(input);
+        _ = _desk.Queue.TypeAsync(input);
     }
 
     /// <summary>Tab: the line becomes the next suggestion.</summary>
@@ -137,7 +137,7 @@ public sealed class CommandWindowModel : Observable, ISeen
     {
         Line = "";
         _inputs.Add(input);
-        _ = _desk.TypeAsync(input);
+        _ = _desk.Queue.TypeAsync(input);
     }
 
     public void Back() => Recall(_inputs.Back(Line));
@@ -148,7 +148,7 @@ public sealed class CommandWindowModel : Observable, ISeen
     public void Cancel()
     {
         Line = "";
-        _ = _desk.CancelAsync();
+        _ = _desk.Queue.CancelAsync();
     }
 
     /// <summary>The running operation while there is no prompt, and how it is ended: Esc holds a running job, and does nothing to one that is braking or

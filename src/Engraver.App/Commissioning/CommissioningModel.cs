@@ -18,11 +18,11 @@ public sealed class CommissioningModel : Observable
     public CommissioningModel(DesktopModel desk)
     {
         _desk = desk;
-        Begin = new Act(() => _ = desk.RunAsync(Command), () => desk.Session.Machine.Description is not null && !desk.IsMoving && !IsUnderWay);
-        BreakOff = new Act(() => _ = desk.CancelAsync(), () => IsUnderWay);
-        Answer = new Act(option => _ = desk.EnterAsync(((Keyword)option!).Name), () => IsAsked);
-        Keep = new Act(() => _ = desk.EnterAsync(""), () => IsAsked);
-        desk.Changed += Look;
+        Begin = new Act(() => _ = desk.Queue.RunAsync(Command), () => desk.Session.Machine.Connection.Description is not null && !desk.IsMoving && !IsUnderWay);
+        BreakOff = new Act(() => _ = desk.Queue.CancelAsync(), () => IsUnderWay);
+        Answer = new Act(option => _ = desk.Queue.EnterAsync(((Keyword)option!).Name), () => IsAsked);
+        Keep = new Act(() => _ = desk.Queue.EnterAsync(""), () => IsAsked);
+        desk.Notifications.Changed += Look;
         Look();
     }
 

@@ -140,7 +140,7 @@ public sealed class ConnectModel : Observable
     private void ConnectNow()
     {
         IsOpen = false;
-        _ = _desk.RunAsync("CNCCONNECT", Address);
+        _ = _desk.Queue.RunAsync("CNCCONNECT", Address);
     }
 
     private void Choose(bool chosen, LinkKind kind)

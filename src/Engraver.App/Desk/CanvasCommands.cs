@@ -44,21 +44,21 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
 
     public void PointGiven(Point2D place, bool remove) => _ = (remove, Aim) switch
     {
-        (true, { ShiftMark: { } mark }) => desk.EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{mark}{place.X:R},{place.Y:R}")),
+        (true, { ShiftMark: { } mark }) => desk.Queue.EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{mark}{place.X:R},{place.Y:R}")),
         (true, { Use: PointUse.Object, Removes: false }) => RemoveAsync(place),
         _ => GiveAsync(place),
     };
 
-    public void GripHeld(Point2D grip) => _ = desk.RunAsync(GripEdit, string.Create(CultureInfo.InvariantCulture, $"{grip.X:R},{grip.Y:R}"));
+    public void GripHeld(Point2D grip) => _ = desk.Queue.RunAsync(GripEdit, string.Create(CultureInfo.InvariantCulture, $"{grip.X:R},{grip.Y:R}"));
 
-    public void GripDropped(Point2D place) => _ = desk.PointAsync(place, GripEdit);
+    public void GripDropped(Point2D place) => _ = desk.Queue.PointAsync(place, GripEdit);
 
-    public void ZoomExtents() => _ = desk.RunAsync("ZOOM", "Extents");
+    public void ZoomExtents() => _ = desk.Queue.RunAsync("ZOOM", "Extents");
 
     public void Menu(Point2D place)
     {
         var objects = desk.Prompt.Aim is { Use: PointUse.Object };
-        if (desk.Prompt.Command is not null && (objects || desk.Prompt.Options.Count == 0)) _ = desk.EnterAsync("");
+        if (desk.Prompt.Command is not null && (objects || desk.Prompt.Options.Count == 0)) _ = desk.Queue.EnterAsync("");
         else menu();
     }
 
@@ -67,16 +67,16 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
     {
         if (desk.Prompt.Options.All(option => option.Name != "Remove")) return;
         _returns = true;
-        await desk.EnterAsync("Remove");
+        await desk.Queue.EnterAsync("Remove");
         await GiveAsync(place);
     }
 
     private async Task GiveAsync(Point2D place)
     {
-        await desk.PointAsync(place);
+        await desk.Queue.PointAsync(place);
         if (!_returns || Aim is { Use: PointUse.Corner }) return;
         _returns = false;
-        if (Aim is { Use: PointUse.Object, Removes: true }) await desk.EnterAsync("Add");
+        if (Aim is { Use: PointUse.Object, Removes: true }) await desk.Queue.EnterAsync("Add");
     }
 
     public void CursorAt(Point2D? place)

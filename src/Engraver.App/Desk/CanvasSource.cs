@@ -30,7 +30,7 @@ public sealed class CanvasSource
         _first = new FirstPicture(desk.Time);
         desk.Session.Derivation.Before = state => _first.Of(state.Drawing);
         canvas.PictureDrawn += () => _first.Show(canvas.HasPictureOfScene ? canvas.Scene?.Drawing : null);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         desk.Derived.Moved += ShowTool;
         Look();
     }
@@ -52,15 +52,15 @@ public sealed class CanvasSource
         ShowTrajectories(state.Sidecar.Trajectories);
         ShowMachine();
         TakeVariables(_desk.Session.Settings.Current);
-        _canvas.TakeAim();
+        _canvas.Pointing.TakeAim();
         ShowTool();
     }
 
     private void TakeVariables(DesktopSettings settings)
     {
-        (_canvas.CursorSize, _canvas.PickBox, _canvas.Aperture) = (settings.Variable("CURSORSIZE"), settings.Variable("PICKBOX"), settings.Variable("APERTURE"));
-        (_canvas.ZoomFactor, _canvas.ReversesWheel) = (settings.Variable("ZOOMFACTOR"), settings.Variable("ZOOMWHEEL") != 0.0);
-        _canvas.Figures = settings.Figures();
+        (_canvas.CursorSize, _canvas.Pointing.PickBox, _canvas.Pointing.Aids.Aperture) = (settings.Variable("CURSORSIZE"), settings.Variable("PICKBOX"), settings.Variable("APERTURE"));
+        (_canvas.Pointing.ZoomFactor, _canvas.Pointing.ReversesWheel) = (settings.Variable("ZOOMFACTOR"), settings.Variable("ZOOMWHEEL") != 0.0);
+        _canvas.Pointing.Figures = settings.Figures();
     }
 
     private async Task ShowDrawingAsync(Drawing? drawing)
@@ -113,13 +113,13 @@ public sealed class CanvasSource
         var moment = _desk.Session.Playback.IsShown && isOfScene ? _desk.Derived.Moment : null;
         _canvas.PlaybackPosition = moment?.Position is { } at && MachineMarks.UnitOf(state) is var unit ? new Point2D(at.X / unit, at.Y / unit) : null;
         _canvas.Highlight = moment?.Entity is >= 0 and var entity ? entity : null;
-        _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
+        _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Runs.Part?.Shown.Segments ?? 0);
     }
 
     /// <summary>Number of moves of the job's toolpath that are cut; a segment of the controller is a move or a part of one.</summary>
     private int MovesDone(int segmentsDone)
     {
-        if (segmentsDone == 0 || _desk.Session.Machine.ShownJob?.Followed is not null) return 0; // trajectories are not moves of the toolpath
+        if (segmentsDone == 0 || _desk.Session.Machine.Runs.ShownJob?.Followed is not null) return 0; // trajectories are no moves of the toolpath
         if (_desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
         return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Move;
     }

@@ -149,7 +149,7 @@ public sealed class DerivedModel(CommandSession session)
     }
 
     /// <summary>The running job is the planned one, not one of trajectories or one fitted to a slow line.</summary>
-    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.ShownJob?.Followed is null;
+    private bool IsPlannedHere(EngravedProgress told) => Current.Motion?.SegmentCount == told.SegmentCount && session.Machine.Runs.ShownJob?.Followed is null;
 
     /// <summary>The time of the plan that the machine has reached: inside a segment by the distance along it, between strokes at the next segment. Within
     /// one segment it does not go back (after a hold with moves away, or a stop).</summary>

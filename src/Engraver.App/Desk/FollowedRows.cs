@@ -31,7 +31,7 @@ public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Ac
     /// <summary>Subscribes to the desktop model; called last in a constructor.</summary>
     protected void Follow()
     {
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         desk.Derived.Moved += LookWhereToolIs;
         Look();
     }

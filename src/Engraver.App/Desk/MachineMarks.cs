@@ -13,8 +13,8 @@ internal static class MachineMarks
     public static MachineMark? Of(MachineSession machine, DocumentState state)
     {
         var status = machine.Status;
-        if (machine.Description is null || status.MachinePosition is not { } at) return null;
-        var inDrawing = machine.PlaceInDrawing;
+        if (machine.Connection.Description is null || status.MachinePosition is not { } at) return null;
+        var inDrawing = machine.Origins.PlaceInDrawing;
         return new MachineMark(at, machine.Trail.Places, at - (inDrawing ?? at), UnitOf(state), NoteOf(status, inDrawing is not null));
     }
 

@@ -20,8 +20,8 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
     public static MachineOverlay Of(PreparedJob? job, MachineSession machine, RunMeasure colour)
     {
         if (job is null) return new MachineOverlay(null, null, null, colour);
-        var frame = machine.LastPlacement(new MotionProgram(job.Settings.Machine, default, []), dryRun: false)?.Frame; // also for a job that would leave the travel, which the overlay has to show
-        var run = machine.Recorded is { } recorded && ReferenceEquals(recorded.Job.DocumentDrawing, job.Drawing) ? recorded : null;
+        var frame = machine.Origins.LastPlacement(new MotionProgram(job.Settings.Machine, default, []), dryRun: false)?.Frame; // also of a job that would leave the travel: that is what is to be seen
+        var run = machine.Runs.Recorded is { } recorded && ReferenceEquals(recorded.Job.DocumentDrawing, job.Drawing) ? recorded : null;
         return new MachineOverlay(job, frame is { } zero ? job.Settings.Machine.Scale.ToMillimetres(zero.X, zero.Y) : null, run, colour);
     }
 

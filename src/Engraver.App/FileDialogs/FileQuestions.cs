@@ -23,7 +23,7 @@ public sealed class FileQuestions : Observable
         Dialog = new FileDialogModel(desk);
         Dialog.Answered += choice => _ = AnswerAsync(choice);
         Dialog.Left += Abandon;
-        desk.Changed += LookSoon;
+        desk.Notifications.Changed += LookSoon;
     }
 
     /// <summary>Raised when the requested operation failed; the command window shows the reason.</summary>
@@ -44,7 +44,7 @@ public sealed class FileQuestions : Observable
     {
         if (!await MayLoseEditsAsync("Files.Edited", "Files.OpenAnyway")) return;
         Remember(FileWanted.Drawing, path);
-        await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
+        await TellAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Write(path)));
     }
 
     /// <summary>Asks about edits before the window closes. Replaces a question that is already open.</summary>
@@ -52,7 +52,7 @@ public sealed class FileQuestions : Observable
     public Task<bool> MayCloseAsync() => MayLoseEditsAsync("Files.EditedClose", "Files.DoNotSave");
 
     /// <summary>Runs a script that was dropped.</summary>
-    public Task RunScriptAsync(string path) => TellAsync(_desk.RunAsync("SCRIPT", TypedFileName.Write(path)));
+    public Task RunScriptAsync(string path) => TellAsync(_desk.Queue.RunAsync("SCRIPT", TypedFileName.Write(path)));
 
     private async Task TellAsync(Task<InputResult> work)
     {
@@ -72,7 +72,7 @@ public sealed class FileQuestions : Observable
         _isLooking = false;
         var wanted = _desk.Prompt.File;
         if (_asked is not null && !ReferenceEquals(wanted, _asked)) Leave();
-        if (wanted is null || _asked is not null || !WantsDialogs || _desk.IsBusy || !_desk.Idle.IsCompleted) return;
+        if (wanted is null || _asked is not null || !WantsDialogs || _desk.Queue.IsBusy || !_desk.Queue.Idle.IsCompleted) return;
         _asked = wanted;
         Dialog.Open(wanted, Text.Find("Command." + _desk.Prompt.Command) ?? _desk.Prompt.Command!, _typed());
     }
@@ -87,14 +87,14 @@ public sealed class FileQuestions : Observable
     private void Abandon()
     {
         Dialog.Close();
-        _ = _desk.CancelAsync();
+        _ = _desk.Queue.CancelAsync();
     }
 
     /// <summary>Answers the command. The dialog closes immediately: what is typed from now on goes to the command line.</summary>
     private Task AnswerNowAsync(FileWanted wanted, string? path)
     {
         Dialog.Close();
-        return TellAsync(_desk.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
+        return TellAsync(_desk.Queue.AnswerFileAsync(wanted, path is null ? null : AsTyped(path)));
     }
 
     /// <summary>The path as it would be typed: a file in the working folder by its name alone, so that a journal of inputs also runs in another
@@ -139,13 +139,13 @@ public sealed class FileQuestions : Observable
     private async Task SaveAndOpenAsync(string path)
     {
         Dialog.Close();
-        if (await SaveAsync()) await TellAsync(_desk.RunAsync("OPEN", TypedFileName.Write(path)));
+        if (await SaveAsync()) await TellAsync(_desk.Queue.RunAsync("OPEN", TypedFileName.Write(path)));
         else Refused?.Invoke();
     }
 
     /// <returns>False if it could not be saved; also for a new drawing, for which the dialog opens now: the operator has to repeat the operation that
     /// follows.</returns>
-    private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.RunAsync("QSAVE", "Yes") : await _desk.RunAsync("QSAVE")) is InputResult.Done;
+    private async Task<bool> SaveAsync() => (_desk.Session.Document.HasFile ? await _desk.Queue.RunAsync("QSAVE", "Yes") : await _desk.Queue.RunAsync("QSAVE")) is InputResult.Done;
 
     /// <returns>False if the operator keeps the drawing open, or if it could not be saved.</returns>
     private async Task<bool> MayLoseEditsAsync(string question, string without)

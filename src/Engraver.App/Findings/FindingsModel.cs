@@ -15,7 +15,7 @@ public sealed class FindingsModel : Observable
     public FindingsModel(DesktopModel desk)
     {
         _desk = desk;
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 

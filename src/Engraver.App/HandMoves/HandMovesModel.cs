@@ -34,7 +34,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         ZeroX = Command("CNCZERO", "X");
         ZeroY = Command("CNCZERO", "Y");
         ZeroZ = Command("CNCZERO", "Z");
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 
@@ -117,7 +117,7 @@ public sealed class HandMovesModel : Observable, IDisposable
     {
         try
         {
-            await _desk.Session.Machine.GetReadyAsync(_desk.Session.NewRunJournal("jog"));
+            await _desk.Session.Machine.ReadyJogs.PrepareAsync(_desk.Session.NewRunJournal("jog"));
         }
         catch (Exception unready) when (unready is ControllerException or InvalidOperationException)
         {
@@ -133,18 +133,18 @@ public sealed class HandMovesModel : Observable, IDisposable
         if (_jog is { IsReleased: false }) return;
         if (WhyNot() is { } why)
         {
-            _desk.Tell(MessageKind.Error, why);
+            _desk.Notifications.Say(MessageKind.Error, why);
             return;
         }
 
         if (Step.Millimetres is { } step)
         {
-            if (!_desk.IsMoving || _desk.Session.Machine.IsHeld) StepBy(way, step);
-            else _desk.Tell(MessageKind.Error, Text.Get("Pad.Busy")); // the previous jog has not ended yet
+            if (!_desk.IsMoving || _desk.Session.Machine.Controls.IsHeld) StepBy(way, step);
+            else _desk.Notifications.Say(MessageKind.Error, Text.Get("Pad.Busy")); // the jog before it has not ended yet
             return;
         }
 
-        var jog = _desk.Session.Machine.Presence.Begin(way.At(Speed(shift)));
+        var jog = _desk.Session.Machine.Hand.Presence.Begin(way.At(Speed(shift)));
         var (before, journal) = (_before, _desk.Session.NewRunJournal("jog"));
         var ended = Task.Run(() => JogAsync(jog, before, journal));
         (_jog, _before) = (jog, ended);
@@ -156,7 +156,7 @@ public sealed class HandMovesModel : Observable, IDisposable
     {
         if (_jog is not { IsReleased: false } jog) return;
         jog.Steer(Speed(shift));
-        _desk.Session.Machine.Presence.Sign();
+        _desk.Session.Machine.Hand.Presence.Sign();
     }
 
     /// <summary>The key is released, the pad loses the focus or the window closes: the machine brakes. Never waits.</summary>
@@ -172,30 +172,30 @@ public sealed class HandMovesModel : Observable, IDisposable
     private string? WhyNot()
     {
         var machine = _desk.Session.Machine;
-        if (machine.Description is null) return Text.Get("Pad.NoController");
+        if (machine.Connection.Description is null) return Text.Get("Pad.NoController");
         if (machine.Status.MotorsOn == false) return Text.Get("Pad.MotorsOff");
-        return _desk.IsMoving && !machine.IsHeld && _before.IsCompleted ? Text.Get("Pad.Busy") : null;
+        return _desk.IsMoving && !machine.Controls.IsHeld && _before.IsCompleted ? Text.Get("Pad.Busy") : null;
     }
 
     /// <summary>The fastest speed (<see cref="HandSpeed"/>) requires the rapid enable key.</summary>
     private double Speed(bool shift)
     {
         var profile = _desk.Session.Machine.Profile;
-        var fastest = HandSpeed.Fastest(profile, _desk.Session.Machine.IsHomed);
+        var fastest = HandSpeed.Fastest(profile, _desk.Session.Machine.Connection.IsHomed);
         return IsFast || shift ? fastest : Math.Min(profile.JogMmPerMinute, fastest);
     }
 
     private void StepBy(JogVelocity way, double step)
     {
-        if (way.Z != 0.0) _ = _desk.RunAsync("CNCJOG", way.Z > 0.0 ? "Z+" : "Z-", Show(step));
-        else _ = _desk.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
+        if (way.Z != 0.0) _ = _desk.Queue.RunAsync("CNCJOG", way.Z > 0.0 ? "Z+" : "Z-", Show(step));
+        else _ = _desk.Queue.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
     }
 
     /// <param name="before">The previous jog, which restores the controller first.</param>
     private async Task<JobResult> JogAsync(HeldJog jog, Task before, string journal)
     {
         await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-        return jog.IsReleased ? JobResult.NotStarted(0, "") : await _desk.Session.Machine.JogAndStayReadyAsync(jog, journal).ConfigureAwait(false);
+        return jog.IsReleased ? JobResult.NotStarted(0, "") : await _desk.Session.Machine.ReadyJogs.JogAsync(jog, journal).ConfigureAwait(false);
     }
 
     private async Task TellEndAsync(HeldJog jog, Task<JobResult> ended)
@@ -203,13 +203,13 @@ public sealed class HandMovesModel : Observable, IDisposable
         try
         {
             var result = await ended;
-            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Tell(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
-            if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Tell(MessageKind.Error, result.Sentence);
-            foreach (var left in result.NotRestored) _desk.Tell(MessageKind.Warning, left);
+            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Notifications.Say(MessageKind.Warning, Text.Get("Pad.WindowTooSlow"));
+            if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Notifications.Say(MessageKind.Error, result.Sentence);
+            foreach (var left in result.NotRestored) _desk.Notifications.Say(MessageKind.Warning, left);
         }
         catch (Exception failure) when (failure is ControllerException or InvalidOperationException)
         {
-            _desk.Tell(MessageKind.Error, failure.Message);
+            _desk.Notifications.Say(MessageKind.Error, failure.Message);
         }
         finally
         {
@@ -217,7 +217,7 @@ public sealed class HandMovesModel : Observable, IDisposable
         }
     }
 
-    private Act Command(params string[] inputs) => new(() => _ = _desk.RunAsync(inputs), () => _desk.Session.Machine.Description is not null && !_desk.IsMoving);
+    private Act Command(params string[] inputs) => new(() => _ = _desk.Queue.RunAsync(inputs), () => _desk.Session.Machine.Connection.Description is not null && !_desk.IsMoving);
 
     private void Look()
     {
@@ -225,8 +225,8 @@ public sealed class HandMovesModel : Observable, IDisposable
         var (profile, status) = (machine.Profile, machine.Status);
         HasHeight = profile.Axes.Z is not null;
         Height = HasHeight ? Text.Get("Pad.Height", Millimetres(status.WorkHeight), Millimetres(status.MachineHeight)) : "";
-        (Homed, IsNotHomed) = machine.IsHomed switch { true => (Text.Get("Pad.Homed"), false), false => (Text.Get("Pad.NotHomed"), true), null => ("", false) };
-        var memory = machine.Hold?.Memory;
+        (Homed, IsNotHomed) = machine.Connection.IsHomed switch { true => (Text.Get("Pad.Homed"), false), false => (Text.Get("Pad.NotHomed"), true), null => ("", false) };
+        var memory = machine.Connection.Lease?.Memory;
         IReadOnlyList<OriginRow> origins = [.. WorkOriginNames.All.Select(name => new OriginRow(name, Place(memory?.Origins.GetValueOrDefault(name), profile), memory?.Active == name))];
         if (!origins.SequenceEqual(Origins)) Origins = origins;
         IReadOnlyList<LineRow> inputs = [.. Lines(profile.Inputs, status.Inputs)], outputs = [.. Lines(profile.Outputs, status.Outputs)];
@@ -251,12 +251,12 @@ public sealed class HandMovesModel : Observable, IDisposable
         Enumerable.Range(1, 8).Select(line => new LineRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));
 
     /// <summary>The operator chose an origin.</summary>
-    public void Choose(OriginRow origin) => _ = _desk.RunAsync("CNCORIGIN", origin.Name);
+    public void Choose(OriginRow origin) => _ = _desk.Queue.RunAsync("CNCORIGIN", origin.Name);
 
     /// <summary>The operator clicked an output.</summary>
     public void Switch(LineRow output)
     {
-        if (IsGuardOpen) _ = _desk.RunAsync("CNCOUTPUT", output.Number.ToString(CultureInfo.InvariantCulture), output.IsOn == true ? "OFF" : "ON");
+        if (IsGuardOpen) _ = _desk.Queue.RunAsync("CNCOUTPUT", output.Number.ToString(CultureInfo.InvariantCulture), output.IsOn == true ? "OFF" : "ON");
     }
 }
 

@@ -21,7 +21,7 @@ public sealed class HistoryModel : Observable
         Open = new Act(() => Do("Open"), () => _chosen is not null);
         Rerun = new Act(() => Do("Rerun"), () => _chosen is not null);
         Report = new Act(() => Do("rePort"), () => _chosen is not null);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Loaded = Task.Run(desk.Session.History.Look);
         Look();
     }
@@ -69,7 +69,7 @@ public sealed class HistoryModel : Observable
 
     private void Do(string option)
     {
-        if (_chosen is { } row) _ = _desk.RunAsync("HISTORY", option, row.Entry.Id);
+        if (_chosen is { } row) _ = _desk.Queue.RunAsync("HISTORY", option, row.Entry.Id);
     }
 
     private void Look()

@@ -16,9 +16,9 @@ public sealed class JobModel : Observable
     public JobModel(DesktopModel desk)
     {
         _desk = desk;
-        Check = new Act(() => _ = desk.RunAsync("CHECK"));
-        Simulate = new Act(() => _ = desk.RunAsync("CNCSIM"));
-        desk.Changed += Look;
+        Check = new Act(() => _ = desk.Queue.RunAsync("CHECK"));
+        Simulate = new Act(() => _ = desk.Queue.RunAsync("CNCSIM"));
+        desk.Notifications.Changed += Look;
         Look();
     }
 
@@ -42,7 +42,7 @@ public sealed class JobModel : Observable
 
     /// <summary>Warnings are for the next start: while a job runs, the machine is away from its start position as expected.</summary>
     private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
-        ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false, job.Motion.Program is { } program ? _desk.Session.Machine.LastPlacement(program, dryRun: _desk.Session.Machine.Armed is { DryRun: true }) : null, _desk.Time.GetUtcNow(), _desk.Session.Certificates.StandingOf(job)?.Check).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
+        ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false, job.Motion.Program is { } program ? _desk.Session.Machine.Origins.LastPlacement(program, dryRun: _desk.Session.Machine.Arming.Armed is { DryRun: true }) : null, _desk.Time.GetUtcNow(), _desk.Session.Certificates.StandingOf(job)?.Check).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
         : [];
 
     private List<PropertyLine> FiguresNow()

@@ -40,7 +40,7 @@ public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
     public string ColourText { get; } = ColourName.Format(layer.Colour);
 
     public IReadOnlyList<ColourChoice> Choices { get; } =
-        [.. Enumerable.Range(1, StandardColours).Select(index => new ColourChoice(DrawingColour.FromCode62(index), name => _ = desk.RunAsync("LAYER", "Color", name, layer.Name, "")))];
+        [.. Enumerable.Range(1, StandardColours).Select(index => new ColourChoice(DrawingColour.FromCode62(index), name => _ = desk.Queue.RunAsync("LAYER", "Color", name, layer.Name, "")))];
 
-    private static Act Switch(string option, Layer layer, DesktopModel desk) => new(() => _ = desk.RunAsync("LAYER", option, layer.Name, ""));
+    private static Act Switch(string option, Layer layer, DesktopModel desk) => new(() => _ = desk.Queue.RunAsync("LAYER", option, layer.Name, ""));
 }

@@ -13,7 +13,7 @@ public sealed class LayersModel : Observable
     public LayersModel(DesktopModel desk)
     {
         _desk = desk;
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 

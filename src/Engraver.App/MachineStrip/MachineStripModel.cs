@@ -21,15 +21,15 @@ public sealed class MachineStripModel : Observable
     public MachineStripModel(DesktopModel desk)
     {
         _desk = desk;
-        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => KeyReasons.Arm(_status) is null);
-        Start = new Act(() => _ = _status.State is MachineState.Held ? desk.RunAsync("CNCRESUME") : desk.StartArmedAsync(), () => KeyReasons.Start(_status) is null);
+        Arm = new Act(() => _ = desk.Queue.RunAsync("CNCARM", "Stream"), () => KeyReasons.Arm(_status) is null);
+        Start = new Act(() => _ = _status.State is MachineState.Held ? desk.Queue.RunAsync("CNCRESUME") : desk.StartArmedAsync(), () => KeyReasons.Start(_status) is null);
         Hold = new Act(desk.HoldNow, () => KeyReasons.Hold(_status) is null);
         Faster = new Act(() => desk.OverrideBy(OverrideStep), () => _status.FeedRatio < JobControl.FeedRange.Fastest);
         Slower = new Act(() => desk.OverrideBy(-OverrideStep), () => _status.FeedRatio > JobControl.FeedRange.Slowest);
         RapidsFaster = new Act(() => desk.OverrideRapidsBy(OverrideStep), () => _status.RapidRatio < JobControl.RapidRange.Fastest);
         RapidsSlower = new Act(() => desk.OverrideRapidsBy(-OverrideStep), () => _status.RapidRatio > JobControl.RapidRange.Slowest);
         Stop = new Act(desk.StopNow);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 

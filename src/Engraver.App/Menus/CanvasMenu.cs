@@ -21,14 +21,14 @@ internal sealed class CanvasMenu(DesktopModel desk, MenuBuilder menus, CommandWi
 
     private IEnumerable<Control> Again()
     {
-        if (desk.Session.Repeatable is { } last) yield return Item(Text.Get("CanvasMenu.Repeat", last), "CanvasMenu.Repeat", () => _ = desk.EnterAsync(""));
+        if (desk.Session.Repeatable is { } last) yield return Item(Text.Get("CanvasMenu.Repeat", last), "CanvasMenu.Repeat", () => _ = desk.Queue.EnterAsync(""));
         if (Recent() is { } recent) yield return recent;
         if (desk.Session.Repeatable is not null || line.Recent.Count > 0) yield return new Separator();
     }
 
     private IEnumerable<Control> InCommand()
     {
-        yield return Item(Text.Get("CanvasMenu.Enter"), "CanvasMenu.Enter", () => _ = desk.EnterAsync(""));
+        yield return Item(Text.Get("CanvasMenu.Enter"), "CanvasMenu.Enter", () => _ = desk.Queue.EnterAsync(""));
         yield return Item(Text.Get("CanvasMenu.Cancel"), "CanvasMenu.Cancel", line.Cancel);
         if (Recent() is { } recent) yield return recent;
         if (desk.Prompt.Options.Count > 0) yield return new Separator();

@@ -113,14 +113,14 @@ public sealed class OptionsModel : Observable
 
     private async Task<string?> WhyNotAsync(IReadOnlyList<string> inputs)
     {
-        switch (await _desk.RunAsync([.. inputs]))
+        switch (await _desk.Queue.RunAsync([.. inputs]))
         {
             case InputResult.Failed failed: return failed.Sentence;
             case InputResult.NotUnderstood unclear: return unclear.Sentence;
             case InputResult.Cancelled: return Texts.Text.Get("Options.Cancelled");
             case InputResult.Asking:
                 var asked = _desk.Prompt.Text;
-                await _desk.CancelAsync();
+                await _desk.Queue.CancelAsync();
                 return asked;
             default: return null;
         }

@@ -24,7 +24,7 @@ public sealed class PlaybackModel : Observable
         StepBack = new Act(() => StepStroke(-1));
         StepForward = new Act(() => StepStroke(1));
         PlayOrPause = new Act(Toggle);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         desk.Derived.Moved += Look;
     }
 

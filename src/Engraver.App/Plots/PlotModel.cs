@@ -14,7 +14,7 @@ public sealed class PlotModel : Observable, ISeen
     public PlotModel(DesktopModel desk)
     {
         _desk = desk;
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         desk.Derived.Moved += () => Tell(nameof(At));
         Look();
     }

@@ -27,7 +27,7 @@ public sealed class PropertiesModel : Observable
     public PropertiesModel(DesktopModel desk)
     {
         _desk = desk;
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 
@@ -77,11 +77,11 @@ public sealed class PropertiesModel : Observable
         if (typed.Length == 0 || !ReferenceEquals(state.Drawing, of.Drawing) || !ReferenceEquals(state.Selection, of.Selection)) return false;
         if (_desk.Prompt.Command is { } asking)
         {
-            _desk.Tell(MessageKind.Warning, Text.Get("Properties.CommandAsks", value.Property.Title, asking));
+            _desk.Notifications.Say(MessageKind.Warning, Text.Get("Properties.CommandAsks", value.Property.Title, asking));
             return false;
         }
 
-        return await _desk.RunAsync("CHPROP", value.Property.Name, typed) is InputResult.Done;
+        return await _desk.Queue.RunAsync("CHPROP", value.Property.Name, typed) is InputResult.Done;
     }
 
     private static IEnumerable<PropertyLine> TableLines(EntityTable table, IReadOnlyList<int> selection)

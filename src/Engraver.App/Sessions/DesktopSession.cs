@@ -20,7 +20,7 @@ public sealed class DesktopSession : IAsyncDisposable
         Time = environment.Time;
         FailureReports = new FailureReports(Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder, environment.Time);
         _session = new CommandSession(environment with { Failures = FailureReports }, CommandCatalog.Built());
-        StopKeys = new StopKeys(() => DesktopModel.Moves(_session.Machine), () => _session.Machine.Stop(), HoldOrStop);
+        StopKeys = new StopKeys(() => DesktopModel.Moves(_session.Machine), () => _session.Machine.Controls.Stop(), HoldOrStop);
     }
 
     public TimeProvider Time { get; }
@@ -56,7 +56,7 @@ public sealed class DesktopSession : IAsyncDisposable
     {
         var moved = DesktopModel.Moves(_session.Machine);
         var what = Text.Get(moved ? "Failure.DisplayLostInMotion" : "Failure.DisplayLost");
-        _session.Machine.Stop(what);
+        _session.Machine.Controls.Stop(what);
         _session.Machine.Alarms.Raise(AlarmCause.DisplayLost, what, Text.Get("Failure.Display"), Text.Get("Failure.DisplayAdvice"));
         return moved ? $"{what} {Text.Get("Failure.DisplayAdvice")}" : what;
     }
@@ -64,7 +64,7 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>Motion that cannot be held, such as a move by hand, is stopped.</summary>
     private void HoldOrStop()
     {
-        if (!_session.Machine.HoldJob()) _session.Machine.Stop();
+        if (!_session.Machine.Controls.HoldJob()) _session.Machine.Controls.Stop();
     }
 
     public ValueTask DisposeAsync() => _desk?.DisposeAsync() ?? _session.DisposeAsync();

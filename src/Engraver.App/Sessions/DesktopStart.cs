@@ -12,9 +12,9 @@ public static class DesktopStart
     /// <returns>The sentence of the failure; null on success.</returns>
     public static async Task<string?> OpenAsync(DesktopModel desk, DesktopOptions options)
     {
-        if (desk.Session.Settings.Current.LastProfile is { } profile && File.Exists(profile)) await desk.RunAsync("CNCPROFILE", profile);
-        if (options.File is { } file && await desk.RunAsync("OPEN", file) is InputResult.Failed unopened) return unopened.Sentence;
-        var ran = options.Script is { } script ? await desk.RunAsync("SCRIPT", script) : null;
+        if (desk.Session.Settings.Current.LastProfile is { } profile && File.Exists(profile)) await desk.Queue.RunAsync("CNCPROFILE", profile);
+        if (options.File is { } file && await desk.Queue.RunAsync("OPEN", file) is InputResult.Failed unopened) return unopened.Sentence;
+        var ran = options.Script is { } script ? await desk.Queue.RunAsync("SCRIPT", script) : null;
         await desk.SettleAsync();
         return ran is InputResult.Failed failed ? failed.Sentence : null;
     }

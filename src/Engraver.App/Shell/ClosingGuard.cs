@@ -24,7 +24,7 @@ internal sealed class ClosingGuard
     public ClosingGuard(DesktopModel desk, FileQuestions files, Action close)
     {
         (_desk, _files, _close) = (desk, files, close);
-        desk.Changed += () => _warnedOfJob &= desk.IsMoving;
+        desk.Notifications.Changed += () => _warnedOfJob &= desk.IsMoving;
     }
 
     /// <summary>Reports in the history why the window stays open, or asks whether edits are saved first; a request to close while that question is open has
@@ -38,7 +38,7 @@ internal sealed class ClosingGuard
         _warnedOfJob = _desk.IsMoving;
         if (warnsOfJob)
         {
-            _desk.Tell(MessageKind.Warning, Text.Get("Window.CloseWhileMoving"));
+            _desk.Notifications.Say(MessageKind.Warning, Text.Get("Window.CloseWhileMoving"));
             return true;
         }
 

@@ -49,7 +49,7 @@ public sealed class ShellModel : Observable
         StartPage = new StartPageModel(desk, Files, Recent, act("OPEN"));
         Tools = ToolColumn.For(desk, act);
         _alarms = new PageTab("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(desk) });
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
     }
 
     public DesktopModel Desk { get; }

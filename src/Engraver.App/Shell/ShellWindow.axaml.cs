@@ -111,25 +111,25 @@ public partial class ShellWindow : Window
         "Override.RapidsSlower" => Model.Machine.RapidsSlower,
         _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
         "CNCCONNECT" => new Act(AskForController),
-        _ => new Act(() => _ = _desk.RunAsync(name)),
+        _ => new Act(() => _ = _desk.Queue.RunAsync(name)),
     };
 
     private void AskForController()
     {
         if (Model.Files.WantsDialogs) Model.Connect.Open();
-        else _ = _desk.RunAsync("CNCCONNECT");
+        else _ = _desk.Queue.RunAsync("CNCCONNECT");
     }
 
     /// <summary>Selects all objects: as an answer at a prompt for objects, otherwise for the next command.</summary>
     private void SelectAll()
     {
-        if (_desk.Prompt.Options.Any(option => option.Name == "ALL")) _ = _desk.EnterAsync("ALL");
-        else if (_desk.Prompt.Command is null) _ = _desk.RunAsync("SELECT", "ALL", "");
+        if (_desk.Prompt.Options.Any(option => option.Name == "ALL")) _ = _desk.Queue.EnterAsync("ALL");
+        else if (_desk.Prompt.Command is null) _ = _desk.Queue.RunAsync("SELECT", "ALL", "");
     }
 
     private void EraseSelected()
     {
-        if (_desk.Prompt.Command is null && _desk.Session.Document.Current.Selection.Count > 0) _ = _desk.RunAsync("ERASE");
+        if (_desk.Prompt.Command is null && _desk.Session.Document.Current.Selection.Count > 0) _ = _desk.Queue.RunAsync("ERASE");
     }
 
     /// <summary>Moves the focus from a closed menu to the command line.</summary>
@@ -251,7 +251,7 @@ public partial class ShellWindow : Window
     private void OnHeld() => Dispatcher.UIThread.Post(() =>
     {
         Model.Command.Line = "";
-        _ = _desk.EndBesideAsync();
+        _ = _desk.Queue.EndBesideAsync();
         if (!IsSheetOpen) TakeKeyboard();
     });
 
@@ -262,7 +262,7 @@ public partial class ShellWindow : Window
 
     private bool Escape()
     {
-        Canvas.Escape();
+        Canvas.Pointing.Escape();
         TakeKeyboard();
         return true;
     }

@@ -36,7 +36,7 @@ public static class ToolColumn
         var name = answers.Length == 0 ? command : $"{command}.{answers[0]}";
         var typed = MenuTitle.Typed(desk.Session, command);
         var tip = Text.Get("Tool.Tip", MenuTitle.Find(name), typed == command ? command : $"{command}, {typed}");
-        var does = answers.Length == 0 ? act(command) : new Act(() => _ = desk.RunAsync([command, .. answers]));
+        var does = answers.Length == 0 ? act(command) : new Act(() => _ = desk.Queue.RunAsync([command, .. answers]));
         return new ToolButton(command, (Geometry)Application.Current!.FindResource(icon)!, tip, does, endsGroup);
     }
 }

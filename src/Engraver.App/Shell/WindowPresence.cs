@@ -31,10 +31,10 @@ internal sealed class WindowPresence
         };
         window.AddHandler(InputElement.KeyDownEvent, OnHand, RoutingStrategies.Tunnel, handledEventsToo: true);
         window.AddHandler(InputElement.PointerPressedEvent, OnHand, RoutingStrategies.Tunnel, handledEventsToo: true);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
     }
 
-    private OperatorPresence Presence => _desk.Session.Machine.Presence;
+    private OperatorPresence Presence => _desk.Session.Machine.Hand.Presence;
 
     private void OnHand(object? sender, RoutedEventArgs e) => _isLeft = false;
 

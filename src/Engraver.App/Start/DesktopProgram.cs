@@ -60,7 +60,7 @@ public static class DesktopProgram
 
         void Cancel()
         {
-            if (Application.Current is not null) Dispatcher.UIThread.Post(async () => await session.Desk.CancelAsync());
+            if (Application.Current is not null) Dispatcher.UIThread.Post(async () => await session.Desk.Queue.CancelAsync());
         }
     }
 

@@ -14,7 +14,7 @@ public sealed class RecentDrawings
     public RecentDrawings(DesktopModel desk)
     {
         _desk = desk;
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Look();
     }
 

@@ -24,7 +24,7 @@ public sealed class StartPageModel : Observable
         OpenRecent = new Act(drawing => Take((RecentDrawing)drawing!));
         OpenSample = new Act(sample => _ = files.OpenAsync(((FilePlace)sample!).Path));
         Remove = new Act(drawing => recent.Remove((RecentDrawing)drawing!));
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         recent.Changed += () => Tell(null);
         Look();
         _ = FindSamplesAsync();
@@ -59,7 +59,7 @@ public sealed class StartPageModel : Observable
     {
         if (drawing.IsGone)
         {
-            _desk.Tell(MessageKind.Warning, Text.Get("StartPage.NotFoundAdvice", drawing.Path));
+            _desk.Notifications.Say(MessageKind.Warning, Text.Get("StartPage.NotFoundAdvice", drawing.Path));
             return;
         }
 

@@ -27,7 +27,7 @@ internal sealed class LongWork(DesktopModel desk, Action again)
     {
         var session = desk.Session;
         if (session.Progress.Fraction is { } read) Show(read, Texts.Text.Get("Status.Progress", read * 100.0));
-        else if (desk is { IsBusy: true, IsMoving: false } && session.IsBusy && session.Running is { } command) ShowLater(command, null, Texts.Text.Get(session.IsEnding ? "Status.Cancelling" : "Status.Running", command));
+        else if (desk is { Queue.IsBusy: true, IsMoving: false } && session.IsBusy && session.Running is { } command) ShowLater(command, null, Texts.Text.Get(session.IsEnding ? "Status.Cancelling" : "Status.Running", command));
         else if (session.Derivation.Progress.Stage is { } stage) ShowLater(session.Derivation, stage.Before, Texts.Text.Get(desk.IsMoving ? "Status.PlanningBeside" : "Status.Planning", stage.Name, stage.Before * 100.0));
         else Hide();
     }

@@ -19,7 +19,7 @@ public sealed class StatusBarModel : Observable
         _desk = desk;
         Switches = StatusSwitch.All(desk);
         _work = new LongWork(desk, Look);
-        desk.Changed += Look;
+        desk.Notifications.Changed += Look;
         Point(Point2D.Origin);
     }
 
@@ -50,7 +50,7 @@ public sealed class StatusBarModel : Observable
 
     public string Profile => _desk.Session.Settings.Current.LastProfile is { } file ? Path.GetFileNameWithoutExtension(file) : Text.Get("Status.DefaultProfile");
 
-    public string Link => _desk.Session.Machine.Description ?? Text.Get("Status.NotConnected");
+    public string Link => _desk.Session.Machine.Connection.Description ?? Text.Get("Status.NotConnected");
 
     /// <summary>The cursor has moved to a point of the drawing.</summary>
     public void Point(Point2D place)

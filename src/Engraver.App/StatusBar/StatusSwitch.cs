@@ -19,7 +19,7 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
 
     public bool IsOn => isOn(desk.Session.View.Current);
 
-    public Act Switch { get; } = new(() => _ = desk.RunAsync(command, isOn(desk.Session.View.Current) ? "OFF" : "ON"));
+    public Act Switch { get; } = new(() => _ = desk.Queue.RunAsync(command, isOn(desk.Session.View.Current) ? "OFF" : "ON"));
 
     /// <summary>The switches of the status bar, with AutoCAD's names.</summary>
     public static IReadOnlyList<StatusSwitch> All(DesktopModel desk) =>

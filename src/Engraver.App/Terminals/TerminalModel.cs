@@ -30,7 +30,7 @@ public sealed class TerminalModel : Observable
         set => Set(ref _line, value ?? "");
     }
 
-    private LiveTerminal Terminal => _desk.Session.Machine.Terminal;
+    private LiveTerminal Terminal => _desk.Session.Machine.Connection.Terminal;
 
     /// <summary>Enter: sends the line to the controller. A failing link raises an alarm; the line stays on the page.</summary>
     public async Task SubmitAsync()

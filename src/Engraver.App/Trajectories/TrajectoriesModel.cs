@@ -15,10 +15,10 @@ public sealed class TrajectoriesModel : Observable
     public TrajectoriesModel(DesktopModel desk)
     {
         _desk = desk;
-        Export = new Act(() => _ = desk.RunAsync("SACEEXPORTTRAJECTORIES"));
-        Update = new Act(() => _ = desk.RunAsync("SACEUPDATETRAJECTORIES"));
-        DeleteAll = new Act(() => _ = desk.RunAsync("SACEDELETEALLTRAJECTORIES"));
-        desk.Changed += Look;
+        Export = new Act(() => _ = desk.Queue.RunAsync("SACEEXPORTTRAJECTORIES"));
+        Update = new Act(() => _ = desk.Queue.RunAsync("SACEUPDATETRAJECTORIES"));
+        DeleteAll = new Act(() => _ = desk.Queue.RunAsync("SACEDELETEALLTRAJECTORIES"));
+        desk.Notifications.Changed += Look;
         Look();
     }
 

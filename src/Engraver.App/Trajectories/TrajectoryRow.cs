@@ -57,11 +57,11 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
     /// <summary>A helix is not recreated.</summary>
     public bool CanChangeError => !one.IsHelix;
 
-    public Act Rise { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "Up"));
+    public Act Rise { get; } = new(() => _ = desk.Queue.RunAsync("SACEEDITTRAJECTORY", one.Name, "Up"));
 
-    public Act Sink { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "DOwn"));
+    public Act Sink { get; } = new(() => _ = desk.Queue.RunAsync("SACEEDITTRAJECTORY", one.Name, "DOwn"));
 
-    public Act Delete { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "Delete"));
+    public Act Delete { get; } = new(() => _ = desk.Queue.RunAsync("SACEEDITTRAJECTORY", one.Name, "Delete"));
 
     /// <summary>Completes when the last edit has been accepted or refused.</summary>
     public Task Edited { get; private set; } = Task.CompletedTask;
@@ -77,6 +77,6 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
     private async Task EditAsync(string what, string value)
     {
         _taken = (what, value);
-        if (await desk.RunAsync("SACEEDITTRAJECTORY", one.Name, what, value) is not InputResult.Done) refused();
+        if (await desk.Queue.RunAsync("SACEEDITTRAJECTORY", one.Name, what, value) is not InputResult.Done) refused();
     }
 }

@@ -33,10 +33,10 @@ internal sealed class CommissionVerb
         if (parsed.GetValue(_output) is { } output) environment = environment with { CommissionedProfile = output };
         await using var session = new CommandSession(environment, CommandCatalog.Built());
         session.Said += telling.Say;
-        await using var pressed = stop.Register(() => session.Machine.Stop()).ConfigureAwait(false);
+        await using var pressed = stop.Register(() => session.Machine.Controls.Stop()).ConfigureAwait(false);
         var result = parsed.GetValue(_profile) is { } profile ? await TypeAsync(session, stop, "CNCPROFILE", profile).ConfigureAwait(false) : new InputResult.Done();
         if (result is not InputResult.Done) return CodeOf(result, stop);
-        await session.Machine.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
+        await session.Machine.Connection.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
         return CodeOf(await TalkAsync(session, stop).ConfigureAwait(false), stop);
     }
 

@@ -49,14 +49,14 @@ internal sealed class ScriptVerb
     /// <summary>Reports connecting and disconnecting. After the operator's stop the verb disconnects, and the program waits for that.</summary>
     private void Follow(MachineSession machine, CancellationToken stop)
     {
-        var isConnected = machine.Description is not null;
+        var isConnected = machine.Connection.Description is not null;
         if (isConnected || !stop.IsCancellationRequested) _host.Machine.Follow(isConnected);
     }
 
     /// <summary>Stops the machine on the calling thread, because a computing stage may have filled the thread pool, then disconnects it.</summary>
     private void StopAndLetGo(MachineSession machine)
     {
-        machine.Stop();
+        machine.Controls.Stop();
         _ = Task.Run(() => LetGoAsync(machine), CancellationToken.None);
     }
 
@@ -65,8 +65,8 @@ internal sealed class ScriptVerb
     private async Task LetGoAsync(MachineSession machine)
     {
         if (machine.IsRunning) return;
-        await machine.BrakeAsync().ConfigureAwait(false);
-        await machine.DisconnectAsync().ConfigureAwait(false);
+        await machine.Controls.BrakeAsync().ConfigureAwait(false);
+        await machine.Connection.DisconnectAsync().ConfigureAwait(false);
         _host.Machine.Follow(false);
     }
 

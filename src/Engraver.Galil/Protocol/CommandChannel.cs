@@ -1,4 +1,3 @@
-using System.Text;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 
@@ -7,9 +6,8 @@ namespace Engraver.Galil.Protocol;
 /// <summary>Commands and replies over one link: one outstanding command, every prompt counted, the reason of a <c>?</c> fetched with TC1 (galil-dmc.md A.3,
 /// A.4).</summary>
 /// <remarks>A cancellation is honoured before a command is sent; the reply to a sent command is always awaited, otherwise the prompts would no longer
-/// match. After an exception of the
-/// <see cref="ControllerException"/> family the channel refuses all further use.</remarks>
-public sealed partial class CommandChannel : IAsyncDisposable
+/// match. After an exception of the <see cref="ControllerException"/> family the channel refuses all further use.</remarks>
+public sealed class CommandChannel : IAsyncDisposable
 {
     /// <summary>DL, UL and burning take longer than other commands (galil-dmc.md A.6).</summary>
     public static readonly TimeSpan TransferTimeout = TimeSpan.FromSeconds(10);
@@ -17,48 +15,32 @@ public sealed partial class CommandChannel : IAsyncDisposable
     /// <summary>Assumed number of characters of an upload over a serial line, for its time-out, when it is not known.</summary>
     private const int UsualProgram = 10_000;
 
-    /// <summary>Longest reply to a command, bytes, for its time-out on a serial line.</summary>
-    private const int LongestCommandReply = 512;
-
-    /// <summary>Bytes of each portion of a download over a serial line, so that it can be cancelled between them.</summary>
-    private const int DownloadPortion = 128;
-
     private const string EchoProbe = "MG \"ECHO\"";
 
-    private readonly IControllerLink _link;
-    private readonly string _name;
+    private readonly CommandWire _wire;
     private readonly TimeSpan _replyTimeout;
-    private readonly IWireTrace? _trace;
-    private readonly ReplyDeadline _deadline;
-    private readonly ReplyFramer _framer;
     private readonly SemaphoreSlim _turn = new(1, 1);
-    private readonly SemaphoreSlim _writing = new(1, 1);
-    private readonly byte[] _received = new byte[4096];
-    private byte[] _sent = new byte[256];
-    private TimeSpan _timeout;
-    private ControllerException? _failure;
-    private LineEcho? _echo;
 
     /// <param name="link">Owned: closed with the channel.</param>
     /// <param name="name">The handle's name in the trace.</param>
     public CommandChannel(IControllerLink link, string name, TimeSpan replyTimeout, TimeProvider time, IWireTrace? trace)
     {
-        _link = link;
-        _name = name;
         _replyTimeout = replyTimeout;
-        _trace = trace;
-        _deadline = new ReplyDeadline(time);
-        _framer = new ReplyFramer { MessageReceived = OnMessage };
+        _wire = new CommandWire(link, name, replyTimeout, time, trace);
     }
 
     /// <summary>True after a failure: nothing more can be sent.</summary>
-    public bool IsBroken => _failure is not null;
+    public bool IsBroken => _wire.Failure is not null;
 
     /// <summary>The serial line of this channel; null for none.</summary>
-    public SerialLine? Line => _link.Line;
+    public SerialLine? Line => _wire.Line;
 
     /// <summary>Called with each line printed by a program in the controller.</summary>
-    public Action<string>? MessageReceived { get; set; }
+    public Action<string>? MessageReceived
+    {
+        get => _wire.MessageReceived;
+        set => _wire.MessageReceived = value;
+    }
 
     /// <summary>Sends the first lines on a serial line: ends what an earlier host left open, and switches the echo off (galil-dmc.md F.2).</summary>
     /// <returns>Whether the echo was on.</returns>
@@ -72,7 +54,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
     public async ValueTask CompareEchoAsync(CancellationToken cancellation)
     {
         if (await SendAsync("EO 1", cancellation).ConfigureAwait(false) is Rejected) return;
-        if (await SendAsync(EchoProbe, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && said.StartsWith(EchoProbe, StringComparison.Ordinal)) _echo = new LineEcho();
+        if (await SendAsync(EchoProbe, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && said.StartsWith(EchoProbe, StringComparison.Ordinal)) _wire.CompareEcho();
     }
 
     /// <summary>Sends one line and waits for the prompts of all its parts. The first refused part makes the reply a <see cref="Rejected"/>.</summary>
@@ -82,7 +64,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
     public ValueTask<Reply> SendAsync(string line, CancellationToken cancellation)
     {
         var text = CommandLine.Checked(line);
-        return _echo is not null && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
+        return _wire.ComparesEcho && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
     }
 
     /// <summary>Sends the parts of a line one after the other if echoes are compared, because the reply to one part would otherwise arrive within the echo of
@@ -105,7 +87,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
     /// <param name="expected">Number of characters, for the time-out; 0 if it is not known. Some links deliver all characters at once, after their transmission
     /// time.</param>
     public async ValueTask<Reply> UploadAsync(CancellationToken cancellation, int expected = 0) =>
-        await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout + WireTime(Math.Max(expected, UsualProgram)), cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
+        await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout + _wire.WireTime(Math.Max(expected, UsualProgram)), cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
             ? new Accepted(ProgramText.FromUpload(text.Data))
             : reply;
 
@@ -123,21 +105,25 @@ public sealed partial class CommandChannel : IAsyncDisposable
     /// <param name="length">Bytes of the record, from QZ.</param>
     public ValueTask<Reply> ReadRecordAsync(int length, CancellationToken cancellation) => ExchangeAsync("QR", ReplyShape.Record, length, _replyTimeout, cancellation);
 
-    public async ValueTask DisposeAsync()
-    {
-        _failure ??= new ControllerLinkException(Wording.Get("CommandChannel.LinkClosed", _link.Description));
-        await _link.DisposeAsync().ConfigureAwait(false);
-        _deadline.Dispose(); // the semaphores are not disposed: a stop may still wait for one, and then gets an exception that the link is closed
-    }
+    /// <summary>Puts a line of commands on the wire at once, also where another command waits for its answer, which may be late or lost; its own prompts
+    /// are taken before the next command goes out. Does nothing on a network handle that is free, where <see cref="SendAsync"/> is as quick, and on a
+    /// serial line during a transfer. On a free serial line it goes out too: a question that took the turn in between would delay it as long as its
+    /// answer takes.</summary>
+    /// <param name="line">Its parts are answered by prompts alone.</param>
+    /// <remarks>The controller's answer is not returned: send the line again in its turn. Where echoes are compared the whole line goes out at once, and
+    /// not part by part as with <see cref="SendAsync"/>.</remarks>
+    public ValueTask UrgeAsync(string line) => _wire.UrgeAsync(CommandLine.Checked(line), isFree: _turn.CurrentCount > 0);
+
+    public ValueTask DisposeAsync() => _wire.DisposeAsync(); // the turn is left to the garbage collector: a stop may still wait for it, and gets the wire's failure
 
     private async ValueTask<Reply> ExchangeAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
     {
         await _turn.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
-            if (_failure is not null) throw new ControllerLinkException(_failure.Message, _failure);
+            if (_wire.Failure is { } failure) throw new ControllerLinkException(failure.Message, failure);
             var isDownload = text.EndsWith('\\');
-            var cutShort = await WriteAsync(text, isDownload, shape, recordLength, timeout, cancellation).ConfigureAwait(false);
+            var cutShort = await _wire.WriteAsync(text, isDownload, shape, recordLength, timeout, cancellation).ConfigureAwait(false);
             (var data, var refused) = await ReadPartsAsync(text, isDownload).ConfigureAwait(false);
             if (cutShort) throw new OperationCanceledException(cancellation);
             if (refused >= 0) return await FetchReasonAsync(isDownload ? "DL" : CommandLine.Parts(text)[refused]).ConfigureAwait(false);
@@ -145,8 +131,7 @@ public sealed partial class CommandChannel : IAsyncDisposable
         }
         finally
         {
-            _deadline.Stop();
-            _underWay = Exchange.None;
+            _wire.EndExchange();
             _turn.Release();
         }
     }
@@ -159,9 +144,9 @@ public sealed partial class CommandChannel : IAsyncDisposable
         var (data, refused) = ("", -1);
         for (var part = 0; part < parts;)
         {
-            if (await TryReadFrameAsync(text).ConfigureAwait(false) is not { } frame)
+            if (await _wire.TryReadFrameAsync(text).ConfigureAwait(false) is not { } frame)
             {
-                await AskAgainAsync(text).ConfigureAwait(false);
+                await _wire.AskAgainAsync(text).ConfigureAwait(false);
                 (data, refused, part) = ("", -1, 0);
                 continue;
             }
@@ -181,147 +166,10 @@ public sealed partial class CommandChannel : IAsyncDisposable
     /// <summary>A <c>?</c> gives no reason; TC1 returns number and text of the reason and clears them.</summary>
     private async ValueTask<Rejected> FetchReasonAsync(string command)
     {
-        await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
-        var frame = await ReadFrameAsync("TC1").ConfigureAwait(false);
+        await _wire.WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
+        var frame = await _wire.ReadFrameAsync("TC1").ConfigureAwait(false);
         if (!frame.Accepted || !TcCodes.TryParse(frame.Data, out var code, out var text))
-            throw Fail(new ProtocolViolationException(Wording.Get("CommandChannel.InvalidReplyToTC1", _link.Description, command, Trimmed(frame.Data))));
+            throw _wire.Fail(new ProtocolViolationException(Wording.Get("CommandChannel.InvalidReplyToTC1", _wire.Description, command, Trimmed(frame.Data))));
         return new Rejected(code, text, command);
-    }
-
-    /// <returns>True when a download was ended early.</returns>
-    private async ValueTask<bool> WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
-    {
-        await WritingAsync(text).ConfigureAwait(false);
-        try
-        {
-            if (!isDownload || Line is null) await PutAsync(text, shape, recordLength, timeout).ConfigureAwait(false);
-            else return await WriteInPortionsAsync(Begin(text, shape, recordLength, timeout), text, cancellation).ConfigureAwait(false);
-            return false;
-        }
-        finally
-        {
-            _writing.Release();
-        }
-    }
-
-    /// <summary>Writes a line or a download. Call under <see cref="_writing"/>.</summary>
-    private async ValueTask PutAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout)
-    {
-        var count = Begin(text, shape, recordLength, timeout);
-        await WriteAsync(_sent.AsMemory(0, count), text).ConfigureAwait(false);
-    }
-
-    /// <returns>The number of bytes to send.</returns>
-    private int Begin(string text, ReplyShape shape, int recordLength, TimeSpan timeout)
-    {
-        var isDownload = text.EndsWith('\\');
-        _trace?.Write(_name, '>', text);
-        Expect(shape, recordLength, isDownload);
-        _underWay = isDownload || shape is ReplyShape.Upload or ReplyShape.Record ? Exchange.Transfer : Exchange.Command;
-        if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
-        var count = Encoding.Latin1.GetBytes(text, _sent);
-        if (!isDownload) _sent[count++] = (byte)'\r';
-        _timeout = timeout + WireTime(count + LongestCommandReply);
-        _deadline.Start(_timeout);
-        return count;
-    }
-
-    private void Expect(ReplyShape shape, int recordLength, bool isDownload)
-    {
-        _framer.Expect(shape, recordLength);
-        _echo?.Begin(isDownload);
-    }
-
-    private async ValueTask<bool> WriteInPortionsAsync(int count, string text, CancellationToken cancellation)
-    {
-        for (var from = 0; from < count;)
-        {
-            if (from > 0 && cancellation.IsCancellationRequested)
-            {
-                await WriteAsync("\\"u8.ToArray(), text).ConfigureAwait(false);
-                return true;
-            }
-
-            var lineEnd = _sent.AsSpan(0, count)[Math.Min(from + DownloadPortion, count)..].IndexOf((byte)'\r');
-            var to = lineEnd < 0 ? count : Math.Min(from + DownloadPortion, count) + lineEnd + 1;
-            await WriteAsync(_sent.AsMemory(from, to - from), text).ConfigureAwait(false);
-            from = to;
-        }
-
-        return false;
-    }
-
-    private async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, string text)
-    {
-        _echo?.Sent(bytes.Span);
-        try
-        {
-            await _link.WriteAsync(bytes, _deadline.Expired).ConfigureAwait(false);
-        }
-        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
-        {
-            throw Fail(Describe(failure, text));
-        }
-    }
-
-    private TimeSpan WireTime(int bytes) => Line?.Time(bytes) ?? TimeSpan.Zero;
-
-    private async ValueTask<ReplyFrame> ReadFrameAsync(string text) => await TryReadFrameAsync(text).ConfigureAwait(false) ?? throw await HarmedAsync(text, _echo!.UrgentHarm!).ConfigureAwait(false);
-
-    /// <returns>Null if the reply cannot be distinguished from the echo of an urgent line.</returns>
-    private async ValueTask<ReplyFrame?> TryReadFrameAsync(string text)
-    {
-        while (true)
-        {
-            if (_echo?.Harm is { } heard) throw await HarmedAsync(text, heard).ConfigureAwait(false);
-            if (_echo?.UrgentHarm is not null) return null;
-            if (_framer.TryTake(out var frame))
-            {
-                _trace?.Write(_name, '<', frame.Data + (frame.Accepted ? ":" : "?"));
-                return frame;
-            }
-
-            await ReadSomeAsync(text).ConfigureAwait(false);
-        }
-    }
-
-    private async ValueTask ReadSomeAsync(string text)
-    {
-        try
-        {
-            var count = await _link.ReadAsync(_received, _deadline.Expired).ConfigureAwait(false);
-            if (count == 0) throw Fail(new ControllerLinkException(Wording.Get("CommandChannel.ClosedConnection", _link.Description)));
-            count = _echo?.Strip(_received.AsSpan(0, count)) ?? count;
-            _framer.Append(_received.AsSpan(0, count));
-
-            // A full program memory takes a minute at 19,200 baud: the link counts as working as long as characters arrive.
-            if (Line is not null && _framer.Shape == ReplyShape.Upload) _deadline.Start(_timeout);
-        }
-        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
-        {
-            throw Fail(Describe(failure, text));
-        }
-        catch (ProtocolViolationException failure)
-        {
-            throw Fail(failure);
-        }
-    }
-
-    private ControllerException Describe(Exception failure, string text) => failure is OperationCanceledException
-        ? text.Length == 0
-            ? new ControllerTimeoutException(Wording.Get("CommandChannel.NoReply", _link.Description), failure)
-            : text == SerialGreeting.Text
-            ? new ControllerTimeoutException(Wording.Get("CommandChannel.NoReplyOnSerialLine", _link.Description), failure)
-            : new ControllerTimeoutException(Wording.Get("CommandChannel.NoReplyToCommand", _link.Description, FirstLine(text)), failure)
-        : new ControllerLinkException(Wording.Get("CommandChannel.LinkLost", _link.Description, failure.Message), failure);
-
-    private static string FirstLine(string text) => text.IndexOf('\r', StringComparison.Ordinal) is >= 0 and var end ? text[..end] : text;
-
-    private ControllerException Fail(ControllerException failure) => _failure ??= failure;
-
-    private void OnMessage(string message)
-    {
-        _trace?.Write(_name, '!', message);
-        MessageReceived?.Invoke(message);
     }
 }

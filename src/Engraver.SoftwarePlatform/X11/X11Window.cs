@@ -1,20 +1,24 @@
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.Input.Raw;
 using Avalonia.Platform;
 using Avalonia.Threading;
+using Engraver.SoftwarePlatform.Input;
 using Engraver.SoftwarePlatform.Windows;
 using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>A window on an X server, used by the user interface thread: its requests go over the drawing connection.</summary>
-internal sealed partial class X11Window : SoftwareWindow
+/// <summary>A window on an X server, used by the user interface thread: its requests go over the drawing connection; <see cref="X11WindowEvents"/> queues its
+/// events, which the On methods handle in order.</summary>
+internal sealed class X11Window : SoftwareWindow
 {
     private readonly X11Desktop _desktop;
     private readonly X11WindowEvents _events;
     private readonly X11Presenter _presenter;
     private readonly WindowProperties _properties;
+    private bool _open = true;
     private bool _shown;
     private WindowState _state;
 
@@ -110,6 +114,73 @@ internal sealed partial class X11Window : SoftwareWindow
         _presenter.Dispose();
         _desktop.Drawing.Sync(); // no request may arrive for the window after it is destroyed
         _desktop.Close(_events);
+    }
+
+    internal void OnKey(bool isDown, Key key, RawInputModifiers modifiers, string? text) => DeliverKey(isDown, key, modifiers, text);
+
+    internal void OnText(string? text)
+    {
+        if (text is not null) DeliverText(text);
+    }
+
+    internal void OnPointer(RawPointerEventType type, Point at, RawInputModifiers modifiers) => DeliverPointer(type, at, modifiers);
+
+    internal void OnWheel(Point at, Vector notches, RawInputModifiers modifiers) => DeliverWheel(at, notches, modifiers);
+
+    internal DragDropEffects OnDrag(RawDragEventType type, PixelPoint root, IReadOnlyList<string> files) =>
+        DeliverDrag(type, PointToClient(root), DroppedFiles.Create(files), DragDropEffects.Copy);
+
+    internal void OnFocus(bool has)
+    {
+        if (!_open) return;
+        if (has)
+        {
+            ComeToFront();
+            Activated?.Invoke();
+            return;
+        }
+
+        Deactivated?.Invoke();
+        LostFocus?.Invoke();
+    }
+
+    /// <summary>Takes the keyboard focus for a new window when there is no window manager to give it.</summary>
+    internal void OnMapped()
+    {
+        if (_open && !_properties.IsManaged) Activate();
+    }
+
+    internal void OnExposed(PixelRect area)
+    {
+        if (!_open) return;
+        if (Frame is { } frame) _presenter.SendAgain(frame, area);
+        else Paint?.Invoke(new Rect(ClientSize));
+    }
+
+    internal void OnConfigured(PixelSize size, PixelPoint position)
+    {
+        if (!_open) return;
+        if (position != Position)
+        {
+            Position = position;
+            PositionChanged?.Invoke(position);
+        }
+
+        if (size == PixelSize) return;
+        ClientSize = size.ToSize(RenderScaling);
+        Resized?.Invoke(ClientSize, WindowResizeReason.User);
+    }
+
+    internal void OnStateChanged(WindowState state)
+    {
+        if (!_open || state == _state) return;
+        _state = state;
+        WindowStateChanged?.Invoke(state);
+    }
+
+    internal void OnCloseAsked()
+    {
+        if (_open && Closing?.Invoke(WindowCloseReason.WindowClosing) != true) Dispose();
     }
 
     private protected override void ResizeByApplication(Size clientSize, WindowResizeReason reason)

@@ -217,7 +217,7 @@ public sealed class CommandContext
     {
         var name = _frame.Info.Name;
         var wasRunning = Machine.IsRunning;
-        if (wasRunning) Machine.Stop();
+        if (wasRunning) Machine.Controls.Stop();
         var sentence = Wording.Get(wasRunning ? "CommandContext.InternalErrorJobStopped" : "CommandContext.InternalError", name, bug.GetType().Name, bug.Message);
         var report = _session.Environment.Failures?.Write(bug);
         Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, report is null ? Wording.Get("CommandContext.ReportErrorWithHistory") : Wording.Get("CommandContext.ReportError", report));

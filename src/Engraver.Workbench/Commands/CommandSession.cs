@@ -20,7 +20,7 @@ namespace Engraver.Workbench.Commands;
 /// prompt.</summary>
 /// <remarks>One caller at a time, except that concurrent commands (CNCSTOP, ZOOM, LIST) and <see cref="CancelAsync"/> may come from another caller. Prompts and
 /// inputs follow hmi-conventions.md section 4.</remarks>
-public sealed partial class CommandSession : IAsyncDisposable
+public sealed class CommandSession : IAsyncDisposable
 {
     private readonly FrameStack _frames = new();
     private readonly ScriptQueue _scripts = new();
@@ -32,7 +32,8 @@ public sealed partial class CommandSession : IAsyncDisposable
     {
         Environment = environment;
         Catalog = catalog;
-        Machine = new MachineSession(environment.Time) { Families = environment.Families, OriginsFolder = MachineMemories.FolderIn(environment.RunJournalFolder) };
+        Beside = new BesideCommands(this, _frames);
+        Machine = new MachineSession(environment.Time, MachineMemories.FolderIn(environment.RunJournalFolder), families: environment.Families);
         Derivation = new DerivationSession(Document);
         History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
@@ -85,6 +86,9 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// <summary>The command that Enter repeats; null if there is none or it starts motion.</summary>
     public string? Repeatable => _last is { Info: { StartsMotion: false } info } ? info.Name : null;
 
+    /// <summary>The commands that run beside the one at work.</summary>
+    public BesideCommands Beside { get; }
+
     /// <summary>Handles inputs typed while a command works.</summary>
     public TypedAhead Ahead { get; }
 
@@ -104,7 +108,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     {
         get
         {
-            if (_aside is { Pending: { } beside } aside) return View(aside, "", beside.Prompt);
+            if (Beside.Asking is { Pending: { } question } beside) return View(beside, "", question.Prompt);
             return _frames.Top is { Pending: { } asks } frame ? View(frame, _frames.Before, asks.Prompt) : PromptView.Idle;
 
             PromptView View(CommandFrame frame, string before, Prompt asks) =>
@@ -124,11 +128,11 @@ public sealed partial class CommandSession : IAsyncDisposable
     public MachineFamilies Families => Environment.Families;
 
     /// <summary>A machine that is not simulated moves only after CNCARM; a simulated one also from a script or if the environment requires no arming.</summary>
-    internal bool RunNeedsArming => !Machine.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
+    internal bool RunNeedsArming => !Machine.Connection.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
 
     /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but only the operator starts a machine that is not
     /// simulated.</summary>
-    internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.IsSimulation;
+    internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.Connection.IsSimulation;
 
     /// <summary>True while inputs come from a script.</summary>
     internal bool IsScripted => _scripts.IsRunnable;
@@ -136,7 +140,11 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// <summary>Name of the outer command while a nested one runs; otherwise null.</summary>
     internal string? Outer => _frames.IsNested ? _frames.Outermost!.Info.Name : null;
 
+    /// <summary>A job runs or something moves: no input is kept to be run after it.</summary>
+    internal bool IsMachineAtWork => Machine.IsRunning || Machine.Status.State.IsMotion();
+
     internal bool OpensDialog(string command) => Dialogs?.Invoke(command) ?? false;
+
     /// <summary>Base point of direct distance entry (a number is measured towards the cursor), drawing units; null if no point is requested or it has no base
     /// point.</summary>
     public Point2D? DistanceFrom => _frames.Top is { Pending.Prompt: PointPrompt { Use: PointUse.Place, From: { } from } } ? from : null;
@@ -162,7 +170,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     private async Task<InputResult> EnterAsync(string input, string shown, CancellationToken cancellation)
     {
         Environment.Journal?.WriteLine(ScriptText.Write(input));
-        if (_aside is { Pending: not null } || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(input, cancellation, shown).ConfigureAwait(false));
+        if (Beside.Asks || Interlocked.Exchange(ref _taking, 1) != 0) return Told(await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false));
         try
         {
             var result = await EnterOneAsync(input, cancellation, shown).ConfigureAwait(false);
@@ -180,7 +188,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterInsideAsync(string command, CancellationToken cancellation)
     {
         if (_frames.Top is not { Pending: not null } frame) return await EnterAsync(command, cancellation).ConfigureAwait(false);
-        if (Interlocked.Exchange(ref _taking, 1) != 0) return Told(await HearAsync(command, cancellation).ConfigureAwait(false));
+        if (Interlocked.Exchange(ref _taking, 1) != 0) return Told(await Beside.EnterAsync(command, cancellation).ConfigureAwait(false));
         try
         {
             Environment.Journal?.WriteLine("'" + command);
@@ -215,7 +223,7 @@ public sealed partial class CommandSession : IAsyncDisposable
     /// the result.</summary>
     public async Task CancelAsync()
     {
-        if (await EndBesideAsync().ConfigureAwait(false)) return;
+        if (await Beside.EndAsync().ConfigureAwait(false)) return;
         if (IsBusy)
         {
             _scripts.Clear();
@@ -239,7 +247,7 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        await EndBesideAsync().ConfigureAwait(false);
+        await Beside.EndAsync().ConfigureAwait(false);
         await EndAllAsync().ConfigureAwait(false);
         _ties.Dispose();
         Derivation.Dispose();
@@ -264,7 +272,7 @@ public sealed partial class CommandSession : IAsyncDisposable
 
     private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation, string? shown = null)
     {
-        if (_frames.Top is { Pending: null }) return await HearAsync(input, cancellation, shown).ConfigureAwait(false);
+        if (_frames.Top is { Pending: null }) return await Beside.EnterAsync(input, cancellation, shown).ConfigureAwait(false);
         Echo(shown ?? input);
         if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
@@ -326,12 +334,12 @@ public sealed partial class CommandSession : IAsyncDisposable
         return result;
     }
 
-    private void Echo(string input)
+    internal void Echo(string input)
     {
         if (SystemVariables.Variable(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
     }
 
-    private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
+    internal ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
 
     /// <summary>Processes the queued inputs until a command fails or none is left.</summary>
     private async Task<InputResult> RunScriptsAsync(CancellationToken cancellation)

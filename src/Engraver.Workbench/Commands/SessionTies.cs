@@ -38,9 +38,9 @@ internal sealed class SessionTies : IDisposable
     {
         var state = _document.Current;
         _machine.Profile = state.Settings.Machine;
-        if (_machine.Armed is { Job: var job } && !job.IsOf(state)) _machine.Disarm();
-        if (_machine.Part is { } part && (!ReferenceEquals(part.Drawing, state.Drawing) || part.Settings != state.Settings)) _machine.ChoosePart(null);
-        if (_machine.ShownJob is { } shown && !shown.IsOf(state)) _machine.DismissJob();
+        if (_machine.Arming.Armed is { Job: var job } && !job.IsOf(state)) _machine.Arming.Disarm();
+        if (_machine.Runs.Part is { } part && (!ReferenceEquals(part.Drawing, state.Drawing) || part.Settings != state.Settings)) _machine.Runs.ChoosePart(null);
+        if (_machine.Runs.ShownJob is { } shown && !shown.IsOf(state)) _machine.Runs.DismissJob();
     }
 
     private void OnDerived(object? sender, EventArgs e)
@@ -59,5 +59,5 @@ internal sealed class SessionTies : IDisposable
     }
 
     /// <summary>The planned time depends on the serial line of the machine.</summary>
-    private void OnMachineChanged(object? sender, EventArgs e) => _derivation.Line = _machine.Line;
+    private void OnMachineChanged(object? sender, EventArgs e) => _derivation.Line = _machine.Connection.Line;
 }

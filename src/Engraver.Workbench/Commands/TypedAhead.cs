@@ -4,7 +4,7 @@ namespace Engraver.Workbench.Commands;
 
 /// <summary>Inputs typed while a command works: they run in order after it has succeeded. None of them may act on the machine, because the operator may no
 /// longer watch it when they run.</summary>
-/// <remarks>The caller checks <see cref="CommandSession.Hears"/> and <see cref="WhyNot"/> when an input is typed, and later passes it to
+/// <remarks>Whoever feeds the session asks <see cref="BesideCommands.Takes"/> and <see cref="WhyNot"/> when an input is typed, and hands it to
 /// <see cref="EnterAsync"/>.</remarks>
 public sealed class TypedAhead(CommandSession session)
 {
@@ -21,7 +21,7 @@ public sealed class TypedAhead(CommandSession session)
     {
         ArgumentNullException.ThrowIfNull(input);
         if (input.Trim().Length == 0) return Wording.Get("TypedAhead.EnterAlone");
-        if (session.IsMachineAtWork) return session.WhyNotBeside(input) ?? Wording.Get("TypedAhead.MachineBusy", input.Trim());
+        if (session.IsMachineAtWork) return session.Beside.WhyNot(input) ?? Wording.Get("TypedAhead.MachineBusy", input.Trim());
         return Meant(input) is { } command && MayMove(command) ? Wording.Get("TypedAhead.ActsOnTheMachine", command.Name) : null;
     }
 

@@ -172,7 +172,12 @@ internal sealed class MachineStatusModel : IDisposable
         _ => HoldPhase.None,
     };
 
-    public void MoveTells(JobProgress progress) => Change(facts => facts with { Told = progress, SeenAt = _time.GetUtcNow() });
+    /// <summary>Takes the progress of a move by hand, and raises the change.</summary>
+    public void MoveTells(JobProgress progress)
+    {
+        Change(facts => facts with { Told = progress, SeenAt = _time.GetUtcNow() });
+        _changed();
+    }
 
     public void JobEnds(JobResult result)
     {
@@ -220,6 +225,9 @@ internal sealed class MachineStatusModel : IDisposable
 
     /// <summary>Notes that the stop was sent.</summary>
     public void StopSent() => DisarmOrTell();
+
+    /// <summary>Announces a change of the session that other parts of it have made.</summary>
+    public void RaiseChanged() => _changed();
 
     public void Dispose() => Arming.Dispose();
 

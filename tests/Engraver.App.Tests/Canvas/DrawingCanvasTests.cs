@@ -119,8 +119,8 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     public Task Esc_ends_a_box_before_it_reaches_the_command() => With((canvas, _, hands, heard) =>
     {
         hands.Click(new Point(50, 50));
-        canvas.Escape();
-        canvas.Escape();
+        canvas.Pointing.Escape();
+        canvas.Pointing.Escape();
 
         Assert.Equal(["cancel"], heard.Heard);
     });
@@ -174,11 +174,11 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         view.Change(state => state with { Ortho = true, DynamicInput = false });
         hands.MovePointer(new Point(330, 280));
         heard.Aim = new PointAim(PointUse.Place, new Point2D(-120.0, -100.0));
-        canvas.TakeAim();
+        canvas.Pointing.TakeAim();
         Draw();
 
         Assert.Contains(Enumerable.Range(100, 60), x => hands.PixelAt(x, 249) != Color.FromUInt32(CanvasTheme.Dark.Background) || hands.PixelAt(x, 250) != Color.FromUInt32(CanvasTheme.Dark.Background));
-        Assert.Null(canvas.Box);
+        Assert.Null(canvas.Pointing.Box);
     });
 
     [Fact]
@@ -186,9 +186,9 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         heard.Aim = new PointAim(PointUse.Corner, new Point2D(0.0, 0.0));
         hands.MovePointer(new Point(297, 104));
-        Assert.Equal((new Point2D(200.0, 150.0), new Point2D(297.0, 104.0), false), (canvas.Box!.Value.From, canvas.Box.Value.To, canvas.Box.Value.IsCrossing));
+        Assert.Equal((new Point2D(200.0, 150.0), new Point2D(297.0, 104.0), false), (canvas.Pointing.Box!.Value.From, canvas.Pointing.Box.Value.To, canvas.Pointing.Box.Value.IsCrossing));
         hands.MovePointer(new Point(103, 104));
-        Assert.True(canvas.Box!.Value.IsCrossing);
+        Assert.True(canvas.Pointing.Box!.Value.IsCrossing);
         hands.Click(new Point(297, 104));
 
         Assert.Equal([new Point2D(97.0, 46.0)], heard.Points);
@@ -201,7 +201,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         hands.Click(new Point(297, 102));
 
         Assert.Equal([new Point2D(97.0, 48.0)], heard.Points);
-        Assert.Equal("Specify a place:", canvas.Tip);
+        Assert.Equal("Specify a place:", canvas.Pointing.Tip);
     });
 
     [Fact]
@@ -210,12 +210,12 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         heard.Aim = new PointAim(PointUse.Corner, new Point2D(0.0, 0.0));
         hands.MovePointer(new Point(297, 104));
         view.SetCentre(new Point2D(50.0, 0.0), view.Current.Height);
-        Assert.Equal((new Point2D(150.0, 150.0), new Point2D(297.0, 104.0)), (canvas.Box!.Value.From, canvas.Box.Value.To));
-        Assert.Equal("Specify a place:\n147.0000 x 46.0000", canvas.Tip);
+        Assert.Equal((new Point2D(150.0, 150.0), new Point2D(297.0, 104.0)), (canvas.Pointing.Box!.Value.From, canvas.Pointing.Box.Value.To));
+        Assert.Equal("Specify a place:\n147.0000 x 46.0000", canvas.Pointing.Tip);
         view.Change(state => state with { DynamicInput = false });
-        Assert.Equal("", canvas.Tip);
+        Assert.Equal("", canvas.Pointing.Tip);
         hands.LeavePointer();
-        Assert.Null(canvas.Box);
+        Assert.Null(canvas.Pointing.Box);
     });
 
     [Fact]
@@ -223,33 +223,33 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         hands.Click(new Point(250, 130));
         hands.MovePointer(new Point(297, 104));
-        Assert.Equal(new Point2D(250.0, 130.0), canvas.Box!.Value.From);
+        Assert.Equal(new Point2D(250.0, 130.0), canvas.Pointing.Box!.Value.From);
         view.SetCentre(new Point2D(50.0, 0.0), view.Current.Height);
-        Assert.Equal((new Point2D(200.0, 130.0), new Point2D(297.0, 104.0)), (canvas.Box!.Value.From, canvas.Box.Value.To));
+        Assert.Equal((new Point2D(200.0, 130.0), new Point2D(297.0, 104.0)), (canvas.Pointing.Box!.Value.From, canvas.Pointing.Box.Value.To));
         heard.Aim = new PointAim(PointUse.Place, null);
         hands.MovePointer(new Point(298, 104));
-        Assert.Null(canvas.Box);
+        Assert.Null(canvas.Pointing.Box);
     });
 
     [Fact]
     public Task What_is_asked_and_where_stands_beside_the_crosshair() => With((canvas, view, hands, heard) =>
     {
         hands.MovePointer(new Point(230, 110));
-        Assert.Equal("", canvas.Tip);
+        Assert.Equal("", canvas.Pointing.Tip);
         heard.Aim = PointAim.Place;
-        canvas.TakeAim();
-        Assert.Equal("Specify a place:\n30.0000, 40.0000", canvas.Tip);
+        canvas.Pointing.TakeAim();
+        Assert.Equal("Specify a place:\n30.0000, 40.0000", canvas.Pointing.Tip);
         Draw();
         Assert.NotEqual(Color.FromUInt32(CanvasTheme.Dark.Background), hands.PixelAt(230 + 18, 110 + 30));
         heard.Aim = new PointAim(PointUse.Place, new Point2D(0.0, 40.0));
         hands.MovePointer(new Point(200, 130));
-        Assert.Equal("Specify a place:\n20.0000 < 270.00\u00B0", canvas.Tip);
+        Assert.Equal("Specify a place:\n20.0000 < 270.00\u00B0", canvas.Pointing.Tip);
         heard.Aim = new PointAim(PointUse.Corner, new Point2D(10.0, 40.0));
         hands.MovePointer(new Point(200, 131));
-        Assert.Equal("Specify a place:\n10.0000 x 21.0000", canvas.Tip);
+        Assert.Equal("Specify a place:\n10.0000 x 21.0000", canvas.Pointing.Tip);
         view.Change(state => state with { DynamicInput = false });
         hands.MovePointer(new Point(230, 111));
-        Assert.Equal("", canvas.Tip);
+        Assert.Equal("", canvas.Pointing.Tip);
     });
 
     /// <summary>The preview of a click is computed on another thread and drawn; it disappears with the prompt.</summary>
@@ -258,15 +258,15 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         heard.Aim = PointAim.Place with { Ghost = place => [Segment.FromLine(new Point2D(-100.0, place.Y), new Point2D(100.0, place.Y))] };
         hands.MovePointer(new Point(230, 130));
-        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 20.0 }], s_patience);
+        fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 20.0 }], s_patience);
         hands.MovePointer(new Point(230, 120));
-        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 30.0 }], s_patience);
+        fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 30.0 }], s_patience);
         Draw();
         Assert.Contains(Enumerable.Range(110, 20), x => hands.PixelAt(x, 120) != Color.FromUInt32(CanvasTheme.Dark.Background));
         heard.Aim = PointAim.Place;
         hands.MovePointer(new Point(231, 120));
 
-        Assert.Empty(canvas.Ghost);
+        Assert.Empty(canvas.Pointing.Ghost);
     });
 
     /// <summary>The preview of Enter is drawn wherever the cursor is, and disappears with the prompt.</summary>
@@ -275,17 +275,17 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         heard.Aim = null;
         heard.Preview = _ => [Segment.FromLine(new Point2D(-100.0, 30.0), new Point2D(100.0, 30.0))];
-        canvas.TakeAim();
-        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 30.0 }], s_patience);
+        canvas.Pointing.TakeAim();
+        fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 30.0 }], s_patience);
         Draw();
         Assert.Contains(Enumerable.Range(110, 20), x => hands.PixelAt(x, 120) != Color.FromUInt32(CanvasTheme.Dark.Background));
         heard.Preview = _ => [Segment.FromLine(new Point2D(-100.0, 20.0), new Point2D(100.0, 20.0))];
-        canvas.TakeAim();
-        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 20.0 }], s_patience);
+        canvas.Pointing.TakeAim();
+        fixture.Desktop.StepUntil(() => canvas.Pointing.Ghost is [{ Start.Y: 20.0 }], s_patience);
         heard.Preview = null;
-        canvas.TakeAim();
+        canvas.Pointing.TakeAim();
 
-        Assert.Empty(canvas.Ghost);
+        Assert.Empty(canvas.Pointing.Ghost);
     });
 
     private void Draw() => fixture.Desktop.Step();

@@ -31,7 +31,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         Type(here, "theme", "light");
         here.Until(() => here.Commands.View.Current.Theme.ToString() == "Light");
         Type(here, "ortho", "on", "pickbox", "7");
-        here.Until(() => here.Commands.View.Current.Ortho && here.Window.Canvas.PickBox == 7.0);
+        here.Until(() => here.Commands.View.Current.Ortho && here.Window.Canvas.Pointing.PickBox == 7.0);
 
         Runs(here);
         Assert.Null(here.Desk.Prompt.Command);
@@ -115,7 +115,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         Type(here, "cncstop");
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Null(here.Desk.Prompt.Command);
     });
 
@@ -141,9 +141,9 @@ public sealed class BesideTests(DesktopFixture fixture)
     public Task Escape_ends_what_was_typed_before_it_however_far_that_has_come() => fixture.WithOperator(here =>
     {
         Start(here);
-        foreach (var word in (string[])["list", "all", "", "dist", "0,0"]) _ = here.Desk.TypeAsync(word); // nothing of this is processed before Esc
+        foreach (var word in (string[])["list", "all", "", "dist", "0,0"]) _ = here.Desk.Queue.TypeAsync(word); // nothing of it is worked on before Esc
         here.Hands.Press(Key.Escape);
-        here.Until(() => here.Desk.Cancelled.IsCompleted && here.Commands.Machine.Status.State == MachineState.Held);
+        here.Until(() => here.Desk.Queue.Cancelled.IsCompleted && here.Commands.Machine.Status.State == MachineState.Held);
         Type(here, "id", "1,2");
         Heard(here, "X = 1");
 
@@ -174,7 +174,7 @@ public sealed class BesideTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Progress is { SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Runs.Progress is { SegmentsSent: > 0 });
     }
 
     /// <summary>Types quickly, without waiting between two words.</summary>
@@ -195,6 +195,6 @@ public sealed class BesideTests(DesktopFixture fixture)
     {
         here.Hands.Press(Key.Pause);
         here.Rest();
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     }
 }

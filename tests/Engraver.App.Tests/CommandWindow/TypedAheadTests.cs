@@ -24,7 +24,7 @@ public sealed class TypedAheadTests(DesktopFixture fixture)
         Assert.Equal(4, here.Commands.Document.Current.Drawing!.Entities.Count);
         here.Enter("");
         Assert.Equal(0, here.Commands.Document.Current.Drawing!.Entities.Count);
-        Assert.False(here.Commands.Machine.IsSimulation);
+        Assert.False(here.Commands.Machine.Connection.IsSimulation);
     });
 
     [Theory]

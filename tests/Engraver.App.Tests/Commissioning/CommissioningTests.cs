@@ -43,7 +43,7 @@ public sealed class CommissioningTests(DesktopFixture fixture)
         Answer(here, "Yes");
         here.Until(() => here.Commands.Machine.Status.MachinePosition!.Value.X == 1.0);
         here.Click(here.Find<Button>("BreakOffKey"));
-        here.Until(() => here.Desk.Cancelled.IsCompleted);
+        here.Until(() => here.Desk.Queue.Cancelled.IsCompleted);
         here.Rest();
 
         Assert.Equal(["skipped", "skipped", "skipped", "skipped", "", "", "", ""], States(here));

@@ -67,7 +67,7 @@ public sealed class MachineMarkTests(DesktopFixture fixture)
         Assert.False(Mark(here).IsCertain);
         var moved = Mark(here).At;
         here.Enter("CNCHOME", "Yes");
-        here.Until(() => here.Commands.Machine.IsHomed == true && !here.Commands.Machine.IsRunning);
+        here.Until(() => here.Commands.Machine.Connection.IsHomed == true && !here.Commands.Machine.IsRunning);
         here.Step();
 
         Assert.NotEqual(moved, Mark(here).At);

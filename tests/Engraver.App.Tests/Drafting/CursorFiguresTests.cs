@@ -23,7 +23,7 @@ public sealed class CursorFiguresTests(DesktopFixture fixture)
         here.Enter("LUPREC", "3", "LINE", "0,0");
         here.Hands.MovePointer(At(here, 40, 30));
         here.Step();
-        Assert.Matches(@"\n\d+\.\d{3} < \d+°$", here.Window.Canvas.Tip);
+        Assert.Matches(@"\n\d+\.\d{3} < \d+°$", here.Window.Canvas.Pointing.Tip);
         here.Enter("");
     });
 

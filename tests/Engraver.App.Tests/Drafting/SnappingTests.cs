@@ -40,7 +40,7 @@ public sealed class SnappingTests(DesktopFixture fixture)
         view.Change(state => state with { OneTimeSnap = 128 });
         hands.Click(new Point(20, 20));
         Assert.Empty(heard.Heard);
-        Assert.StartsWith("Specify a place:\nPER\n", canvas.Tip, StringComparison.Ordinal);
+        Assert.StartsWith("Specify a place:\nPER\n", canvas.Pointing.Tip, StringComparison.Ordinal);
         view.Change(state => state with { OneTimeSnap = 0 });
         hands.Click(new Point(297, 104));
 
@@ -83,12 +83,12 @@ public sealed class SnappingTests(DesktopFixture fixture)
         view.Change(state => state with { ObjectSnap = false, Polar = true, PolarAngle = 45.0 });
         heard.Aim = new PointAim(PointUse.Place, new Point2D(-100.0, -100.0));
         hands.Click(new Point(152, 204));
-        Assert.Equal("Specify a place:\nPolar: 69.2965 < 45.00\u00B0", canvas.Tip);
+        Assert.Equal("Specify a place:\nPolar: 69.2965 < 45.00\u00B0", canvas.Pointing.Tip);
         hands.Click(new Point(152, 225));
 
         Assert.True(heard.Points[0].IsNear(new Point2D(-51.0, -51.0), 1e-9));
         Assert.Equal(new Point2D(-48.0, -75.0), heard.Points[1]);
-        Assert.DoesNotContain("Polar", canvas.Tip, StringComparison.Ordinal);
+        Assert.DoesNotContain("Polar", canvas.Pointing.Tip, StringComparison.Ordinal);
     });
 
     [Fact]

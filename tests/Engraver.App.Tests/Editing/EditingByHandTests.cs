@@ -52,13 +52,13 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
     {
         here.Enter("MOVE", "H", "A3", "", "150,50");
         Point(here, 130, 80);
-        here.Until(() => here.Window.Canvas.Ghost.Count == 1);
-        var ghost = here.Window.Canvas.Ghost[0].Arc;
+        here.Until(() => here.Window.Canvas.Pointing.Ghost.Count == 1);
+        var ghost = here.Window.Canvas.Pointing.Ghost[0].Arc;
         Assert.True(ghost.Centre.DistanceTo(new Point2D(130, 80)) < 1.0);
         Assert.Equal(new Point2D(150, 50), Only(here, 2).Arc.Centre);
         here.Hands.Press(Key.Escape);
         here.Rest();
-        here.Until(() => here.Window.Canvas.Ghost.Count == 0);
+        here.Until(() => here.Window.Canvas.Pointing.Ghost.Count == 0);
     });
 
     [Fact]
@@ -92,7 +92,7 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         Click(here, 50, 0);
         Assert.Equal("GRIPEDIT", here.Commands.Prompt.Command);
         Point(here, 53, -40);
-        here.Until(() => here.Window.Canvas.Ghost.Count == 1);
+        here.Until(() => here.Window.Canvas.Pointing.Ghost.Count == 1);
         Click(here, 53, -40);
         Assert.Equal(50.0, (Ends(here, 0).Start.X + Ends(here, 0).End.X) / 2.0, 1e-9);
         Assert.InRange(Ends(here, 0).Start.Y, -41.0, -39.0);
@@ -145,13 +145,13 @@ public sealed class EditingByHandTests(DesktopFixture fixture)
         here.Hands.Press(Key.Escape);
         here.Rest();
         Point(here, 170, 50);
-        Assert.Equal(2, here.Window.Canvas.Hovered);
+        Assert.Equal(2, here.Window.Canvas.Pointing.Hovered);
         here.Enter("ERASE", "H", "A3", "");
-        Assert.Null(here.Window.Canvas.Hovered);
+        Assert.Null(here.Window.Canvas.Pointing.Hovered);
         here.Enter("U");
-        Assert.Equal(2, here.Window.Canvas.Hovered);
+        Assert.Equal(2, here.Window.Canvas.Pointing.Hovered);
         here.Enter("ERASE", "H", "A1", "");
-        Assert.Equal(1, here.Window.Canvas.Hovered); // the same circle now has another index
+        Assert.Equal(1, here.Window.Canvas.Pointing.Hovered); // the same circle has another number now
     });
 
     /// <summary>The table highlights the row that the properties list.</summary>

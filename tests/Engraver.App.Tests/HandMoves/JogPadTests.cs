@@ -22,7 +22,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
     public Task A_press_moves_and_the_release_stops() => WithPad(here =>
     {
         Choose(here, "Continuous");
-        here.Until(() => here.Commands.Machine.IsKeptReady);
+        here.Until(() => here.Commands.Machine.ReadyJogs.IsKeptReady);
         Assert.Equal("READY", here.Find<TextBlock>("StateText").Text);
         here.Hands.PressButton(Cell(here, "X+"));
         here.Until(() => X(here) > 1.0);
@@ -91,7 +91,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
     {
         here.Enter("CNCJOG", "X+");
         here.Hands.LoseFocus();
-        var asked = here.Desk.EnterAsync("Continuous");
+        var asked = here.Desk.Queue.EnterAsync("Continuous");
         here.Until(() => asked.IsCompleted);
         here.Until(() => here.History.Any(line => line.Contains("did not respond in time", StringComparison.Ordinal)) && !here.Commands.Machine.IsRunning);
 
@@ -151,7 +151,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("StartKey"));
         here.Rest();
 
-        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
         NobodyWasLate(here);
     });
@@ -183,8 +183,8 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("StartKey"));
         here.Rest();
 
-        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
-        Assert.InRange(here.Commands.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.01);
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
+        Assert.InRange(here.Commands.Machine.Runs.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.01);
     });
 
     [Theory]

@@ -26,7 +26,7 @@ public sealed class HistoryPageTests(DesktopFixture fixture)
         var row = here.Window.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is HistoryRow);
         here.Click(row);
         here.Click(here.Find<Button>("HistoryRerunButton"));
-        here.Until(() => !here.Desk.IsBusy && here.Commands.Document.Current.Settings.MaxErrorMm == 0.004);
+        here.Until(() => !here.Desk.Queue.IsBusy && here.Commands.Document.Current.Settings.MaxErrorMm == 0.004);
         Assert.Equal("gasket.dxf", Path.GetFileName(here.Commands.Document.Current.Drawing!.FileName));
     });
 
@@ -52,7 +52,7 @@ public sealed class HistoryPageTests(DesktopFixture fixture)
         var row = here.Window.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is HistoryRow);
         here.Click(row);
         here.Click(row);
-        here.Until(() => !here.Desk.IsBusy && Path.GetFileName(here.Commands.Document.Current.Drawing!.FileName) == "gasket.dxf");
+        here.Until(() => !here.Desk.Queue.IsBusy && Path.GetFileName(here.Commands.Document.Current.Drawing!.FileName) == "gasket.dxf");
     });
 
     private static IReadOnlyList<HistoryRow> Rows(Operator here) => ((HistoryModel)here.Find<ListBox>("HistoryList").DataContext!).Rows;

@@ -51,7 +51,7 @@ public sealed class JobTests(DesktopFixture fixture)
         here.Hands.Press(Key.Pause);
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         var warning = Assert.Single(Lines(here), line => line.Mark == "▲");
         Assert.StartsWith("WARNING: The last job on this machine ended early", warning.Sentence, StringComparison.Ordinal);
         Assert.True(warning.MarkIsColoured && warning.SentenceIsColoured);

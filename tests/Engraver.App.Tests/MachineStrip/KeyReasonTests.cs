@@ -26,15 +26,15 @@ public sealed class KeyReasonTests(DesktopFixture fixture)
         Says(here, "StartKey", null, "Starts the armed job");
         Says(here, "HoldKey", null, "HOLD works only while a job is running");
         here.Click(here.Find<Button>("StartKey"));
-        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Runs.Progress.SegmentsSent: > 0 });
         here.Step();
         Says(here, "ArmKey", "job running", "A job is running");
         Says(here, "StartKey", "job running", "A job is running");
         here.Hands.Press(Avalonia.Input.Key.Pause);
-        here.Until(() => here.Commands.Machine.LastRun is not null);
+        here.Until(() => here.Commands.Machine.Runs.LastRun is not null);
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
 
     [Fact]

@@ -42,7 +42,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("StartKey"));
         here.Rest();
 
-        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Equal(1.0, here.Window.Model.Machine.Progress);
         Assert.Equal(here.Window.Canvas.Overlay!.MoveCount, here.Window.Canvas.EngravedMoves);
         Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
@@ -104,16 +104,16 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", "sim:", "CNCARM", "Stream");
         here.Hands.Press(Key.Enter);
         here.Rest();
-        Assert.Null(here.Commands.Machine.LastRun);
+        Assert.Null(here.Commands.Machine.Runs.LastRun);
         here.Hands.Press(Key.Escape);
         here.Rest();
         here.Enter("CNCRUN");
-        Assert.NotNull(here.Commands.Machine.LastRun);
-        var first = here.Commands.Machine.LastRun;
+        Assert.NotNull(here.Commands.Machine.Runs.LastRun);
+        var first = here.Commands.Machine.Runs.LastRun;
         here.Hands.Press(Key.Enter);
         here.Rest();
 
-        Assert.Same(first, here.Commands.Machine.LastRun);
+        Assert.Same(first, here.Commands.Machine.Runs.LastRun);
     });
 
     [Theory]
@@ -125,7 +125,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Hands.Press(key, modifiers);
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
 
     [Fact]
@@ -148,7 +148,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Hands.Press(Key.Pause);
         here.Rest();
 
-        Assert.Equal((JobOutcome.Stopped, 2), (here.Commands.Machine.LastRun!.Result.Outcome, here.Commands.Machine.LastRun.Result.Holds));
+        Assert.Equal((JobOutcome.Stopped, 2), (here.Commands.Machine.Runs.LastRun!.Result.Outcome, here.Commands.Machine.Runs.LastRun.Result.Holds));
     });
 
     /// <summary>Two segments of which the second takes a hundred times as long: half of the segments is not half of the job, and within the long one the
@@ -260,7 +260,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Hands.PressButton(here.MiddleOf(stop));
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         here.Hands.ReleaseButton(here.MiddleOf(stop));
     });
 
@@ -281,7 +281,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.True(stopped.Wait(TimeSpan.FromSeconds(30)), "the job went on while the window was busy");
         press.Join();
         here.Rest();
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
 
     /// <summary>The bytes themselves, observed on a TCP link while the thread of the window is blocked.</summary>
@@ -304,7 +304,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.True(braked.Wait(TimeSpan.FromSeconds(30)), "no ST AB came over the wire while the window was busy");
         press.Join();
         here.Rest();
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
     });
 
     [Fact]
@@ -319,7 +319,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("StartKey"));
         here.Rest();
 
-        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Contains("DONE", here.Window.Title, StringComparison.Ordinal);
     });
 
@@ -398,7 +398,7 @@ public sealed class MachineTests(DesktopFixture fixture)
     {
         using var wire = new ServedMachine(here, speed: 1);
         here.Enter("CNCCONNECT", wire.Address, "CNCMOTORS", "ON");
-        var typed = here.Commands.Machine.Terminal.TypeAsync("JG 500;BGA", CancellationToken.None);
+        var typed = here.Commands.Machine.Connection.Terminal.TypeAsync("JG 500;BGA", CancellationToken.None);
         here.Until(() => typed.IsCompleted);
         here.Enter("CNCMOTORS", "OFF"); // not while an axis moves
         here.Until(() => here.Commands.Machine.Alarms.Open.Count > 0);
@@ -445,7 +445,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         var lamps = here.Find<BitLamps>("OutputLamps");
         Assert.Null(lamps.Bits);
         here.Enter("CNCCONNECT", "sim:");
-        var typed = here.Commands.Machine.Terminal.TypeAsync("SB 3", CancellationToken.None);
+        var typed = here.Commands.Machine.Connection.Terminal.TypeAsync("SB 3", CancellationToken.None);
         here.Until(() => typed.IsCompleted && lamps.Bits == 4);
         Assert.Equal(0xFF, here.Find<BitLamps>("InputLamps").Bits); // no wires are connected: pulled up
         Assert.True(lamps.IsEffectivelyVisible);
@@ -478,9 +478,9 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Click(here.Window.GetVisualDescendants().OfType<TerminalView>().Single().FindControl<TextBox>("LineBox")!);
         here.Hands.Type("MG 2+3");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Terminal.Lines.Count > 1);
+        here.Until(() => here.Commands.Machine.Connection.Terminal.Lines.Count > 1);
 
-        Assert.Contains(here.Commands.Machine.Terminal.Lines, line => line.Text.Contains("5.0000", StringComparison.Ordinal));
+        Assert.Contains(here.Commands.Machine.Connection.Terminal.Lines, line => line.Text.Contains("5.0000", StringComparison.Ordinal));
         Assert.Equal("", here.Window.Model.Command.Line);
     });
 
@@ -498,6 +498,6 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Progress is { SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Runs.Progress is { SegmentsSent: > 0 });
     }
 }

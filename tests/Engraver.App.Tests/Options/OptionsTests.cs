@@ -119,7 +119,7 @@ public sealed class OptionsTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running);
-        _ = here.Desk.RunAsync("OPTIONS");
+        _ = here.Desk.Queue.RunAsync("OPTIONS");
         here.Until(() => here.Window.Model.Options.IsOpen);
         here.Step();
         Show(here, "Feeds");

@@ -54,7 +54,7 @@ public sealed class PropertiesPaletteTests(DesktopFixture fixture)
     public Task While_a_command_asks_nothing_is_changed_and_it_is_said() => With(here =>
     {
         Select(here, 0);
-        _ = here.Desk.RunAsync("DIST");
+        _ = here.Desk.Queue.RunAsync("DIST");
         here.Rest();
         Type(here, "Radius", "7", Key.Enter);
 

@@ -21,7 +21,7 @@ public sealed class EarlyStopTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.Equal(MachineState.Ready, here.Commands.Machine.Status.State);
-        if (here.Commands.Machine.LastRun is { } run) Assert.Equal(JobOutcome.Stopped, run.Result.Outcome); // the first segment was faster
+        if (here.Commands.Machine.Runs.LastRun is { } run) Assert.Equal(JobOutcome.Stopped, run.Result.Outcome); // the first segment was faster
         else Assert.Contains(here.History, line => line.Contains("stopped before any axis moved", StringComparison.Ordinal));
     });
 }

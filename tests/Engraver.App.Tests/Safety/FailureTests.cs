@@ -19,7 +19,7 @@ public sealed class FailureTests(DesktopFixture fixture)
         here.Step();
         here.Rest();
 
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         IsReported(here, "A page lost its mind");
         here.Enter("GRID", "OFF");
         Assert.False(here.Commands.View.Current.Grid);
@@ -97,6 +97,6 @@ public sealed class FailureTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Avalonia.Input.Key.Enter);
-        here.Until(() => here.Commands.Machine.Progress is { SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine.Runs.Progress is { SegmentsSent: > 0 });
     }
 }

@@ -28,10 +28,10 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         Press(here, front, key);
 
         if (key == Key.Escape) here.Until(() => here.Commands.Machine.Status.State == MachineState.Held);
-        if (key == Key.Escape) here.Commands.Machine.Stop();
-        here.Until(() => here.Commands.Machine.LastRun is not null);
-        Assert.Equal(key == Key.Escape ? 1 : 0, here.Commands.Machine.LastRun!.Result.Holds);
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        if (key == Key.Escape) here.Commands.Machine.Controls.Stop();
+        here.Until(() => here.Commands.Machine.Runs.LastRun is not null);
+        Assert.Equal(key == Key.Escape ? 1 : 0, here.Commands.Machine.Runs.LastRun!.Result.Holds);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.False(shown.IsCompleted);
         dialog.Close();
         here.Rest();
@@ -49,10 +49,10 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         Press(here, here.Hands, key);
 
         if (key == Key.Escape) here.Until(() => here.Commands.Machine.Status.State == MachineState.Held);
-        if (key == Key.Escape) here.Commands.Machine.Stop();
-        here.Until(() => here.Commands.Machine.LastRun is not null);
-        Assert.Equal(key == Key.Escape ? 1 : 0, here.Commands.Machine.LastRun!.Result.Holds);
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        if (key == Key.Escape) here.Commands.Machine.Controls.Stop();
+        here.Until(() => here.Commands.Machine.Runs.LastRun is not null);
+        Assert.Equal(key == Key.Escape ? 1 : 0, here.Commands.Machine.Runs.LastRun!.Result.Holds);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.True(here.Window.Model.Connect.IsOpen);
         here.Rest();
     });
@@ -76,8 +76,8 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         here.Click(here.Find<MenuItem>("MachineMenu"));
         Press(here, here.Hands, null);
 
-        here.Until(() => here.Commands.Machine.LastRun is not null);
-        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        here.Until(() => here.Commands.Machine.Runs.LastRun is not null);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         here.Rest();
     });
 
@@ -125,6 +125,6 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         here.Enter("CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });
+        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Runs.Progress.SegmentsSent: > 0 });
     }
 }

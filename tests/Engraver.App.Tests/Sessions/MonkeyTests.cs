@@ -121,7 +121,7 @@ public sealed class MonkeyTests(DesktopFixture fixture)
         }
 
         if (here.Commands.Machine.Status.State is not (MachineState.Offline or MachineState.Ready)) here.Session.StopKeys.PressStop();
-        here.Until(() => here.Commands.Prompt.Command is null && !here.Desk.IsBusy || Again(here));
+        here.Until(() => here.Commands.Prompt.Command is null && !here.Desk.Queue.IsBusy || Again(here));
         here.Rest();
     }
 
@@ -138,13 +138,13 @@ public sealed class MonkeyTests(DesktopFixture fixture)
         here.Enter("TOOLSTART", "0,0", "CNCUNITS", "1", "CNCFEED", "60"); // from a reachable start; inches, slowly: with the current unit and feed the job may end before a busy computer presses the key
         here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         if (here.Commands.Prompt.Command is not null) here.Enter("Yes"); // with the current settings there may be something to confirm
-        var earlier = here.Commands.Machine.LastRun;
+        var earlier = here.Commands.Machine.Runs.LastRun;
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running); // with the current rapid speed the first segment may be hours away
         here.Hands.Press(Key.Pause);
         here.Rest();
-        var run = here.Commands.Machine.LastRun;
+        var run = here.Commands.Machine.Runs.LastRun;
         if (ReferenceEquals(run, earlier)) Assert.Equal(MachineState.Ready, here.Commands.Machine.Status.State); // stopped before anything moved
         else Assert.Equal(JobOutcome.Stopped, run!.Result.Outcome);
     }

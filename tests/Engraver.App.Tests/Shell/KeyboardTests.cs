@@ -97,7 +97,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         here.Hands.Type("3");
         Assert.Equal(("", "MG 2+3"), (here.Window.Model.Command.Line, Terminal(here).Line));
         here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Terminal.Lines.Any(line => line.Text.Contains("5.0000", StringComparison.Ordinal)));
+        here.Until(() => here.Commands.Machine.Connection.Terminal.Lines.Any(line => line.Text.Contains("5.0000", StringComparison.Ordinal)));
 
         here.Hands.Press(Key.Escape);
         here.Rest();
@@ -112,7 +112,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
     {
         here.Open("paper-001.dxf");
         here.Show("Terminal");
-        _ = here.Desk.RunAsync("DIST");
+        _ = here.Desk.Queue.RunAsync("DIST");
         here.Rest();
         here.Click(here.Window.Canvas);
         here.Hands.Type("4,5");
@@ -147,7 +147,7 @@ public sealed class KeyboardTests(DesktopFixture fixture)
         here.Show("Machine");
         here.Find<JogPad>("Pad").Focus();
         Assert.True(here.Find<JogPad>("Pad").IsFocused);
-        _ = here.Desk.RunAsync("OPEN");
+        _ = here.Desk.Queue.RunAsync("OPEN");
         here.Until(() => here.Find<UserControl>("FileSheet").IsVisible);
         here.Rest();
         here.Hands.KeyDown(Key.Left);

@@ -69,7 +69,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     {
         here.Enter("OPEN", "nameplate.dxf", "CHECK", "CNCORDER", "Nearest", "CNCCONNECT", "sim:", "CNCARM", "Stream", "CNCRUN");
 
-        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Contains("nameplate.dxf", here.Window.Title, StringComparison.Ordinal);
     });
 
@@ -237,7 +237,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     public Task What_the_window_says_stands_behind_what_the_session_said_before() => fixture.WithOperator(here =>
     {
         Task.Run(() => here.Commands.EnterAsync("nonsense", CancellationToken.None)).Wait(); // sent, but not delivered while this thread waits
-        here.Desk.Tell(MessageKind.Warning, "behind it");
+        here.Desk.Notifications.Say(MessageKind.Warning, "behind it");
         here.Step();
 
         Assert.Equal("behind it", here.History.Last());
@@ -595,7 +595,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Enter("FILEDIA", "0", "OPEN");
         here.Hands.Type(file);
         here.Hands.Press(Key.Enter);
-        Assert.True(here.Desk.IsBusy);
+        Assert.True(here.Desk.Queue.IsBusy);
         here.Hands.Type("cncstatus");
         Assert.Equal("cncstatus", here.Window.Model.Command.Line);
         here.Hands.Press(Key.Escape);
@@ -605,7 +605,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         File.Delete(file);
 
         Assert.Contains(here.History, line => line.Contains("Enter name of drawing", StringComparison.Ordinal));
-        Assert.False(here.Desk.IsBusy);
+        Assert.False(here.Desk.Queue.IsBusy);
 
         void Hold(object? sender, EventArgs e) => goOn.Wait(TimeSpan.FromSeconds(60)); // the reader is blocked at its first report until the operator has typed
     });

@@ -19,12 +19,12 @@ public sealed class OpeningTests(DesktopFixture fixture)
         using var told = new ManualResetEventSlim();
         using var goOn = new ManualResetEventSlim();
         here.Commands.Progress.Changed += Hold;
-        var opening = here.Desk.RunAsync("OPEN", file);
+        var opening = here.Desk.Queue.RunAsync("OPEN", file);
         var text = here.Find<TextBlock>("WorkText");
         here.Until(() => told.IsSet && text.IsEffectivelyVisible && text.Text is { Length: > 0 }); // its notification may still be on the way to the window
         Assert.Matches("^Reading: [0-9]{1,2} % ", text.Text);
         here.Hands.Press(Key.Escape);
-        here.Until(() => here.Desk.Cancelled.IsCompleted);
+        here.Until(() => here.Desk.Queue.Cancelled.IsCompleted);
         goOn.Set();
         here.Rest();
 

@@ -82,7 +82,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
     /// <summary>As from a menu, because a page other than the command window is in front.</summary>
     private static void Run(Operator here, params string[] inputs)
     {
-        _ = here.Desk.RunAsync(inputs);
+        _ = here.Desk.Queue.RunAsync(inputs);
         here.Rest();
     }
 

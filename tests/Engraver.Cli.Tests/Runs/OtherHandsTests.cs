@@ -21,9 +21,9 @@ public sealed class OtherHandsTests
         var port = (await controller.ListenTcpAsync(0, patience.Token)).Port;
         var address = string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}");
         var script = folder.WithFile("connect.scr", $"CNCCONNECT {address}\n");
-        await using var other = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null) };
+        await using var other = new MachineSession(TimeProvider.System, MachineMemories.FolderIn(null));
         Assert.True(ControllerAddress.TryParse(address, out var parsed));
-        await other.ConnectAsync(parsed, patience.Token);
+        await other.Connection.ConnectAsync(parsed, patience.Token);
         string[] drawing = [SampleDrawing.PathOf("paper-001"), "--connect", address];
 
         foreach (var words in (string[][])[

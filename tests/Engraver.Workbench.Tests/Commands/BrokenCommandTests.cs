@@ -55,7 +55,7 @@ public sealed class BrokenCommandTests : IDisposable
 
         Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAKDOWN", _limit.Token)).Sentence, StringComparison.Ordinal);
         Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job).Why);
-        Assert.Equal((JobOutcome.Stopped, false), (session.Machine.LastRun!.Result.Outcome, session.Machine.Status.ToolCommanded!.Value));
+        Assert.Equal((JobOutcome.Stopped, false), (session.Machine.Runs.LastRun!.Result.Outcome, session.Machine.Status.ToolCommanded!.Value));
     }
 
     [Fact]

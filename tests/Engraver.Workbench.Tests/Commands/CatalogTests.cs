@@ -51,7 +51,7 @@ public class CatalogTests
             Assert.Contains("CNCARM", Assert.IsType<InputResult.Failed>(await session.EnterAsync("CNCRUN", CancellationToken.None)).Sentence, StringComparison.Ordinal);
             await session.EnterAsync("SCRIPT", CancellationToken.None);
             Assert.IsType<InputResult.Done>(await session.EnterAsync("a.scr", CancellationToken.None));
-            Assert.NotNull(session.Machine.LastRun);
+            Assert.NotNull(session.Machine.Runs.LastRun);
         }
         finally
         {

@@ -71,7 +71,7 @@ public class CommandGrammarTests
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
         Assert.Contains("CNCRUN starts motion and is not repeated with Enter", talk.Said, StringComparison.Ordinal);
-        Assert.Null(talk.Session.Machine.LastRun);
+        Assert.Null(talk.Session.Machine.Runs.LastRun);
     }
 
     [Fact]

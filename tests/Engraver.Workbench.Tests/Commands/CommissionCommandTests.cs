@@ -199,7 +199,7 @@ public class CommissionCommandTests
         {
             if (talk.Session.Machine.Status.MachinePosition is not { X: > 10.0 } || Interlocked.Exchange(ref isPressed, 1) != 0) return;
             if (isEsc) _ = talk.Session.CancelAsync();
-            else talk.Session.Machine.Stop();
+            else talk.Session.Machine.Controls.Stop();
         };
 
         var result = await talk.TypeAsync("Yes");
@@ -313,5 +313,5 @@ public class CommissionCommandTests
     private static Task<string> FingerprintAsync(CommandTalk talk) => AskAsync(talk, "MG _MOA,_MOB,_OP0,_CN0,_CN1,_MTA,_MTB,_CEA,_CEB,_SPA,_ACA");
 
     /// <summary>Reply of the controller to a line.</summary>
-    private static async Task<string> AskAsync(CommandTalk talk, string line) => Assert.Single(await talk.Session.Machine.Terminal.TypeAsync(line, CancellationToken.None)).Text;
+    private static async Task<string> AskAsync(CommandTalk talk, string line) => Assert.Single(await talk.Session.Machine.Connection.Terminal.TypeAsync(line, CancellationToken.None)).Text;
 }

@@ -21,7 +21,7 @@ public class FinishCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCFINISH", place));
         await talk.TypeAsync("CNCARM", "Stream", "CNCRUN");
 
-        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.Runs.LastRun!.Result.Outcome);
         Assert.Equal((x, y), (talk.Session.Machine.Status.MachinePosition!.Value.X, talk.Session.Machine.Status.MachinePosition!.Value.Y));
         var planned = (await talk.Session.Derivation.ForCurrentAsync(CancellationToken.None)).Motion!;
         if (place != "Park") Assert.Equal(x, planned.At(planned.DurationSeconds).Position.X, 9); // The park position is a machine position.

@@ -38,13 +38,13 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await using var session = await ConnectedAsync();
         await RunAsync(session);
         var rows = _controller.Record.Snapshot().Count;
-        var done = session.Machine.Progress;
+        var done = session.Machine.Runs.Progress;
 
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "-3.5,7"));
 
         Assert.Equal((-3.5, 7.0), At(session));
         Assert.Equal(-3.5, session.Machine.Status.WorkPosition!.Value.X, precision: 9);
-        Assert.Equal((done, 1), (session.Machine.Progress, session.Machine.Status.Progress?.SegmentsDone)); // of the job, not of the move
+        Assert.Equal((done, 1), (session.Machine.Runs.Progress, session.Machine.Status.Progress?.SegmentsDone)); // of the job, not of the move
         var moved = _controller.Record.Snapshot().Skip(rows).ToList();
         Assert.True(Moves(moved) > 0);
         Assert.All(moved, sample => Assert.Equal(0, sample.Outputs & 1));
@@ -70,7 +70,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await using var session = await ConnectedAsync();
         await TypeAsync(session, "CNCGOTO", "12,-4");
         await TypeAsync(session, "CNCZERO", "All");
-        await session.Machine.Terminal.TypeAsync("cncmark=7", _limit.Token); // As after a power cycle: not the same zero.
+        await session.Machine.Connection.Terminal.TypeAsync("cncmark=7", _limit.Token); // as a power cycle leaves it: not ours
         var rows = _controller.Record.Snapshot().Count;
 
         Assert.Contains("G54", await FailedAsync(session, "CNCGOTO", "Work", "3,5"), StringComparison.Ordinal);
@@ -172,7 +172,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await SeenAsync(session.Machine, status => status is { State: MachineState.Moving, MachinePosition.X: > 5 });
 
         foreach (var meanwhile in (string[])["CNCGOTO", "CNCZERO", "CNCORIGIN"]) Assert.IsType<InputResult.NotUnderstood>(await session.EnterAsync(meanwhile, CancellationToken.None));
-        Assert.True(session.Machine.Stop());
+        Assert.True(session.Machine.Controls.Stop());
 
         Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
         Assert.InRange(At(session).X, 5.0, 99.0);
@@ -233,7 +233,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
     {
         await TypeAsync(session, "CNCARM", "Stream");
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCRUN"));
-        Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, session.Machine.Runs.LastRun!.Result.Outcome);
     }
 
     private static async Task<InputResult> TypeAsync(CommandSession session, params string[] inputs)

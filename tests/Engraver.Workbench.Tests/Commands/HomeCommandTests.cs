@@ -73,7 +73,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
         await using (var session = await ConnectedAsync())
         {
             Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCHOME", "Yes"));
-            var origin = session.Machine.Hold!.Memory.ActiveOrigin!;
+            var origin = session.Machine.Connection.Lease!.Memory.ActiveOrigin!;
             Assert.InRange(origin.X!.Value, 22997, 23003);
             Assert.InRange(origin.Y!.Value, 18997, 19003);
         }
@@ -93,7 +93,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
         await using var last = await ConnectedAsync(Profile with { Axes = Profile.Axes with { X = Profile.Axes.X with { Homing = Profile.Axes.X.Homing! with { Zero = -2, BackOff = 3 } } } });
         await TypeAsync(last, "CNCHOME", "Yes");
         Assert.Contains(_said, line => line.Contains("G54, G55", StringComparison.Ordinal) && line.Contains("CNCZERO", StringComparison.Ordinal));
-        Assert.Empty(last.Machine.Hold!.Memory.Origins);
+        Assert.Empty(last.Machine.Connection.Lease!.Memory.Origins);
         Assert.True(last.Machine.Status.IsHomed);
     }
 
@@ -112,7 +112,7 @@ public sealed class HomeCommandTests : IAsyncDisposable
         Assert.Contains("not homed", Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCGOTO", "1,1")).Sentence, StringComparison.Ordinal);
         session.Machine.Profile = Profile;
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCHOME", "Yes"));
-        Assert.Equal(38000, session.Machine.Hold!.Memory.ActiveOrigin!.Y);
+        Assert.Equal(38000, session.Machine.Connection.Lease!.Memory.ActiveOrigin!.Y);
     }
 
     [Fact]
@@ -120,13 +120,13 @@ public sealed class HomeCommandTests : IAsyncDisposable
     {
         await using var session = await ConnectedAsync();
         await TypeAsync(session, "CNCHOME", "Yes");
-        var before = session.Machine.Hold!.Memory;
+        var before = session.Machine.Connection.Lease!.Memory;
         await TypeAsync(session, "CNCMOTORS", "OFF");
 
         Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCHOME", "Yes"));
-        Assert.Equal(JobOutcome.Refused, (await session.Machine.HomeAsync(Path.Combine(_folder.FullName, "home.jsonl"), _limit.Token)).Result.Outcome);
+        Assert.Equal(JobOutcome.Refused, (await session.Machine.Hand.HomeAsync(Path.Combine(_folder.FullName, "home.jsonl"), _limit.Token)).Result.Outcome);
 
-        Assert.Equal((before.HomedAs, before.Mark, ""), (session.Machine.Hold!.Memory.HomedAs, session.Machine.Hold!.Memory.Mark, session.Machine.Hold!.Memory.Lost));
+        Assert.Equal((before.HomedAs, before.Mark, ""), (session.Machine.Connection.Lease!.Memory.HomedAs, session.Machine.Connection.Lease!.Memory.Mark, session.Machine.Connection.Lease!.Memory.Lost));
     }
 
     [Fact]

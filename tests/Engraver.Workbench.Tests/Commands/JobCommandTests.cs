@@ -27,7 +27,7 @@ public class JobCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
         Assert.Matches("^complete: 4 of 4 segments", talk.Said.Split('\n')[^1]);
         Assert.Contains("the whole drawing was cut", talk.Said, StringComparison.Ordinal);
-        Assert.InRange(talk.Session.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.0035);
+        Assert.InRange(talk.Session.Machine.Runs.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.0035);
     }
 
     [Fact]
@@ -38,7 +38,7 @@ public class JobCommandTests
         Assert.Contains("SIMULATION: DMC2143", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCRUN", "Yes");
         await talk.TypeAsync("CNCRUN", "C", "Y");
-        var run = talk.Session.Machine.LastRun!;
+        var run = talk.Session.Machine.Runs.LastRun!;
 
         Assert.Equal(0.0, run.Judgement.MissingLengthMm);
         Assert.Equal(new CountsPoint(0, 0), run.Result.FinalPosition); // Back at the drawing's start both times.
@@ -55,9 +55,9 @@ public class JobCommandTests
         Assert.Equal("No", talk.Session.Prompt.Default);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
-        Assert.Null(talk.Session.Machine.LastRun);
+        Assert.Null(talk.Session.Machine.Runs.LastRun);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Dryrun", "Yes"));
-        Assert.Equal("none", talk.Session.Machine.LastRun!.Judgement.Source);
+        Assert.Equal("none", talk.Session.Machine.Runs.LastRun!.Judgement.Source);
     }
 
     [Fact]
@@ -67,7 +67,7 @@ public class JobCommandTests
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
         await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address, "CNCRUN");
         var moving = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-        talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Progress is not null) moving.TrySetResult(); };
+        talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Runs.Progress is not null) moving.TrySetResult(); };
         var job = talk.TypeAsync("Yes");
         await moving.Task.WaitAsync(limit.Token);
 
@@ -90,11 +90,11 @@ public class JobCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRESUME", "Whole")); // Without a held job it selects what START cuts.
         await talk.TypeAsync("CNCOVERRIDE", "50", "CNCRUN");
         var job = talk.TypeAsync("Yes");
-        await UntilAsync(talk, () => talk.Session.Machine.Progress is not null, limit.Token);
+        await UntilAsync(talk, () => talk.Session.Machine.Runs.Progress is not null, limit.Token);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCHOLD"));
         await UntilAsync(talk, () => talk.Session.Machine.Status.State == MachineState.Held, limit.Token);
-        Assert.Equal(0.5, talk.Session.Machine.Progress!.Value.FeedRatio);
+        Assert.Equal(0.5, talk.Session.Machine.Runs.Progress!.Value.FeedRatio);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOVERRIDE 80"));
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCOVERRIDE"));
         Assert.StartsWith("Enter feed override in percent", talk.Session.Prompt.Text, StringComparison.Ordinal);
@@ -112,9 +112,9 @@ public class JobCommandTests
         await UntilAsync(talk, () => talk.Session.Machine.Status.State == MachineState.Held, limit.Token);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSTOP"));
         Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job.WaitAsync(limit.Token)).Why);
-        Assert.Equal((2, false), (talk.Session.Machine.LastRun!.Result.Holds, talk.Session.Machine.IsRunning));
+        Assert.Equal((2, false), (talk.Session.Machine.Runs.LastRun!.Result.Holds, talk.Session.Machine.IsRunning));
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCRESUME"));
-        Assert.Equal(talk.Session.Machine.LastRun.Journal, talk.Session.Prompt.Default);
+        Assert.Equal(talk.Session.Machine.Runs.LastRun.Journal, talk.Session.Prompt.Default);
     }
 
     [Fact]
@@ -124,7 +124,7 @@ public class JobCommandTests
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
         await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address, "CNCRUN");
         var job = talk.TypeAsync("Yes");
-        await UntilAsync(talk, () => talk.Session.Machine.Progress is not null, limit.Token);
+        await UntilAsync(talk, () => talk.Session.Machine.Runs.Progress is not null, limit.Token);
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCJOG 1,0")).Why);
         Assert.Contains("Hold the job (CNCHOLD)", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCHOLD");
@@ -145,7 +145,7 @@ public class JobCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRESUME"));
         Assert.IsType<InputResult.Done>(await job.WaitAsync(limit.Token));
 
-        var run = talk.Session.Machine.LastRun!;
+        var run = talk.Session.Machine.Runs.LastRun!;
         Assert.Equal((JobOutcome.Complete, 1, 0.0), (run.Result.Outcome, run.Result.Holds, run.Judgement.MissingLengthMm));
         Assert.InRange(run.Judgement.MaxDeviationMm!.Value, 0.0, 0.0035);
     }
@@ -175,7 +175,7 @@ public class JobCommandTests
 
         Assert.Equal(CommandFailure.Usage, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCCONNECT", "somewhere")).Why);
         Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{port}"))).Why);
-        Assert.Null(talk.Session.Machine.Description);
+        Assert.Null(talk.Session.Machine.Connection.Description);
     }
 
     [Fact]

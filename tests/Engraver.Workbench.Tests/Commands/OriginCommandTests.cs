@@ -53,7 +53,7 @@ public class OriginCommandTests
         await using var talk = await StandingAsync("12,-4");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Edges", edge, "1.5"));
-        var origin = talk.Session.Machine.Hold!.Memory.ActiveOrigin!;
+        var origin = talk.Session.Machine.Connection.Lease!.Memory.ActiveOrigin!;
         Assert.Equal((atX != 0 ? x : (int?)null, atY != 0 ? y : (int?)null), (origin.X, origin.Y));
     }
 
@@ -73,14 +73,14 @@ public class OriginCommandTests
         await using var talk = await StandingAsync("12,-4");
         await talk.TypeAsync("CNCZERO", "Centre");
         Assert.Contains("First touch at machine position 12,-4 mm", talk.Said, StringComparison.Ordinal);
-        Assert.Empty(talk.Session.Machine.Hold!.Memory.Origins);
+        Assert.Empty(talk.Session.Machine.Connection.Lease!.Memory.Origins);
         await talk.TypeAsync("CNCGOTO", "20,5.001");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Centre", "", "All"));
         Assert.Equal((16000, 501), Active(talk)); // half a count is rounded away from zero
-        Assert.Null(talk.Session.Machine.FirstTouch);
+        Assert.Null(talk.Session.Machine.Origins.FirstTouch);
         await talk.TypeAsync("CNCZERO", "Centre", "CNCDISCONNECT", "CNCCONNECT", "sim:");
-        Assert.Null(talk.Session.Machine.FirstTouch); // another controller, another zero
+        Assert.Null(talk.Session.Machine.Origins.FirstTouch); // another controller, another zero
     }
 
     [Fact]
@@ -99,7 +99,7 @@ public class OriginCommandTests
         await using var talk = await StandingAsync("12,-4");
 
         Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Point", "1e12,0")).Sentence, StringComparison.Ordinal);
-        Assert.Empty(talk.Session.Machine.Hold!.Memory.Origins);
+        Assert.Empty(talk.Session.Machine.Connection.Lease!.Memory.Origins);
     }
 
     [Fact]
@@ -161,7 +161,7 @@ public class OriginCommandTests
             "Work origin G54: machine position X 12 mm, Y -4 mm.\nWork origin G55 is not set.\nWork origin G56 is not set. This is the active work origin.\nWork origin G57 is not set.\nWork origin G58 is not set.\nWork origin G59 is not set.",
             talk.Said,
             StringComparison.Ordinal);
-        Assert.Equal("G56", talk.Session.Machine.Hold!.Memory.Active);
+        Assert.Equal("G56", talk.Session.Machine.Connection.Lease!.Memory.Active);
     }
 
     [Fact]
@@ -217,10 +217,10 @@ public class OriginCommandTests
 
         Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCZERO", "Height", "high"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("0.5"));
-        Assert.Equal((null, null, 4800), (Active(talk).Item1, Active(talk).Item2, talk.Session.Machine.Hold!.Memory.ActiveOrigin?.Z));
+        Assert.Equal((null, null, 4800), (Active(talk).Item1, Active(talk).Item2, talk.Session.Machine.Connection.Lease!.Memory.ActiveOrigin?.Z));
         Assert.EndsWith("Z 6 mm.", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Height", "-1.25", "Yes")); // it was set
-        Assert.Equal(6200, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Z);
+        Assert.Equal(6200, talk.Session.Machine.Connection.Lease.Memory.ActiveOrigin?.Z);
         Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height", "1e9", "Yes")).Sentence, StringComparison.Ordinal);
 
         await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCJOG", "Z-", "1.5", "CNCSTATUS", "CNCARM", "Stream");
@@ -249,7 +249,7 @@ public class OriginCommandTests
         Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm. This is the active work origin.", talk.Said, StringComparison.Ordinal);
     }
 
-    private static (long?, long?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);
+    private static (long?, long?) Active(CommandTalk talk) => (talk.Session.Machine.Connection.Lease!.Memory.ActiveOrigin?.X, talk.Session.Machine.Connection.Lease.Memory.ActiveOrigin?.Y);
 
     /// <param name="place">Where the simulated machine is moved to first; null for its zero.</param>
     private static async Task<CommandTalk> StandingAsync(string? place)

@@ -21,13 +21,13 @@ public class OutputCommandTests
     public async Task What_works_on_the_material_is_not_switched_on_by_hand(bool activeLow, int output, string to)
     {
         await using var talk = await ConnectedAsync(Laser(activeLow));
-        if (activeLow) Assert.Null(await talk.Session.Machine.SetOutputAsync(output, on: true, CancellationToken.None));
+        if (activeLow) Assert.Null(await talk.Session.Machine.Hand.SetOutputAsync(output, on: true, CancellationToken.None));
         var before = talk.Session.Machine.Status.Outputs;
 
         var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCOUTPUT", $"{output}", to));
 
         Assert.Contains($"Output {output} controls the tool", failed.Sentence, StringComparison.Ordinal);
-        await Assert.ThrowsAsync<InvalidOperationException>(() => talk.Session.Machine.SetOutputAsync(output, to == "ON", CancellationToken.None));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => talk.Session.Machine.Hand.SetOutputAsync(output, to == "ON", CancellationToken.None));
         Assert.Equal(before, talk.Session.Machine.Status.Outputs);
     }
 

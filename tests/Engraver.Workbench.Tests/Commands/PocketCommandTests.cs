@@ -119,7 +119,7 @@ public class PocketCommandTests
         Assert.Contains("The job cuts only layer POCKET", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("half a tool diameter", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
-        var judged = talk.Session.Machine.LastRun!.Judgement;
+        var judged = talk.Session.Machine.Runs.LastRun!.Judgement;
         Assert.InRange(judged.MaxDeviationMm!.Value, 0.0, 0.01);
         Assert.Equal(0.0, judged.MissingLengthMm);
         await talk.TypeAsync("U");

@@ -47,8 +47,8 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
             FailAt(session, progress => progress.X > 12000);
             Assert.IsType<InputResult.Failed>(await TypeAsync(session, "CNCRUN"));
             first = [.. _controller.Record.Snapshot().Skip(rows)];
-            Assert.Equal(JobOutcome.LinkLost, session.Machine.LastRun!.Result.Outcome);
-            journal = session.Machine.LastRun.Journal!;
+            Assert.Equal(JobOutcome.LinkLost, session.Machine.Runs.LastRun!.Result.Outcome);
+            journal = session.Machine.Runs.LastRun.Journal!;
         }
 
         await _controller.DisposeAsync();
@@ -57,16 +57,16 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
         Assert.Equal(MachineState.NotHomed, later.Machine.Status.State);
         Assert.IsType<InputResult.Done>(await TypeAsync(later, "CNCRESUME", journal));
         await TypeAsync(later, "CNCARM", "");
-        Assert.Null(later.Machine.Armed); // not before it is homed
+        Assert.Null(later.Machine.Arming.Armed); // not before it is homed
         Assert.IsType<InputResult.Done>(await TypeAsync(later, "CNCHOME", "Yes"));
         Assert.IsType<InputResult.Done>(await TypeAsync(later, "CNCRESUME", journal));
         await TypeAsync(later, "CNCARM", "");
-        Assert.True(later.Machine.Armed is not null, string.Join('\n', _said));
+        Assert.True(later.Machine.Arming.Armed is not null, string.Join('\n', _said));
         var before = _controller.Record.Count;
 
         Assert.IsType<InputResult.Done>(await TypeAsync(later, "CNCRUN"));
 
-        var run = later.Machine.LastRun!;
+        var run = later.Machine.Runs.LastRun!;
         Assert.Equal((JobOutcome.Complete, mode), (run.Result.Outcome, mode));
         Assert.True(run.ResumedFrom is { Along: > 8000.0 }, run.ResumedFrom.ToString());
         AssertCut([.. first, .. _controller.Record.Snapshot().Skip(before)]);
@@ -106,13 +106,13 @@ public sealed class ResumeAfterPowerTests : IAsyncDisposable
         var failed = false;
         session.Machine.Changed += (_, _) =>
         {
-            if (failed || session.Machine.Progress is not { ToolOn: true } progress || !when(progress)) return;
+            if (failed || session.Machine.Runs.Progress is not { ToolOn: true } progress || !when(progress)) return;
             failed = true;
             _controller.DropConnections();
         };
     }
 
-    private static CountsPoint Origin(CommandSession session) => session.Machine.Hold!.Memory.ActiveOrigin is { X: { } x, Y: { } y, Z: { } z } ? new CountsPoint(x, y, z) : default;
+    private static CountsPoint Origin(CommandSession session) => session.Machine.Connection.Lease!.Memory.ActiveOrigin is { X: { } x, Y: { } y, Z: { } z } ? new CountsPoint(x, y, z) : default;
 
     /// <summary>A machine with switches at -1 mm (A), 40 mm (B) and 20 mm (C), switched on at this place.</summary>
     private static SimulatedController SwitchedOn(int x, int y, int z) => new(new SimulatorOptions

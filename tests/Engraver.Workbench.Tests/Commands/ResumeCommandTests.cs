@@ -17,22 +17,22 @@ public class ResumeCommandTests
         if (mode != "Stream") await talk.TypeAsync(mode);
         StopAt(talk, progress => progress.SegmentsExecuted > 5);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("Yes"));
-        Assert.Equal(JobOutcome.Stopped, talk.Session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, talk.Session.Machine.Runs.LastRun!.Result.Outcome);
 
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCRESUME"));
-        Assert.Equal(talk.Session.Machine.LastRun.Journal, talk.Session.Prompt.Default);
+        Assert.Equal(talk.Session.Machine.Runs.LastRun.Journal, talk.Session.Prompt.Default);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
-        Assert.InRange(talk.Session.Machine.Part!.Shown.Segments, 5, 40);
-        Assert.Equal(mode, talk.Session.Machine.Part.Strategy!.Keyword);
+        Assert.InRange(talk.Session.Machine.Runs.Part!.Shown.Segments, 5, 40);
+        Assert.Equal(mode, talk.Session.Machine.Runs.Part.Strategy!.Keyword);
         await talk.TypeAsync("CNCARM", "");
-        Assert.NotNull(talk.Session.Machine.Armed);
+        Assert.NotNull(talk.Session.Machine.Arming.Armed);
         Assert.Contains("segments are treated as already cut", talk.Said, StringComparison.Ordinal);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
 
-        var run = talk.Session.Machine.LastRun!;
+        var run = talk.Session.Machine.Runs.LastRun!;
         Assert.Equal((JobOutcome.Complete, 0.0), (run.Result.Outcome, run.Judgement.MissingLengthMm));
         Assert.NotNull(run.ResumedFrom);
-        Assert.Null(talk.Session.Machine.Part); // it is cut
+        Assert.Null(talk.Session.Machine.Runs.Part); // it is cut
     }
 
     [Fact]
@@ -40,15 +40,15 @@ public class ResumeCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "CNCCONNECT", "sim:", "CNCRESUME", "Contour", "2");
-        var before = talk.Session.Machine.Part!.Shown.Segments;
+        var before = talk.Session.Machine.Runs.Part!.Shown.Segments;
         Assert.InRange(before, 1, 40);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
 
-        var executed = talk.Session.Machine.LastRun!.Result.ExecutedByStroke;
-        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.LastRun.Result.Outcome);
+        var executed = talk.Session.Machine.Runs.LastRun!.Result.ExecutedByStroke;
+        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.Runs.LastRun.Result.Outcome);
         Assert.Equal(before, executed[0]);
-        Assert.True(talk.Session.Machine.LastRun.Result.SegmentsSent < executed.Sum());
+        Assert.True(talk.Session.Machine.Runs.LastRun.Result.SegmentsSent < executed.Sum());
     }
 
     [Fact]
@@ -56,13 +56,13 @@ public class ResumeCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "CNCCONNECT", "sim:", "CNCRESUME", "Contour", "2", "CNCARM", "Stream");
-        Assert.NotNull(talk.Session.Machine.Armed);
+        Assert.NotNull(talk.Session.Machine.Arming.Armed);
         await talk.TypeAsync("CNCRESUME", "Whole");
-        Assert.Null(talk.Session.Machine.Part);
-        Assert.Null(talk.Session.Machine.Armed);
+        Assert.Null(talk.Session.Machine.Runs.Part);
+        Assert.Null(talk.Session.Machine.Arming.Armed);
         await talk.TypeAsync("CNCRESUME", "Contour", "2", "REVERSE", "ALL", "");
 
-        Assert.Null(talk.Session.Machine.Part);
+        Assert.Null(talk.Session.Machine.Runs.Part);
     }
 
     [Theory]
@@ -72,11 +72,11 @@ public class ResumeCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "CNCCONNECT", "sim:", "CNCRESUME", "Contour", "2");
-        Assert.NotNull(talk.Session.Machine.Part);
+        Assert.NotNull(talk.Session.Machine.Runs.Part);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(change));
 
-        Assert.Null(talk.Session.Machine.Part);
+        Assert.Null(talk.Session.Machine.Runs.Part);
         Assert.Contains("START cuts the whole drawing.", talk.Said, StringComparison.Ordinal);
     }
 
@@ -90,10 +90,10 @@ public class ResumeCommandTests
         Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCRESUME", "Leadin", "1001"));
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("2.5"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
-        Assert.Equal(2.5, talk.Session.Machine.Part!.Request.LeadInMm);
+        Assert.Equal(2.5, talk.Session.Machine.Runs.Part!.Request.LeadInMm);
         await talk.TypeAsync("CNCRESUME", "Whole", "CNCRESUME", "");
 
-        Assert.Equal(2.5, talk.Session.Machine.Part!.Request.LeadInMm);
+        Assert.Equal(2.5, talk.Session.Machine.Runs.Part!.Request.LeadInMm);
     }
 
     /// <summary>Two plates in two fixtures: the rest of the first is not cut in the fixture of the second.</summary>
@@ -103,7 +103,7 @@ public class ResumeCommandTests
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "CNCCONNECT", "sim:", "CNCZERO", "All");
         await StopInTheMiddleAsync(talk);
-        var journal = talk.Session.Machine.LastRun!.Journal!;
+        var journal = talk.Session.Machine.Runs.LastRun!.Journal!;
         await talk.TypeAsync("CNCORIGIN", "G55", "CNCGOTO", "80,40", "CNCZERO", "All", "CNCRESUME", journal, "CNCARM", "Stream");
         var there = talk.Session.Machine.Status.MachinePosition;
 
@@ -113,10 +113,10 @@ public class ResumeCommandTests
         Assert.Contains("started with the drawing zero at 0,0 mm, but work origin G55 is now at 80,40 mm", talk.Said, StringComparison.Ordinal);
         Assert.Equal(there, talk.Session.Machine.Status.MachinePosition);
         await talk.TypeAsync("CNCRESUME", "Origin", journal, "CNCARM", "Stream");
-        Assert.True(talk.Session.Machine.Part!.Request.AtOrigin);
+        Assert.True(talk.Session.Machine.Runs.Part!.Request.AtOrigin);
         await talk.TypeAsync("CNCORIGIN", "G54", "CNCRESUME", journal, "CNCARM", "Stream");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
-        Assert.Equal((JobOutcome.Complete, 0.0), (talk.Session.Machine.LastRun!.Result.Outcome, talk.Session.Machine.LastRun.Judgement.MissingLengthMm));
+        Assert.Equal((JobOutcome.Complete, 0.0), (talk.Session.Machine.Runs.LastRun!.Result.Outcome, talk.Session.Machine.Runs.LastRun.Judgement.MissingLengthMm));
     }
 
     [Fact]
@@ -127,14 +127,14 @@ public class ResumeCommandTests
         var refused = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRESUME", "no such journal"));
 
         Assert.Contains("cannot be read", refused.Sentence, StringComparison.Ordinal);
-        Assert.Null(talk.Session.Machine.Part);
+        Assert.Null(talk.Session.Machine.Runs.Part);
     }
 
     private static async Task StopInTheMiddleAsync(CommandTalk talk)
     {
         StopAt(talk, progress => progress.SegmentsExecuted > 5);
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes"));
-        Assert.Equal(JobOutcome.Stopped, talk.Session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Stopped, talk.Session.Machine.Runs.LastRun!.Result.Outcome);
     }
 
     /// <summary>Once, and only in the first job.</summary>
@@ -143,9 +143,9 @@ public class ResumeCommandTests
         var stopped = false;
         talk.Session.Machine.Changed += (_, _) =>
         {
-            if (stopped || talk.Session.Machine is not { IsRunning: true, Progress: { } progress } || !when(progress)) return;
+            if (stopped || talk.Session.Machine is not { IsRunning: true, Runs.Progress: { } progress } || !when(progress)) return;
             stopped = true;
-            talk.Session.Machine.Stop();
+            talk.Session.Machine.Controls.Stop();
         };
     }
 }

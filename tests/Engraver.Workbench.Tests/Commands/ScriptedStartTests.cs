@@ -32,7 +32,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         await using var session = await SessionAsync(desktop: false, "CNCARM Stream\nCNCRUN\n");
 
         Assert.IsType<InputResult.Done>(await RunScriptAsync(session));
-        Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, session.Machine.Runs.LastRun!.Result.Outcome);
     }
 
     [Fact]
@@ -51,9 +51,9 @@ public sealed class ScriptedStartTests : IAsyncDisposable
 
         Assert.Contains("START", Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Sentence, StringComparison.Ordinal);
         AssertNothingMoved(session);
-        Assert.NotNull(session.Machine.Armed);
+        Assert.NotNull(session.Machine.Arming.Armed);
         Assert.IsType<InputResult.Done>(await session.EnterAsync("CNCRUN", CancellationToken.None));
-        Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, session.Machine.Runs.LastRun!.Result.Outcome);
     }
 
     [Fact]
@@ -68,7 +68,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         Assert.Contains("START", end.Sentence, StringComparison.Ordinal);
         Assert.Contains(_said, text => text == end.Sentence);
         AssertNothingMoved(session);
-        Assert.NotNull(session.Machine.Armed);
+        Assert.NotNull(session.Machine.Arming.Armed);
     }
 
     [Fact]
@@ -105,7 +105,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
 
     private void AssertNothingMoved(CommandSession session)
     {
-        Assert.Null(session.Machine.LastRun);
+        Assert.Null(session.Machine.Runs.LastRun);
         Assert.All(_controller.Record.Snapshot(), sample => Assert.Equal((0, 0), (sample.A, sample.B)));
     }
 }

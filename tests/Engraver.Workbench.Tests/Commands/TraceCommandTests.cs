@@ -14,14 +14,14 @@ public class TraceCommandTests
     public async Task The_last_run_of_a_drawing_is_shown_over_it_and_taken_away()
     {
         await using var talk = await AfterTwoRunsAsync();
-        var last = talk.Session.Machine.Recorded!;
+        var last = talk.Session.Machine.Runs.Recorded!;
         await talk.TypeAsync("CNCTRACE", "Off");
-        Assert.Null(talk.Session.Machine.Recorded);
+        Assert.Null(talk.Session.Machine.Runs.Recorded);
         await talk.TypeAsync("SHOW", "RECorded", "OFF");
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTRACE", "LAst"));
 
-        var shown = talk.Session.Machine.Recorded!;
+        var shown = talk.Session.Machine.Runs.Recorded!;
         Assert.Equal(last.Trace.Places.Count, shown.Trace.Places.Count);
         Assert.Same(talk.State.Drawing, shown.Job.Drawing);
         Assert.True(talk.Session.View.Current.Shown.HasFlag(CanvasLayers.Recorded));
@@ -41,7 +41,7 @@ public class TraceCommandTests
         {
             await talk.TypeAsync("CNCTRACE", "Off");
             Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTRACE", "File", file));
-            Assert.NotNull(talk.Session.Machine.Recorded);
+            Assert.NotNull(talk.Session.Machine.Runs.Recorded);
         }
     }
 
@@ -52,14 +52,14 @@ public class TraceCommandTests
         await talk.TypeAsync("CNCTRACE", "LIst");
         var file = talk.Said.Split('\n').Last(line => line.EndsWith(".trace.csv", StringComparison.Ordinal));
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
-        var before = talk.Session.Machine.Recorded;
+        var before = talk.Session.Machine.Runs.Recorded;
 
         Assert.Contains("does not match gasket.dxf: it cut another drawing or other layers", Failure(await talk.TypeAsync("CNCTRACE", "File", file)), StringComparison.Ordinal);
         Assert.Contains("No run of gasket.dxf is stored", Failure(await talk.TypeAsync("CNCTRACE", "LAst")), StringComparison.Ordinal);
         Assert.Contains("cannot be read", Failure(await talk.TypeAsync("CNCTRACE", "File", "nowhere.jsonl")), StringComparison.Ordinal);
         await File.WriteAllTextAsync(talk.PathOf("odd.trace.csv"), "# record; version 9; drawing x\n");
         Assert.Contains("its version is 9", Failure(await talk.TypeAsync("CNCTRACE", "File", "odd.trace.csv")), StringComparison.Ordinal);
-        Assert.Same(before, talk.Session.Machine.Recorded);
+        Assert.Same(before, talk.Session.Machine.Runs.Recorded);
     }
 
     [Fact]

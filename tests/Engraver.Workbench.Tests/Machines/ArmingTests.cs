@@ -24,7 +24,7 @@ public class ArmingTests
 
         Assert.Equal(MachineState.Ready, status.State);
         Assert.InRange(bench.Time.GetUtcNow() - begun, TimeSpan.FromSeconds(59.9), TimeSpan.FromSeconds(60.5));
-        Assert.Null(bench.Machine.Armed);
+        Assert.Null(bench.Machine.Arming.Armed);
     }
 
     [Fact]
@@ -34,11 +34,11 @@ public class ArmingTests
         Arm(bench);
         bench.Controller.SetInput(3, level: false);
 
-        var until = bench.Machine.Armed!.Until;
+        var until = bench.Machine.Arming.Armed!.Until;
         var status = await bench.UntilAsync(status => status.State == MachineState.Ready);
 
         Assert.True(status.Time < until - TimeSpan.FromSeconds(50), "it was the minute that ended it");
-        Assert.Null(bench.Machine.Armed);
+        Assert.Null(bench.Machine.Arming.Armed);
     }
 
     [Fact]
@@ -47,23 +47,23 @@ public class ArmingTests
         await using var bench = await MachineBench.ConnectedAsync();
         Action[] changes =
         [
-            () => bench.Machine.Stop(),
+            () => bench.Machine.Controls.Stop(),
             () => bench.Machine.Profile = bench.Machine.Profile with { FeedMmPerMinute = 600 },
-            () => bench.Machine.Disarm(),
+            () => bench.Machine.Arming.Disarm(),
         ];
         foreach (var change in changes)
         {
             Arm(bench);
             change();
-            Assert.Null(bench.Machine.Armed);
+            Assert.Null(bench.Machine.Arming.Armed);
         }
 
         Arm(bench);
-        await bench.Machine.Terminal.TypeAsync("MG 1", bench.Limit);
-        Assert.Null(bench.Machine.Armed);
+        await bench.Machine.Connection.Terminal.TypeAsync("MG 1", bench.Limit);
+        Assert.Null(bench.Machine.Arming.Armed);
         Arm(bench);
-        await bench.Machine.DisconnectAsync();
-        Assert.Null(bench.Machine.Armed);
+        await bench.Machine.Connection.DisconnectAsync();
+        Assert.Null(bench.Machine.Arming.Armed);
     }
 
     [Fact]
@@ -101,10 +101,10 @@ public class ArmingTests
     {
         await using var bench = await MachineBench.ConnectedAsync();
         var job = MachineBench.Job();
-        Assert.NotNull(await bench.Machine.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit));
+        Assert.NotNull(await bench.Machine.Origins.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit));
         await bench.Controller.DisposeAsync();
 
-        Assert.Null(await bench.Machine.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit)); // It was not polled since.
+        Assert.Null(await bench.Machine.Origins.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit)); // nobody has looked since
         Assert.Equal((MachineState.Fault, true), (bench.Machine.Status.State, bench.Machine.Status.IsLinkLost));
     }
 
@@ -140,14 +140,14 @@ public class ArmingTests
         talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Status is { ToolCommanded: true, WorkPosition.X: > 60 }) cutting.TrySetResult(); };
         var job = talk.TypeAsync("CNCRUN");
         await cutting.Task.WaitAsync(limit.Token);
-        talk.Session.Machine.Stop();
+        talk.Session.Machine.Controls.Stop();
         await job.WaitAsync(limit.Token);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         var said = talk.Said.Split('\n').Last(line => line.StartsWith("WARN", StringComparison.Ordinal));
         Assert.Contains("The last job on this machine ended early: stopped by the operator.", said, StringComparison.Ordinal);
         Assert.Contains("The drawing's zero is at machine position 0,0 mm.", talk.Said, StringComparison.Ordinal); // Set by the first job, wherever the stop left the machine.
-        Assert.True(Assert.Single(talk.Session.Machine.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
+        Assert.True(Assert.Single(talk.Session.Machine.Arming.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
     }
 
     [Fact]
@@ -173,7 +173,7 @@ public class ArmingTests
         await using var bench = await MachineBench.ConnectedAsync();
         var failed = new ArmingChecklist([new ArmingCheck(false, "no")]);
 
-        Assert.Throws<InvalidOperationException>(() => bench.Machine.Arm(MachineBench.Job(), JobMode.Stream.Strategy(), dryRun: false, failed));
+        Assert.Throws<InvalidOperationException>(() => bench.Machine.Runs.Arm(MachineBench.Job(), JobMode.Stream.Strategy(), dryRun: false, failed));
     }
 
     [Fact]
@@ -185,9 +185,9 @@ public class ArmingTests
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
 
-        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.LastRun!.Result.Outcome);
-        Assert.Equal("none", talk.Session.Machine.LastRun.Judgement.Source);
-        Assert.Null(talk.Session.Machine.Armed);
+        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.Runs.LastRun!.Result.Outcome);
+        Assert.Equal("none", talk.Session.Machine.Runs.LastRun.Judgement.Source);
+        Assert.Null(talk.Session.Machine.Arming.Armed);
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCRUN"));
     }
 
@@ -217,13 +217,13 @@ public class ArmingTests
         await talk.TypeAsync("CNCMOTORS", "ON");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "F"));
-        Assert.Null(talk.Session.Machine.Armed);
+        Assert.Null(talk.Session.Machine.Arming.Armed);
     }
 
     private static void Arm(MachineBench bench)
     {
         var job = MachineBench.Job();
-        bench.Machine.Arm(job, JobMode.Stream.Strategy(), dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false, MachineBench.Placed, bench.Time.GetUtcNow()));
+        bench.Machine.Runs.Arm(job, JobMode.Stream.Strategy(), dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false, MachineBench.Placed, bench.Time.GetUtcNow()));
         Assert.Equal(MachineState.Armed, bench.Machine.Status.State);
     }
 }

@@ -19,12 +19,12 @@ public sealed class FrameTests : IDisposable
     public async Task The_frame_is_gone_round_at_the_origin_that_is_set_and_the_tool_is_never_on(FrameShape shape)
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        await bench.Machine.SetOriginAsync((memory, _) => memory.WithOrigin("G54", 3000, 2000, null), bench.Limit);
+        await bench.Machine.Origins.SetAsync((memory, _) => memory.WithOrigin("G54", 3000, 2000, null), bench.Limit);
         var before = bench.Controller.Record.Snapshot().Count;
 
         var states = new List<MachineState>();
         bench.Machine.Changed += (_, _) => states.Add(bench.Machine.Status.State);
-        var result = await bench.Machine.FrameAsync(JobFrame.Of(MachineBench.Job(), shape)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
+        var result = await bench.Machine.Runs.FrameAsync(JobFrame.Of(MachineBench.Job(), shape)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
 
         Assert.True(result.Outcome == JobOutcome.Complete, result.Sentence);
         var samples = bench.Controller.Record.Snapshot().Skip(before).ToList();
@@ -39,17 +39,17 @@ public sealed class FrameTests : IDisposable
     public async Task Without_an_origin_nothing_moves_and_the_state_says_what_to_do()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        await bench.Machine.GoToAsync(new CountsPoint(5000, 0), Path.Combine(_folder.FullName, "goto.jsonl"), feed: null, bench.Limit);
+        await bench.Machine.Hand.GoToAsync(new CountsPoint(5000, 0), Path.Combine(_folder.FullName, "goto.jsonl"), feed: null, bench.Limit);
         Assert.Equal(MachineState.NoOrigin, bench.Machine.Status.State);
         Assert.Contains("CNCZERO", bench.Machine.Status.Reason, StringComparison.Ordinal);
         var before = bench.Controller.Record.Snapshot().Count;
 
-        var result = await bench.Machine.FrameAsync(JobFrame.Of(MachineBench.Job(), FrameShape.Rectangle)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
+        var result = await bench.Machine.Runs.FrameAsync(JobFrame.Of(MachineBench.Job(), FrameShape.Rectangle)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
 
         Assert.Equal((JobOutcome.Refused, "JOB0008", before), (result.Outcome, Assert.Single(result.Diagnostics).Id, bench.Controller.Record.Snapshot().Count));
-        await bench.Machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, here.Position.Y, null), bench.Limit);
+        await bench.Machine.Origins.SetAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, here.Position.Y, null), bench.Limit);
         Assert.Equal(MachineState.Ready, bench.Machine.Status.State);
-        Assert.Null(bench.Machine.ChooseOrigin("G55"));
+        Assert.Null(bench.Machine.Origins.Choose("G55"));
         Assert.Equal(MachineState.NoOrigin, bench.Machine.Status.State);
     }
 
@@ -68,7 +68,7 @@ public sealed class FrameTests : IDisposable
             if (under.Length == 0 && bench.Machine.Status is { State: MachineState.Moving, MachinePosition.X: > 10.0 }) under = Ask(bench, Limits);
         };
 
-        var result = await bench.Machine.FrameAsync(JobFrame.Of(job, FrameShape.Rectangle)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
+        var result = await bench.Machine.Runs.FrameAsync(JobFrame.Of(job, FrameShape.Rectangle)!, Path.Combine(_folder.FullName, "frame.jsonl"), bench.Limit);
 
         Assert.True(result.Outcome == JobOutcome.Complete, result.Sentence);
         Assert.Equal(" 155001.0000 -10001.0000 200001.0000 -20001.0000\r\n:", under);
@@ -115,7 +115,7 @@ public sealed class FrameTests : IDisposable
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCFRAME", "Hull"));
         Assert.Contains("Frame complete. The tool was off.", talk.Said, StringComparison.Ordinal);
         Assert.Equal("CNCFRAME", talk.Session.Catalog.Find("cncframe")!.Info.Name);
-        Assert.Null(talk.Session.Machine.LastRun);
+        Assert.Null(talk.Session.Machine.Runs.LastRun);
     }
 
     public void Dispose() => _folder.Delete(recursive: true);

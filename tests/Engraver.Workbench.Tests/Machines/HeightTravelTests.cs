@@ -48,7 +48,7 @@ public sealed class HeightTravelTests
         Assert.Equal((0.0, 0.0), (talk.Session.Machine.Status.MachinePosition!.Value.X, talk.Session.Machine.Status.MachineHeight));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
-        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.Runs.LastRun!.Result.Outcome);
     }
 
     [Fact]
@@ -80,11 +80,11 @@ public sealed class HeightTravelTests
         var file = Path.Combine(folder.FullName, "mill.json");
         await File.WriteAllTextAsync(file, Mill("-50", "50"), bench.Limit);
         var mill = bench.Machine.Profile = MachineProfileSource.Load(file);
-        await bench.Machine.SetOriginAsync((memory, _) => memory.WithOrigin("G54", 0, 0, 1600), bench.Limit);
+        await bench.Machine.Origins.SetAsync((memory, _) => memory.WithOrigin("G54", 0, 0, 1600), bench.Limit);
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(5, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings { Machine = mill }, mode.Strategy().Style);
         var before = bench.Controller.Record.Snapshot().Count;
 
-        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new MachineRunOptions(address, mode.Strategy()) { JournalPath = Path.Combine(folder.FullName, "job.jsonl"), DryRun = dryRun }, bench.Limit);
+        var report = await bench.Machine.Runs.RunAsync(job, job.Motion.Program!, address => new MachineRunOptions(address, mode.Strategy()) { JournalPath = Path.Combine(folder.FullName, "job.jsonl"), DryRun = dryRun }, bench.Limit);
 
         Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Sentence);
         var heights = MotionExtents.Of(job.Motion.Program!).Heights(mill, dryRun)!.Value;

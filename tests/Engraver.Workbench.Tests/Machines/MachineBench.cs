@@ -40,7 +40,7 @@ internal sealed class MachineBench : IAsyncDisposable
         var end = await bench.Controller.ListenTcpAsync(0, bench.Limit);
         var clock = await bench.Controller.ListenClockAsync(bench.Limit);
         bench.Address = FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}");
-        await bench.Machine.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"{bench.Address}?clock={clock.Port}")), bench.Limit);
+        await bench.Machine.Connection.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"{bench.Address}?clock={clock.Port}")), bench.Limit);
         return bench;
     }
 

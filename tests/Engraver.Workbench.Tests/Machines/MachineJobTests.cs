@@ -22,7 +22,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task Progress_tells_what_is_engraved_and_where_the_machine_is()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse("sim:"), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse("sim:"), _limit.Token);
         List<MachineStatus> seen = [];
         machine.Changed += (_, _) => { lock (seen) seen.Add(machine.Status); };
         var report = await RunAsync(machine, MachineBench.Job());
@@ -47,7 +47,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task The_second_job_keeps_machine_and_work_coordinates_apart()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse("sim:"), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse("sim:"), _limit.Token);
         await RunAsync(machine, MachineBench.Job());
         var first = machine.Status.MachinePosition!.Value;
         await RunAsync(machine, MachineBench.Job());
@@ -61,12 +61,12 @@ public sealed class MachineJobTests : IDisposable
     public async Task Stop_from_another_thread_stops_at_once_although_the_caller_of_the_job_is_blocked()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
 
         var stopped = false;
-        var input = new Thread(() => stopped = machine.Stop());
+        var input = new Thread(() => stopped = machine.Controls.Stop());
         input.Start();
         input.Join();
         Assert.True(stopped);
@@ -79,12 +79,12 @@ public sealed class MachineJobTests : IDisposable
     public async Task Stopping_is_told_from_the_press_to_the_standstill()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var slow = new DrawingSettings { Machine = MachineProfile.Default with { AccelerationCounts = 10_240 } }; // It decelerates for a second.
         var running = RunAsync(machine, JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Build(), slow, MotionStyle.Continuous));
         await SeenAsync(machine, status => status is { State: MachineState.Running, WorkPosition.X: > 5.0 });
         var told = SeenAsync(machine, status => status.State == MachineState.Stopping);
-        machine.Stop();
+        machine.Controls.Stop();
         await told;
         await running.WaitAsync(_limit.Token);
 
@@ -95,10 +95,10 @@ public sealed class MachineJobTests : IDisposable
     public async Task Abort_in_a_job_ends_it_with_the_motors_off()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
-        Assert.True(machine.Abort());
+        Assert.True(machine.Controls.Abort());
 
         Assert.NotEqual(JobOutcome.Complete, (await running.WaitAsync(_limit.Token)).Result.Outcome);
         await SeenAsync(machine, status => status.State == MachineState.MotorsOff);
@@ -113,11 +113,11 @@ public sealed class MachineJobTests : IDisposable
         var line = Path.Combine(folder.FullName, "tty");
         await controller.ServeSerialAsync(line, 115200, _limit.Token);
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse($"serial://{line}?baud=115200"), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse($"serial://{line}?baud=115200"), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
 
-        Assert.False(machine.Abort());
+        Assert.False(machine.Controls.Abort());
 
         Assert.Equal(JobOutcome.Stopped, (await running.WaitAsync(_limit.Token)).Result.Outcome);
         await SeenAsync(machine, status => status is { State: MachineState.Stopped, MotorsOn: true, ToolCommanded: false });
@@ -131,7 +131,7 @@ public sealed class MachineJobTests : IDisposable
         var end = await controller.ListenTcpAsync(0, _limit.Token);
         var clock = await controller.ListenClockAsync(_limit.Token);
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}?clock={clock.Port}")), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}?clock={clock.Port}")), _limit.Token);
         machine.Changed += (_, _) => { if (machine.Status is { State: MachineState.Running, Progress.SegmentsDone: > 0 }) controller.DropConnections(); };
         var report = await RunAsync(machine, MachineBench.Job());
 
@@ -166,7 +166,7 @@ public sealed class MachineJobTests : IDisposable
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = 1 });
         var end = await controller.ListenTcpAsync(0, _limit.Token);
         var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}")), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}")), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
 
@@ -177,14 +177,51 @@ public sealed class MachineJobTests : IDisposable
     }
 
     [Fact]
+    public async Task Disconnecting_while_a_job_runs_stops_the_machine_first()
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 1 });
+        var end = await controller.ListenTcpAsync(0, _limit.Token);
+        await using var machine = new MachineSession(TimeProvider.System);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}")), _limit.Token);
+        var running = RunAsync(machine, MachineBench.Job());
+        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+
+        await machine.Connection.DisconnectAsync();
+
+        Assert.Equal(JobOutcome.Stopped, (await running.WaitAsync(_limit.Token)).Result.Outcome);
+        Assert.Equal((true, 0), (controller.Status.IsIdle, (int)controller.Status.Outputs));
+        Assert.Equal((null, MachineState.Offline), (machine.Connection.Description, machine.Status.State));
+    }
+
+    [Fact]
+    public async Task While_a_job_runs_no_other_motion_begins_and_the_job_goes_on()
+    {
+        await using var machine = new MachineSession(TimeProvider.System);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        var running = RunAsync(machine, MachineBench.Job());
+        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+        var journal = Path.Combine(_folder.FullName, "hand.jsonl");
+
+        await Assert.ThrowsAsync<InvalidOperationException>(() => RunAsync(machine, MachineBench.Job()));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Hand.GoToAsync(default, journal, null, _limit.Token));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Hand.StepAsync(default, false, journal, null, _limit.Token));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Hand.SetMotorsAsync(false, _limit.Token));
+        await Assert.ThrowsAsync<InvalidOperationException>(() => machine.Connection.ConnectAsync(ControllerAddress.Parse("sim:"), _limit.Token));
+        Assert.Equal(MachineState.Running, machine.Status.State);
+        machine.Controls.Stop();
+
+        Assert.Equal(JobOutcome.Stopped, (await running.WaitAsync(_limit.Token)).Result.Outcome);
+    }
+
+    [Fact]
     public async Task A_terminal_line_typed_while_a_job_runs_is_withheld()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
+        await machine.Connection.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
-        var answer = Assert.Single(await machine.Terminal.TypeAsync("MG 1", _limit.Token));
-        machine.Stop();
+        var answer = Assert.Single(await machine.Connection.Terminal.TypeAsync("MG 1", _limit.Token));
+        machine.Controls.Stop();
         await running.WaitAsync(_limit.Token);
 
         Assert.Contains("A job is running", answer.Text, StringComparison.Ordinal);
@@ -196,7 +233,7 @@ public sealed class MachineJobTests : IDisposable
         _folder.Delete(recursive: true);
     }
 
-    private Task<MachineRunReport> RunAsync(MachineSession machine, PreparedJob job) => machine.RunAsync(
+    private Task<MachineRunReport> RunAsync(MachineSession machine, PreparedJob job) => machine.Runs.RunAsync(
         job, job.Motion.Program!, address => new MachineRunOptions(address, JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, $"{Guid.NewGuid():N}.jsonl") }, CancellationToken.None);
 
     private async Task SeenAsync(MachineSession machine, Func<MachineStatus, bool> wanted)

@@ -58,9 +58,9 @@ public class MachineWatchTests
     {
         await using var bench = await MachineBench.ConnectedAsync();
 
-        Assert.Null(await bench.Machine.SetMotorsAsync(on: false, bench.Limit));
+        Assert.Null(await bench.Machine.Hand.SetMotorsAsync(on: false, bench.Limit));
         Assert.Equal(MachineState.MotorsOff, bench.Machine.Status.State);
-        Assert.Null(await bench.Machine.SetMotorsAsync(on: true, bench.Limit));
+        Assert.Null(await bench.Machine.Hand.SetMotorsAsync(on: true, bench.Limit));
         Assert.Equal(MachineState.Ready, bench.Machine.Status.State);
     }
 
@@ -68,10 +68,10 @@ public class MachineWatchTests
     public async Task Stop_with_no_job_still_stops_what_somebody_else_has_begun()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        await bench.Machine.Terminal.TypeAsync("SB 1;SPA=1000;PRA=2000000000;BGA", bench.Limit);
+        await bench.Machine.Connection.Terminal.TypeAsync("SB 1;SPA=1000;PRA=2000000000;BGA", bench.Limit);
         Assert.True(bench.Controller.Status.IsMoving);
 
-        Assert.False(bench.Machine.Stop());
+        Assert.False(bench.Machine.Controls.Stop());
         var stopped = await bench.Controller.WaitUntilAsync(status => !status.IsMoving && status.Outputs == 0, bench.Limit);
 
         Assert.True(stopped.IsIdle);
@@ -81,9 +81,9 @@ public class MachineWatchTests
     public async Task Abort_leaves_the_motors_off()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        await bench.Machine.Terminal.TypeAsync("SPA=1000;PRA=2000000000;BGA", bench.Limit);
+        await bench.Machine.Connection.Terminal.TypeAsync("SPA=1000;PRA=2000000000;BGA", bench.Limit);
 
-        Assert.True(bench.Machine.Abort());
+        Assert.True(bench.Machine.Controls.Abort());
         var status = await bench.UntilAsync(status => status.State == MachineState.MotorsOff);
 
         Assert.False(bench.Controller.Status.IsMoving);
@@ -94,7 +94,7 @@ public class MachineWatchTests
     public async Task A_controller_at_work_for_somebody_else_is_busy()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        await bench.Machine.Terminal.TypeAsync("SPA=1000;PRA=2000000000;BGA", bench.Limit);
+        await bench.Machine.Connection.Terminal.TypeAsync("SPA=1000;PRA=2000000000;BGA", bench.Limit);
 
         Assert.Equal(MachineState.Busy, (await bench.UntilAsync(status => status.State != MachineState.Ready)).State);
     }
@@ -103,13 +103,13 @@ public class MachineWatchTests
     public async Task The_terminal_keeps_what_was_typed_answered_and_withheld()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        await bench.Machine.Terminal.TypeAsync("MG 1+1", bench.Limit);
-        await bench.Machine.Terminal.TypeAsync("XYZZY", bench.Limit);
-        await bench.Machine.Terminal.TypeAsync("RS", bench.Limit);
+        await bench.Machine.Connection.Terminal.TypeAsync("MG 1+1", bench.Limit);
+        await bench.Machine.Connection.Terminal.TypeAsync("XYZZY", bench.Limit);
+        await bench.Machine.Connection.Terminal.TypeAsync("RS", bench.Limit);
 
-        var kinds = bench.Machine.Terminal.Lines.Select(line => line.Kind).ToList();
+        var kinds = bench.Machine.Connection.Terminal.Lines.Select(line => line.Kind).ToList();
         Assert.Equal([null, TerminalAnswerKind.Reply, null, TerminalAnswerKind.Refusal, null, TerminalAnswerKind.Withheld], kinds);
-        Assert.Equal("2", bench.Machine.Terminal.Lines[1].Text.TrimEnd('0', '.').Trim());
+        Assert.Equal("2", bench.Machine.Connection.Terminal.Lines[1].Text.TrimEnd('0', '.').Trim());
         Assert.Contains("1 ", bench.Machine.Status.LastRefusal, StringComparison.Ordinal);
     }
 
@@ -117,10 +117,10 @@ public class MachineWatchTests
     public async Task After_disconnecting_the_machine_is_offline_and_the_controller_has_its_handles_back()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        await bench.Machine.DisconnectAsync();
+        await bench.Machine.Connection.DisconnectAsync();
 
         Assert.Equal(MachineState.Offline, bench.Machine.Status.State);
         Assert.True((await bench.Controller.WaitUntilAsync(status => status.OpenHandles == 0, bench.Limit)).IsIdle);
-        Assert.Equal(TerminalAnswerKind.Withheld, Assert.Single(await bench.Machine.Terminal.TypeAsync("MG 1", bench.Limit)).Kind);
+        Assert.Equal(TerminalAnswerKind.Withheld, Assert.Single(await bench.Machine.Connection.Terminal.TypeAsync("MG 1", bench.Limit)).Kind);
     }
 }

@@ -15,13 +15,13 @@ public sealed class OperatorPresenceTests : IDisposable
     public async Task A_jog_of_which_no_sign_is_heard_is_braked_and_one_with_signs_goes_on(bool staysReady)
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        using var jog = bench.Machine.Presence.Begin(new JogVelocity(600, 0));
+        using var jog = bench.Machine.Hand.Presence.Begin(new JogVelocity(600, 0));
         var jogging = await JoggingAsync(bench, jog, staysReady);
 
         for (var beat = 0; beat < 40; beat++)
         {
             bench.Time.Advance(OperatorPresence.Beat);
-            bench.Machine.Presence.Sign();
+            bench.Machine.Hand.Presence.Sign();
         }
 
         bench.Time.Advance(TimeSpan.FromMilliseconds(290));
@@ -38,17 +38,17 @@ public sealed class OperatorPresenceTests : IDisposable
     public async Task An_operator_who_leaves_releases_every_jog_at_once_and_a_released_jog_is_not_lost()
     {
         await using var bench = await MachineBench.ConnectedAsync();
-        using var jog = bench.Machine.Presence.Begin(new JogVelocity(0, -600));
+        using var jog = bench.Machine.Hand.Presence.Begin(new JogVelocity(0, -600));
         var jogging = await JoggingAsync(bench, jog, staysReady: false);
 
-        bench.Machine.Presence.Leave();
+        bench.Machine.Hand.Presence.Leave();
 
         Assert.True(jog.IsReleased);
         Assert.False(await jog.Lost);
         Assert.Equal(JobOutcome.Complete, (await jogging.WaitAsync(bench.Limit)).Outcome);
-        using var other = bench.Machine.Presence.Begin(new JogVelocity(0, 600));
+        using var other = bench.Machine.Hand.Presence.Begin(new JogVelocity(0, 600));
         other.Release();
-        bench.Machine.Presence.Leave();
+        bench.Machine.Hand.Presence.Leave();
         bench.Time.Advance(TimeSpan.FromSeconds(2));
         Assert.False(other.Lost.IsCompleted);
     }
@@ -59,18 +59,18 @@ public sealed class OperatorPresenceTests : IDisposable
     {
         await using var bench = await MachineBench.ConnectedAsync();
         var told = new List<bool>();
-        bench.Machine.Changed += (_, _) => told.Add(bench.Machine.Presence.IsNeeded);
-        using (var jog = bench.Machine.Presence.Begin(new JogVelocity(600, 0)))
+        bench.Machine.Changed += (_, _) => told.Add(bench.Machine.Hand.Presence.IsNeeded);
+        using (var jog = bench.Machine.Hand.Presence.Begin(new JogVelocity(600, 0)))
         {
-            Assert.True(bench.Machine.Presence.IsNeeded);
+            Assert.True(bench.Machine.Hand.Presence.IsNeeded);
             bench.Time.Advance(TimeSpan.FromMilliseconds(350));
             Assert.True(jog.IsReleased);
-            var result = await bench.Machine.JogAsync(jog, Path.Combine(_folder.FullName, "jog.jsonl"), bench.Limit).WaitAsync(bench.Limit);
+            var result = await bench.Machine.Hand.JogAsync(jog, Path.Combine(_folder.FullName, "jog.jsonl"), bench.Limit).WaitAsync(bench.Limit);
             Assert.DoesNotContain(bench.Controller.Record.Snapshot(), sample => sample.A != 0);
             Assert.NotEqual(JobOutcome.LinkLost, result.Outcome);
         }
 
-        Assert.False(bench.Machine.Presence.IsNeeded);
+        Assert.False(bench.Machine.Hand.Presence.IsNeeded);
         Assert.Equal((true, false), (told[0], told[^1]));
     }
 
@@ -96,7 +96,7 @@ public sealed class OperatorPresenceTests : IDisposable
     private async Task<Task<JobResult>> JoggingAsync(MachineBench bench, HeldJog jog, bool staysReady)
     {
         var journal = Path.Combine(_folder.FullName, "jog.jsonl");
-        var jogging = staysReady ? bench.Machine.JogAndStayReadyAsync(jog, journal) : bench.Machine.JogAsync(jog, journal, bench.Limit);
+        var jogging = staysReady ? bench.Machine.ReadyJogs.JogAsync(jog, journal) : bench.Machine.Hand.JogAsync(jog, journal, bench.Limit);
         await bench.Controller.WaitUntilAsync(status => status.IsMoving, bench.Limit);
         return jogging;
     }

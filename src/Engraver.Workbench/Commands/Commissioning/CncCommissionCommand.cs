@@ -17,9 +17,9 @@ internal sealed class CncCommissionCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } address) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
-        if (context.IsScripted && !context.Machine.IsSimulation) throw new CommandException(CommandFailure.Usage, Wording.Get("Commission.NotInScript", address));
-        if (context.Machine.IsRunning || !context.Machine.CanBeSetUp) throw new CommandException(CommandFailure.Refused, Wording.Get("Commission.NotPossibleNow"));
+        if (context.Machine.Connection.Description is not { } address) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.IsScripted && !context.Machine.Connection.IsSimulation) throw new CommandException(CommandFailure.Usage, Wording.Get("Commission.NotInScript", address));
+        if (context.Machine.IsRunning || !context.Machine.Setup.IsPossible) throw new CommandException(CommandFailure.Refused, Wording.Get("Commission.NotPossibleNow"));
         var machine = await CommissionedMachine.FindAsync(context, cancellation).ConfigureAwait(false);
         var isDone = false;
         context.Commissioning.Begin();

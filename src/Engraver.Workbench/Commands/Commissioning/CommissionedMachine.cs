@@ -5,8 +5,9 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Commands.Commissioning;
 
-/// <summary>The machine being commissioned: its initial settings, the accepted changes, and the profile that results from the answers.</summary>
-internal sealed partial class CommissionedMachine
+/// <summary>The machine that is being commissioned: its state when it was found, what was accepted since, and the profile that the answers describe so
+/// far.</summary>
+internal sealed class CommissionedMachine
 {
     private readonly SetupFacts _found;
     private readonly HashSet<char> _rewired = [];
@@ -17,9 +18,12 @@ internal sealed partial class CommissionedMachine
     {
         (Context, _found) = (context, found);
         Start = Profile = context.Machine.Profile;
+        Moves = new TestMoves(this);
     }
 
     public CommandContext Context { get; }
+
+    public TestMoves Moves { get; }
 
     /// <summary>The profile used to poll and move the controller; it does not change before the end.</summary>
     public MachineProfile Start { get; }
@@ -32,24 +36,24 @@ internal sealed partial class CommissionedMachine
 
     public string Letters => Start.Axes.Letters;
 
-    private MachineSession Session => Context.Machine;
+    private MachineSetup Setup => Context.Machine.Setup;
 
     /// <exception cref="CommandException">The profile names an axis that this controller does not have.</exception>
     public static async Task<CommissionedMachine> FindAsync(CommandContext context, CancellationToken cancellation)
     {
         var letters = context.Machine.Profile.Axes.Letters;
         var known = MachineFamilies.DriverOf(context.Machine.Profile).Limits.Axes;
-        var there = known[..Math.Min(known.Length, context.Machine.Identity!.Axes)];
+        var there = known[..Math.Min(known.Length, context.Machine.Connection.Identity!.Axes)];
         if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, context.Spell(Wording.Get("Commission.AxesDiffer", letters, there)));
-        return new CommissionedMachine(context, await context.Machine.SetUpAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
+        return new CommissionedMachine(context, await context.Machine.Setup.ApplyAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>The current settings of the controller.</summary>
+    /// <summary>The wiring settings of the controller now.</summary>
     public Task<SetupFacts> ReadAsync(CancellationToken cancellation) => SetUpAsync(setup => setup.ReadAsync(Letters, cancellation).AsTask(), cancellation);
 
     /// <summary>Sets a value that the operator has requested.</summary>
     /// <param name="said">Description of the setting for the final summary.</param>
-    /// <returns>False if the controller does not support it; the reason was reported and the initial value is kept.</returns>
+    /// <returns>False when the controller does not have it; the reason was reported, and the earlier value is set again.</returns>
     public async Task<bool> AcceptAsync(SetupValue value, string said, CancellationToken cancellation)
     {
         if (!await TryAsync(value, cancellation).ConfigureAwait(false)) return false;
@@ -72,14 +76,14 @@ internal sealed partial class CommissionedMachine
         Context.Say(said, MessageKind.Result);
     }
 
-    /// <summary>Switches a motor off, because its type can be set only then.</summary>
+    /// <summary>Switches a motor off, because the controller takes its type only then.</summary>
     /// <returns>False if the operator declines or the controller refuses.</returns>
     public async Task<bool> SwitchOffAsync(char axis, CancellationToken cancellation) =>
         (await ReadAsync(cancellation).ConfigureAwait(false))[axis].IsMotorOff
         || (await Context.ConfirmAsync(Wording.Get("Commission.ConfirmMotorOff", axis)).ConfigureAwait(false) && await SwitchAsync(axis, on: false).ConfigureAwait(false));
 
     /// <summary>Switches on the motors that are off, each after a question.</summary>
-    /// <returns>False if one stays off: no move is possible.</returns>
+    /// <returns>False when one of them stays off: then nothing can be moved.</returns>
     public async Task<bool> SwitchAllOnAsync(CancellationToken cancellation)
     {
         var facts = await ReadAsync(cancellation).ConfigureAwait(false);
@@ -97,8 +101,8 @@ internal sealed partial class CommissionedMachine
         return true;
     }
 
-    /// <summary>Restores the initial on or off state of the motors. A motor whose type or encoder was changed, or that ran away, stays off; this is
-    /// reported.</summary>
+    /// <summary>Switches motors off that were found off, and those on that were found on. A motor whose type or encoder was changed, and one that ran away,
+    /// is not switched on by this program: it stays off, which is reported.</summary>
     /// <remarks>A second call does nothing.</remarks>
     public async Task LeaveMotorsAsFoundAsync()
     {
@@ -119,7 +123,10 @@ internal sealed partial class CommissionedMachine
         }
     }
 
-    /// <summary>Reports which changed settings remain in the controller.</summary>
+    /// <summary>Motors that are off now stay off at the end.</summary>
+    public void LeaveMotorsOff() => _rewired.UnionWith(Letters);
+
+    /// <summary>Reports which settings stay in the controller.</summary>
     /// <param name="isDone">The operator was already asked whether to burn them.</param>
     public void SayWhatStays(bool isDone)
     {
@@ -128,9 +135,9 @@ internal sealed partial class CommissionedMachine
         foreach (var said in _accepted) Context.Say(said, MessageKind.Warning);
     }
 
-    /// <exception cref="CommandException">The controller is no longer connected: the link was lost during a move.</exception>
+    /// <exception cref="CommandException">The controller is no longer connected, because the link was lost in a move.</exception>
     private Task<T> SetUpAsync<T>(Func<IMachineSetup, Task<T>> act, CancellationToken cancellation) =>
-        Session.CanBeSetUp ? Session.SetUpAsync(act, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
+        Setup.IsPossible ? Setup.ApplyAsync(act, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
 
     private async Task<bool> SwitchAsync(char axis, bool on)
     {

@@ -19,7 +19,7 @@ internal sealed class DirectionStep : ICommissioningStep
 
     public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
-        await machine.AskSpeedAsync().ConfigureAwait(false);
+        await machine.Moves.AskSpeedAsync().ConfigureAwait(false);
         var prompt = new NumberPrompt(Wording.Get("Commission.EnterDistance")) { Least = 1.0, Most = 1e6, Whole = true, Default = machine.Context.Remembered("CNCCOMMISSION", "1000") };
         var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
         machine.Context.Remember("CNCCOMMISSION", NumberPrompt.Show(counts));
@@ -34,11 +34,11 @@ internal sealed class DirectionStep : ICommissioningStep
     /// <returns>False if something has to be repaired first.</returns>
     private static async Task<bool> AxisAsync(CommissionedMachine machine, char letter, IReadOnlyList<Keyword> ways, int counts, CancellationToken cancellation)
     {
-        if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
+        if (!await machine.Moves.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
         switch (await machine.Context.ChoiceAsync(Wording.Get("Commission.EnterObservedDirection", letter), ways, "Keep").ConfigureAwait(false))
         {
             case "Wild":
-                await machine.RanAwayAsync().ConfigureAwait(false);
+                await machine.Moves.RanAwayAsync().ConfigureAwait(false);
                 return false;
             case "Nothing":
                 machine.Context.Say(Wording.Get("Commission.AxisDidNotMove", letter), MessageKind.Warning);
@@ -48,7 +48,7 @@ internal sealed class DirectionStep : ICommissioningStep
             default: break;
         }
 
-        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false); // It may stay there: its direction is known.
+        await machine.Moves.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false); // it may stay there: which way it goes is known
         return true;
     }
 
@@ -71,7 +71,7 @@ internal sealed class ScaleStep : ICommissioningStep
 
     public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
-        await machine.AskSpeedAsync().ConfigureAwait(false);
+        await machine.Moves.AskSpeedAsync().ConfigureAwait(false);
         var isMeasured = true;
         foreach (var letter in machine.Profile.Axes.Letters) isMeasured &= await AxisAsync(machine, letter, cancellation).ConfigureAwait(false);
         return isMeasured;
@@ -84,10 +84,10 @@ internal sealed class ScaleStep : ICommissioningStep
         var usual = Math.Clamp(Math.Round((letter == machine.Profile.Axes.Z?.Letter ? UsualHeight : UsualWay) * Math.Abs(axis.CountsPerMillimetre)), 1.0, 1e7);
         var prompt = new NumberPrompt(Wording.Get("Commission.EnterCountsToMeasure", letter)) { Least = 1.0, Most = 1e7, Whole = true, Default = NumberPrompt.Show(usual) };
         var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
-        if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
+        if (!await machine.Moves.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
         if (await machine.Context.AskAsync(new NumberPrompt(Wording.Get("Commission.EnterMeasuredDistance", letter)) { Least = 0.001, Most = 1e5, EnterEnds = true }).ConfigureAwait(false) is Answer<double>.Value { Of: var millimetres })
             Take(machine, axis with { CountsPerMillimetre = Math.CopySign(counts / millimetres, axis.CountsPerMillimetre) });
-        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
+        await machine.Moves.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
         return true;
     }
 
@@ -118,7 +118,7 @@ internal sealed class LetterStep : ICommissioningStep
 
     public async Task<bool> RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
-        await machine.AskSpeedAsync().ConfigureAwait(false);
+        await machine.Moves.AskSpeedAsync().ConfigureAwait(false);
         if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return false;
         var drawn = machine.Profile.Axes;
         if (drawn.Scale.Smallest < Coarsest || drawn.Scale.Largest > Finest)
@@ -128,13 +128,13 @@ internal sealed class LetterStep : ICommissioningStep
         }
 
         var farthest = drawn.Scale.ToCounts(new Point2D(LetterF.Width, LetterF.Height));
-        if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmDrawF", drawn.X.Letter, farthest.X, drawn.Y.Letter, farthest.Y, machine.Speed)).ConfigureAwait(false))
+        if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmDrawF", drawn.X.Letter, farthest.X, drawn.Y.Letter, farthest.Y, machine.Moves.Speed)).ConfigureAwait(false))
         {
             machine.Context.Say(Wording.Get("Commission.NotMoved"));
             return false;
         }
 
-        if (!await machine.DrawAsync(LetterF.Program(machine.TestPlane, drawn, machine.Speed), cancellation).ConfigureAwait(false)) return false;
+        if (!await machine.Moves.DrawAsync(LetterF.Program(machine.Moves.TestPlane, drawn, machine.Moves.Speed), cancellation).ConfigureAwait(false)) return false;
         if (await AskAsync(machine, "Commission.LongStrokeDirection").ConfigureAwait(false) is not { } longStroke || await AskAsync(machine, "Commission.BarsDirection").ConfigureAwait(false) is not { } bars) return true;
         if (LetterF.Corrected(drawn, longStroke, bars) is not { } axes)
         {
@@ -171,7 +171,7 @@ internal sealed class OutputStep : ICommissioningStep
             }
 
             if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmOutput", output)).ConfigureAwait(false)) continue;
-            if (!await machine.PulseAsync(output, cancellation).ConfigureAwait(false)) return false;
+            if (!await machine.Moves.PulseAsync(output, cancellation).ConfigureAwait(false)) return false;
             if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ConfirmToolSwitched")).ConfigureAwait(false)) continue;
             machine.Profile = machine.Profile with { ToolOutput = output };
             machine.Context.Say(Wording.Get("Commission.ToolOutputSet", output), MessageKind.Result);

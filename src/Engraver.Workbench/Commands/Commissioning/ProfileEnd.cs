@@ -62,7 +62,7 @@ internal static class ProfileEnd
             return;
         }
 
-        var refused = await context.Machine.SetUpAsync(setup => setup.BurnAsync(cancellation), CancellationToken.None).ConfigureAwait(false);
+        var refused = await context.Machine.Setup.ApplyAsync(setup => setup.BurnAsync(cancellation), CancellationToken.None).ConfigureAwait(false);
         if (refused is not null) throw new CommandException(CommandFailure.Refused, refused);
         context.Say(Wording.Get("Commission.Burned"), MessageKind.Result);
     }

@@ -14,11 +14,11 @@ internal sealed class CncArmCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
         if (await ModeAsync(context).ConfigureAwait(false) is not { } mode)
         {
-            context.Say(context.Machine.Disarm() ? Wording.Get("CncArm.Disarmed") : Wording.Get("CncArm.NothingArmed"));
+            context.Say(context.Machine.Arming.Disarm() ? Wording.Get("CncArm.Disarmed") : Wording.Get("CncArm.NothingArmed"));
             return;
         }
 
@@ -26,12 +26,12 @@ internal sealed class CncArmCommand : ICommand
         JobStart.SayPart(context, job, mode.Strategy);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.ContinueWithErrors")).ConfigureAwait(false);
-        var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
-        var certificate = job.Motion.Program is { } certified ? await StandingAsync(context, job, context.Machine.FitToLink(certified, mode.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
+        var placement = job.Motion.Program is { } program ? await context.Machine.Origins.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
+        var certificate = job.Motion.Program is { } certified ? await StandingAsync(context, job, context.Machine.Connection.FitToLink(certified, mode.Strategy, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
         var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow(), certificate?.Check);
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
-        var armed = context.Machine.Arm(job, mode.Strategy, mode.DryRun, checklist);
+        var armed = context.Machine.Runs.Arm(job, mode.Strategy, mode.DryRun, checklist);
         context.Say(Wording.Get(mode.DryRun ? "CncArm.ArmedToolOff" : "CncArm.Armed", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Strategy.Keyword));
     }
 

@@ -14,9 +14,9 @@ internal sealed class CncConnectCommand : ICommand
         if (!context.Families.TryParseAddress(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncConnect.NotAnAddress", typed));
         try
         {
-            var identity = await context.Machine.ConnectAsync(address is SimulatedAddress { SaysSpeed: false } ? new SimulatedAddress(context.SimulatorSpeed) : address, cancellation).ConfigureAwait(false);
+            var identity = await context.Machine.Connection.ConnectAsync(address is SimulatedAddress { SaysSpeed: false } ? new SimulatedAddress(context.SimulatorSpeed) : address, cancellation).ConfigureAwait(false);
             context.Settings.Change(settings => settings with { LastAddress = typed });
-            context.Say(Wording.Get("CncConnect.Connected", identity.Model, context.Machine.Description));
+            context.Say(Wording.Get("CncConnect.Connected", identity.Model, context.Machine.Connection.Description));
         }
         catch (NotSupportedException unbuilt)
         {
@@ -32,8 +32,8 @@ internal sealed class CncDisconnectCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
-        await context.Machine.DisconnectAsync().ConfigureAwait(false);
+        if (context.Machine.Connection.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
+        await context.Machine.Connection.DisconnectAsync().ConfigureAwait(false);
         context.Say(Wording.Get("CncConnect.Disconnected"));
     }
 }

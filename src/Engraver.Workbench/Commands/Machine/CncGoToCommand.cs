@@ -53,9 +53,9 @@ internal sealed class CncGoToCommand : ICommand
     /// <exception cref="CommandException">The origin is not set, or the controller's zero is lost.</exception>
     private static async Task<CountsPoint> ZeroAsync(CommandContext context, CancellationToken cancellation)
     {
-        var memory = context.Machine.Hold!.Memory;
+        var memory = context.Machine.Connection.Lease!.Memory;
         if (memory.ActiveOrigin?.Plane is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.WorkOriginNotSet", memory.Active));
-        var found = await context.Machine.FindZeroAsync(cancellation).ConfigureAwait(false);
+        var found = await context.Machine.Origins.FindZeroAsync(cancellation).ConfigureAwait(false);
         return found?.Frame ?? throw new CommandException(CommandFailure.Refused, found?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : Wording.Get("CncGoTo.WorkOriginNotSet", memory.Active));
     }
 }

@@ -15,7 +15,7 @@ internal sealed class CncHoldCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (!context.Machine.HoldJob()) throw new CommandException(CommandFailure.Usage, Wording.Get("CncHold.NoJobRuns"));
+        if (!context.Machine.Controls.HoldJob()) throw new CommandException(CommandFailure.Usage, Wording.Get("CncHold.NoJobRuns"));
         context.Say(Wording.Get("CncHold.Holding"));
         return Task.CompletedTask;
     }
@@ -34,14 +34,14 @@ internal sealed class CncResumeCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.ResumeJob())
+        if (context.Machine.Controls.ResumeJob())
         {
             context.Say(Wording.Get("CncResume.Resuming"));
             return;
         }
 
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("CncResume.NothingHeld"));
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
         var atOrigin = false;
         var answer = await AskAsync(context).ConfigureAwait(false);
@@ -53,10 +53,10 @@ internal sealed class CncResumeCommand : ICommand
             answer = await AskAsync(context).ConfigureAwait(false);
         }
 
-        if (answer is Answer<string>.Chosen { Option: "Whole" }) context.Machine.ChoosePart(null);
+        if (answer is Answer<string>.Chosen { Option: "Whole" }) context.Machine.Runs.ChoosePart(null);
         else if (answer is Answer<string>.Value { Of: var journal }) await FromJournalAsync(context, journal, atOrigin, cancellation).ConfigureAwait(false);
         else await FromContourAsync(context).ConfigureAwait(false);
-        if (context.Machine.Part is null) context.Say(Wording.Get("CncResume.Whole"), MessageKind.Result);
+        if (context.Machine.Runs.Part is null) context.Say(Wording.Get("CncResume.Whole"), MessageKind.Result);
     }
 
     private static async Task AskLeadInAsync(CommandContext context)
@@ -66,7 +66,7 @@ internal sealed class CncResumeCommand : ICommand
     }
 
     private static Task<Answer<string>> AskAsync(CommandContext context) =>
-        context.AskAsync(new TextPrompt(Wording.Get("CncResume.EnterJournal", LeadInOf(context))) { Options = s_ways, Default = context.Machine.LastRun?.Journal });
+        context.AskAsync(new TextPrompt(Wording.Get("CncResume.EnterJournal", LeadInOf(context))) { Options = s_ways, Default = context.Machine.Runs.LastRun?.Journal });
 
     /// <summary>Length of the path before the resume position that is cut again, mm.</summary>
     private static double LeadInOf(CommandContext context) => context.Remembered(LeadIn) is { } kept ? double.Parse(kept, CultureInfo.InvariantCulture) : ResumeRequest.UsualLeadInMm;
@@ -93,13 +93,13 @@ internal sealed class CncResumeCommand : ICommand
     private static async Task<(PreparedJob Job, MotionProgram Program, ResumePlace Found)> FindAsync(CommandContext context, ExecutionStrategy strategy, string journal, CancellationToken cancellation)
     {
         var job = await JobStart.PrepareAsync(context, strategy).ConfigureAwait(false);
-        var program = context.Machine.FitToLink(job.Motion.Program!, strategy, job.Drawing).Program;
-        return (job, program, await context.Machine.FindResumeAsync(program, strategy, journal, cancellation).ConfigureAwait(false));
+        var program = context.Machine.Connection.FitToLink(job.Motion.Program!, strategy, job.Drawing).Program;
+        return (job, program, await context.Machine.Runs.FindResumeAsync(program, strategy, journal, cancellation).ConfigureAwait(false));
     }
 
     private static void Choose(CommandContext context, MotionProgram program, JobPart part)
     {
-        context.Machine.ChoosePart(part);
+        context.Machine.Runs.ChoosePart(part);
         context.Say(Wording.Get("CncResume.Chosen", part.Shown.Segments, program.SegmentCount), MessageKind.Result);
     }
 }
@@ -119,7 +119,7 @@ internal sealed class CncOverrideCommand : ICommand
         var rapid = default(double?);
         (slowest, fastest) = (JobControl.RapidRange.Slowest * Percent, JobControl.RapidRange.Fastest * Percent);
         if (feed is null) rapid = await AskAsync(context, Wording.Get("CncOverride.EnterRapid", slowest, fastest), status.RapidRatio, JobControl.RapidRange, []).ConfigureAwait(false);
-        var set = context.Machine.Override(feed, rapid);
+        var set = context.Machine.Controls.Override(feed, rapid);
         context.Say(Wording.Get("CncOverride.Set", set.Feed * Percent, set.Rapid * Percent), MessageKind.Result);
     }
 

@@ -15,11 +15,11 @@ internal sealed class CncHomeCommand : ICommand
         var profile = context.Machine.Profile;
         if (!profile.HasHoming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncHome.NoHoming"));
         foreach (var axis in profile.Axes.All.Where(axis => axis.Homing is not null).OrderBy(axis => axis.Homing!.Order)) context.Say(HomingText.Sentence(axis));
-        if (context.Machine.HomingForgets is { Count: > 0 } lost) context.Say(Wording.Get("CncHome.OriginsNotRestored", string.Join(", ", lost)), MessageKind.Warning);
+        if (context.Machine.Hand.HomingForgets is { Count: > 0 } lost) context.Say(Wording.Get("CncHome.OriginsNotRestored", string.Join(", ", lost)), MessageKind.Warning);
         if (!await context.ConfirmAsync(Wording.Get("CncHome.ConfirmStart")).ConfigureAwait(false)) return;
         HandMotion.CheckMotors(context);
-        var part = context.Machine.Part;
-        var homed = await context.Machine.HomeAsync(context.NewRunJournal("home"), cancellation).ConfigureAwait(false);
+        var part = context.Machine.Runs.Part;
+        var homed = await context.Machine.Hand.HomeAsync(context.NewRunJournal("home"), cancellation).ConfigureAwait(false);
         OriginText.TellPart(context, part);
         if (homed.Forgotten.Count > 0) context.Say(Wording.Get("CncHome.OriginsLost", string.Join(", ", homed.Forgotten)), MessageKind.Warning);
         HandMotion.Conclude(context, homed.Result);

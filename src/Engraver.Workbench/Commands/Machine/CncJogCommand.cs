@@ -43,9 +43,9 @@ internal sealed class CncJogCommand : ICommand
         if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.ScriptNeedsDistance"));
         HandMotion.CheckMotors(context);
         HandMotion.TellUnhomed(context);
-        var speed = Math.Min(context.Machine.Profile.JogMmPerMinute, HandSpeed.Fastest(context.Machine.Profile, context.Machine.IsHomed));
-        using var jog = context.Machine.Presence.Begin(way.At(speed));
-        var jogging = context.Machine.JogAsync(jog, context.NewRunJournal("jog"), cancellation);
+        var speed = Math.Min(context.Machine.Profile.JogMmPerMinute, HandSpeed.Fastest(context.Machine.Profile, context.Machine.Connection.IsHomed));
+        using var jog = context.Machine.Hand.Presence.Begin(way.At(speed));
+        var jogging = context.Machine.Hand.JogAsync(jog, context.NewRunJournal("jog"), cancellation);
         _ = jog.Lost.ContinueWith(lost => context.Say(Wording.Get(lost.Result ? "CncJog.WindowTooLate" : "CncJog.WindowLeft"), MessageKind.Warning), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
         try
         {

@@ -9,9 +9,9 @@ internal sealed class CncMotorsCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         var mode = await context.ChoiceAsync(Wording.Get("Common.EnterMode"), Keyword.List("ON", "OFF"), null).ConfigureAwait(false);
-        if (await context.Machine.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
+        if (await context.Machine.Hand.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
         context.Say(Wording.Get("CncMotors.Motors", mode.ToLowerInvariant()));
     }
 }

@@ -20,7 +20,7 @@ internal sealed class CncOutputCommand : ICommand
         if (profile.IsForJobsOnly(output, on)) throw new CommandException(CommandFailure.Refused, Wording.Get(on ? "CncOutput.ToolOutput" : "CncOutput.ToolOutputActiveLow", output));
         var begins = profile.IsOnAt(output, on);
         if (begins && !await context.ConfirmAsync(Wording.Get(on ? "CncOutput.ConfirmOn" : "CncOutput.ConfirmOff", profile.Outputs[output])).ConfigureAwait(false)) return;
-        if (await context.Machine.SetOutputAsync(output, on, cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
+        if (await context.Machine.Hand.SetOutputAsync(output, on, cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
         context.Say(Told(profile.Outputs[output], on, begins), MessageKind.Result);
     }
 

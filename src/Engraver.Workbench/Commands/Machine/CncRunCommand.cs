@@ -13,10 +13,10 @@ internal sealed class CncRunCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         _ = context.Drawing;
         if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptCannotStart"));
-        if (context.Machine.Armed is { } armed)
+        if (context.Machine.Arming.Armed is { } armed)
         {
             await RunAsync(context, armed.Job, armed.Strategy, armed.DryRun, cancellation).ConfigureAwait(false);
             return;
@@ -25,7 +25,7 @@ internal sealed class CncRunCommand : ICommand
         if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NotArmed", machine));
         var (driver, dryRun, runsTrajectories) = (context.Driver, false, false);
         var answers = Keyword.List(["Yes", "No", "Dryrun", "Trajectories", .. driver.Strategies.Select(one => one.Keyword)]);
-        var strategy = context.Machine.Part?.Strategy ?? driver.DefaultStrategy;
+        var strategy = context.Machine.Runs.Part?.Strategy ?? driver.DefaultStrategy;
         while (true)
         {
             var job = await JobStart.PrepareAsync(context, strategy, runsTrajectories).ConfigureAwait(false);
@@ -45,10 +45,10 @@ internal sealed class CncRunCommand : ICommand
 
     private static async Task RunAsync(CommandContext context, PreparedJob job, ExecutionStrategy strategy, bool dryRun, CancellationToken cancellation)
     {
-        var fit = context.Machine.FitToLink(job.Motion.Program!, strategy, job.Drawing);
+        var fit = context.Machine.Connection.FitToLink(job.Motion.Program!, strategy, job.Drawing);
         FindingMessages.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
-        var checks = context.Machine.Armed?.Checklist;
-        await JobStart.RunAsync(context, job, checks, options => context.Machine.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, strategy, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
+        var checks = context.Machine.Arming.Armed?.Checklist;
+        await JobStart.RunAsync(context, job, checks, options => context.Machine.Runs.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, strategy, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
     }
 }
 
@@ -61,6 +61,6 @@ internal sealed class CncSimCommand : ICommand
     {
         var strategy = context.Driver.DefaultStrategy;
         var job = await JobStart.PrepareAsync(context, strategy).ConfigureAwait(false);
-        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, strategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
+        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.Runs.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, strategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
     }
 }

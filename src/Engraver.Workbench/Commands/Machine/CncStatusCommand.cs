@@ -15,16 +15,16 @@ internal sealed class CncStatusCommand : ICommand
     {
         var machine = context.Machine;
         var job = context.Derivation is { IsCurrent: true, Current.Job: { } derived } ? derived : null;
-        var placement = machine is { Description: not null, IsRunning: false } ? await machine.AskAsync(job?.Motion.Program, dryRun: machine.Armed is { DryRun: true }, cancellation).ConfigureAwait(false) : null;
+        var placement = machine is { Connection.Description: not null, IsRunning: false } ? await machine.Origins.AskAsync(job?.Motion.Program, dryRun: machine.Arming.Armed is { DryRun: true }, cancellation).ConfigureAwait(false) : null;
         context.SayResult(output =>
         {
-            output.WriteLine(machine.Description is { } description ? Wording.Get("CncStatus.At", machine.IsSimulation ? Wording.Get("CncStatus.Simulation") : Wording.Get("CncStatus.Connected"), machine.Identity?.Model, description) : Wording.Get("CncStatus.Offline"));
-            if (machine.Description is not null) output.WriteLine(StateText(machine.Status));
+            output.WriteLine(machine.Connection.Description is { } description ? Wording.Get("CncStatus.At", machine.Connection.IsSimulation ? Wording.Get("CncStatus.Simulation") : Wording.Get("CncStatus.Connected"), machine.Connection.Identity?.Model, description) : Wording.Get("CncStatus.Offline"));
+            if (machine.Connection.Description is not null) output.WriteLine(StateText(machine.Status));
             if (machine.Status is { FeedRatio: var asked, FeedInForce: var feed } && feed < asked) output.WriteLine(Wording.Get("CncStatus.FeedLimited", asked * 100.0, feed * 100.0));
             if (machine.Status.Progress is { } at) output.WriteLine(Wording.Get("CncStatus.Progress", at.Stroke + 1, at.SegmentsDone, at.SegmentCount, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Seconds));
-            if (!machine.IsRunning && machine.LastRun is { } last) output.WriteLine(Wording.Get("CncStatus.LastJob", OutcomeText.Said(last.Result.Outcome)));
+            if (!machine.IsRunning && machine.Runs.LastRun is { } last) output.WriteLine(Wording.Get("CncStatus.LastJob", OutcomeText.Said(last.Result.Outcome)));
         });
-        if (machine.Description is null || machine.IsRunning) return;
+        if (machine.Connection.Description is null || machine.IsRunning) return;
         var now = context.Time.GetUtcNow();
         var checklist = job is null ? ArmingChecklist.OfMachineAlone(machine.Status, now) : ArmingChecklist.Create(job, machine.Status, errorsAccepted: false, placement, now, context.Certificates.StandingOf(job)?.Check);
         foreach (var check in checklist.Checks) CheckText.Say(context, check);

@@ -9,8 +9,8 @@ internal sealed class CncStopCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var connected = context.Machine.Description is not null;
-        context.Say(context.Machine.Stop() ? Wording.Get("CncStop.Stopping") : connected ? Wording.Get("CncStop.StopSent") : Wording.Get("CncStop.NoJobRuns"));
+        var connected = context.Machine.Connection.Description is not null;
+        context.Say(context.Machine.Controls.Stop() ? Wording.Get("CncStop.Stopping") : connected ? Wording.Get("CncStop.StopSent") : Wording.Get("CncStop.NoJobRuns"));
         return Task.CompletedTask;
     }
 }
@@ -22,8 +22,8 @@ internal sealed class CncAbortCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null && !context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
-        context.Say(Wording.Get(context.Machine.Abort() ? "CncStop.Aborting" : "CncStop.StoppingOverSerialLine"));
+        if (context.Machine.Connection.Description is null && !context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
+        context.Say(Wording.Get(context.Machine.Controls.Abort() ? "CncStop.Aborting" : "CncStop.StoppingOverSerialLine"));
         return Task.CompletedTask;
     }
 }

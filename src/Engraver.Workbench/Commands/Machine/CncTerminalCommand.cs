@@ -10,9 +10,9 @@ internal sealed class CncTerminalCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         var line = await context.ValueAsync(new TextPrompt(Wording.Get("CncTerminal.EnterLine"))).ConfigureAwait(false);
-        foreach (var answer in await context.Machine.Terminal.TypeAsync(line, cancellation).ConfigureAwait(false))
+        foreach (var answer in await context.Machine.Connection.Terminal.TypeAsync(line, cancellation).ConfigureAwait(false))
         {
             if (answer.Kind is TerminalAnswerKind.Refusal or TerminalAnswerKind.Withheld) throw new CommandException(CommandFailure.Refused, answer.Text);
             context.Say(answer.Text, MessageKind.Result);

@@ -32,7 +32,7 @@ internal sealed class CncTraceCommand : ICommand
                 break;
             default:
                 CheckFree(context);
-                context.Machine.ShowRun(null);
+                context.Machine.Runs.ShowRun(null);
                 break;
         }
     }
@@ -61,7 +61,7 @@ internal sealed class CncTraceCommand : ICommand
         var job = JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, context.Driver.DefaultStrategy.Style);
         var trace = Read(file);
         if (!trace.CanBeOf(DrawnFingerprint.Of(job.Analysed.ToSegments()))) throw new CommandException(CommandFailure.Usage, Wording.Get("CncTrace.OtherDrawing", file, Path.GetFileName(context.Drawing.FileName)));
-        context.Machine.ShowRun(new RecordedRun(job, trace));
+        context.Machine.Runs.ShowRun(new RecordedRun(job, trace));
         context.View.Change(view => view with { Shown = view.Shown | CanvasLayers.Recorded });
         var measure = MeasureOf(context);
         if (measure == RunMeasure.Following && !trace.KnowsFollowing) context.Say(Wording.Get("CncTrace.NoFollowingError"), MessageKind.Warning);
@@ -85,7 +85,7 @@ internal sealed class CncTraceCommand : ICommand
     {
         var chosen = await context.ChoiceAsync(Wording.Get("CncTrace.EnterColour"), Keyword.List([.. Enum.GetNames<RunMeasure>()]), MeasureOf(context).ToString()).ConfigureAwait(false);
         context.Settings.Change(settings => settings.WithVariable(SystemVariables.CncTraceColor, (int)Enum.Parse<RunMeasure>(chosen)));
-        if (chosen == nameof(RunMeasure.Following) && context.Machine.Recorded is { Trace.KnowsFollowing: false }) context.Say(Wording.Get("CncTrace.NoFollowingError"), MessageKind.Warning);
+        if (chosen == nameof(RunMeasure.Following) && context.Machine.Runs.Recorded is { Trace.KnowsFollowing: false }) context.Say(Wording.Get("CncTrace.NoFollowingError"), MessageKind.Warning);
     }
 
     private static RunMeasure MeasureOf(CommandContext context) => context.Settings.Current.TraceColour();

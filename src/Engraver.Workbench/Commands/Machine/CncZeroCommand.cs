@@ -17,7 +17,7 @@ internal sealed class CncZeroCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Lease is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
         var axes = await context.ChoiceAsync(Wording.Get("CncZero.EnterAxes", before.Active), s_axes, "All").ConfigureAwait(false);
         if (axes is "Edges" or "Centre")
@@ -32,7 +32,7 @@ internal sealed class CncZeroCommand : ICommand
         if (IsSet(before, axes) && !await context.ConfirmAsync(Wording.Get("CncZero.ConfirmReplace", before.Active)).ConfigureAwait(false)) return;
         var touch = new ZeroTouch { X = axes is not ("Y" or "Z" or "Height"), Y = axes is not ("X" or "Z" or "Height"), Z = axes is "Z" or "Height" or "All", Place = place, Height = height };
         if (!touch.IsCountable(context.Machine.Profile.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PositionOutOfRange"));
-        var part = context.Machine.Part;
+        var part = context.Machine.Runs.Part;
         await OriginText.SetAsync(context, touch, cancellation).ConfigureAwait(false);
         OriginText.TellPart(context, part);
     }
@@ -51,11 +51,11 @@ internal sealed class CncOriginCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (context.Machine.Connection.Lease is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
         var chosen = await context.ChoiceAsync(Wording.Get("CncOrigin.Enter"), s_names, before.Active).ConfigureAwait(false);
         if (chosen == "Typed") await TypeAsync(context, before, cancellation).ConfigureAwait(false);
         else if (chosen != "List" && chosen != before.Active) await ChooseAsync(context, chosen).ConfigureAwait(false);
-        var memory = context.Machine.Hold!.Memory;
+        var memory = context.Machine.Connection.Lease!.Memory;
         foreach (var name in chosen == "List" ? WorkOriginNames.All : [memory.Active])
         {
             var sentence = OriginText.Sentence(name, memory.Origins.GetValueOrDefault(name), context.Machine.Profile);
@@ -71,16 +71,16 @@ internal sealed class CncOriginCommand : ICommand
         var place = await context.ValueAsync(new MachinePlacePrompt(Wording.Get("CncOrigin.SpecifyPosition", before.Active)) { MayHaveHeight = axes.Z is not null }).ConfigureAwait(false);
         if (!place.IsCountable(axes.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PositionOutOfRange"));
         if (before.ActiveOrigin is { IsAssumed: false } && !await context.ConfirmAsync(Wording.Get("CncZero.ConfirmReplace", before.Active)).ConfigureAwait(false)) return;
-        var part = context.Machine.Part;
-        if (await context.Machine.TypeOriginAsync(before.Active, place.ToCounts(axes.Scale), withHeight: place.Z is not null, cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
+        var part = context.Machine.Runs.Part;
+        if (await context.Machine.Origins.TypeAsync(before.Active, place.ToCounts(axes.Scale), withHeight: place.Z is not null, cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
         OriginText.TellPart(context, part);
     }
 
     private static Task ChooseAsync(CommandContext context, string name)
     {
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
-        var part = context.Machine.Part;
-        var failure = context.Machine.ChooseOrigin(name);
+        var part = context.Machine.Runs.Part;
+        var failure = context.Machine.Origins.Choose(name);
         OriginText.TellPart(context, part);
         return failure is not null ? throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.NotSaved", failure)) : Task.CompletedTask;
     }
@@ -103,8 +103,8 @@ internal static class OriginText
     public static async Task SetAsync(CommandContext context, ZeroTouch touch, CancellationToken cancellation)
     {
         var machine = context.Machine;
-        if (await machine.SetOriginAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, machine.Profile), cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
-        var memory = machine.Hold!.Memory;
+        if (await machine.Origins.SetAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, machine.Profile), cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
+        var memory = machine.Connection.Lease!.Memory;
         context.Say(Sentence(memory.Active, memory.ActiveOrigin, machine.Profile), MessageKind.Result);
     }
 
@@ -112,7 +112,7 @@ internal static class OriginText
     /// <param name="before">The part that was selected before.</param>
     public static void TellPart(CommandContext context, JobPart? before)
     {
-        if (before is not null && context.Machine.Part is null) context.Say(Wording.Get("Origins.ResumeDropped"), MessageKind.Warning);
+        if (before is not null && context.Machine.Runs.Part is null) context.Say(Wording.Get("Origins.ResumeDropped"), MessageKind.Warning);
     }
 
     private static string Axis(long? counts, double countsPerMillimetre) => counts is { } set ? Wording.Get("Origins.Millimetres", set / countsPerMillimetre) : Wording.Get("Origins.AxisNotSet");

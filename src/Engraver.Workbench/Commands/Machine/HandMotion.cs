@@ -13,11 +13,11 @@ internal static class HandMotion
     /// <exception cref="CommandException">No controller is connected, or a script may not move this machine.</exception>
     public static void Check(CommandContext context, bool whileHeld = false)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
-        if (whileHeld && context.Machine.IsHeld) return; // The operator who held the job is at the machine.
+        if (context.Machine.Connection.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NotConnected"));
+        if (whileHeld && context.Machine.Controls.IsHeld) return; // whoever held the job stands at the machine
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("HandMotion.InMotion"));
         if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptCannotMove"));
-        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptNeedsArming", machine));
+        if (context.IsScripted && !context.Machine.Connection.IsSimulation && context.Machine.Arming.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptNeedsArming", machine));
     }
 
     /// <exception cref="CommandException">A motor is off; a manual move does not switch motors on.</exception>
@@ -29,7 +29,7 @@ internal static class HandMotion
     /// <summary>Warns if no limit stops a move at the end of the travel.</summary>
     public static void TellUnhomed(CommandContext context)
     {
-        if (context.Machine.UnhomedNotice is { } notice) context.Say(notice, MessageKind.Warning);
+        if (context.Machine.Hand.UnhomedNotice is { } notice) context.Say(notice, MessageKind.Warning);
     }
 
     /// <summary>Moves to a position (<see cref="HandPlace"/>) and reports the final position.</summary>
@@ -37,7 +37,7 @@ internal static class HandMotion
     {
         var counts = Counted(goal);
         CheckMotors(context);
-        Conclude(context, await context.Machine.GoToAsync(counts, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
+        Conclude(context, await context.Machine.Hand.GoToAsync(counts, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
     }
 
     /// <summary>Raises the tool to the clearance height above the work; X and Y do not move.</summary>
@@ -47,7 +47,7 @@ internal static class HandMotion
         var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PositionUnknown"));
         var goal = Counted(HandPlace.AtClearance(here, zero, context.Machine.Profile));
         CheckMotors(context);
-        Conclude(context, await context.Machine.StepAsync(goal, withHeight: true, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
+        Conclude(context, await context.Machine.Hand.StepAsync(goal, withHeight: true, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
     }
 
     /// <summary>Moves by a step in mm from the current position.</summary>
@@ -58,7 +58,7 @@ internal static class HandMotion
         var counts = Counted(HandPlace.Beside(here, context.Machine.Status.MachineHeight ?? 0.0, step, height, context.Machine.Profile.Scale));
         CheckMotors(context);
         TellUnhomed(context);
-        Conclude(context, await context.Machine.StepAsync(counts, height != 0.0, context.NewRunJournal("jog"), feed: null, cancellation).ConfigureAwait(false));
+        Conclude(context, await context.Machine.Hand.StepAsync(counts, height != 0.0, context.NewRunJournal("jog"), feed: null, cancellation).ConfigureAwait(false));
     }
 
     /// <summary>Reports the final position.</summary>

@@ -46,7 +46,7 @@ internal static class JobStart
             Finish = job.Settings.Finish,
             JournalPath = context.NewRunJournal(job.Drawing.FileName),
             DryRun = dryRun,
-            Resume = job.Followed is null ? context.Machine.Part?.Request : null,
+            Resume = job.Followed is null ? context.Machine.Runs.Part?.Request : null,
             Told = finding => FindingMessages.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
         };
 
@@ -109,7 +109,7 @@ internal static class JobStart
     /// <exception cref="CommandException">It was started with another strategy.</exception>
     public static void SayPart(CommandContext context, PreparedJob job, ExecutionStrategy strategy)
     {
-        if (context.Machine.Part is not { } part || job.Followed is not null || job.Motion.Program is not { } program) return;
+        if (context.Machine.Runs.Part is not { } part || job.Followed is not null || job.Motion.Program is not { } program) return;
         if (part.Strategy is { } begun && begun != strategy) throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.PartOtherMode", begun.Keyword, strategy.Keyword));
         var place = part.Request.Journal is null ? JobBeginning.ToStroke(program, part.Request.Stroke) : part.Shown;
         context.Say(Wording.Get("JobStart.Part", place.Segments, program.SegmentCount), MessageKind.Warning);

@@ -17,7 +17,7 @@ internal sealed class SaceSimulateCommand : ICommand
         var job = followed.Job;
         FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
         if (job.Motion.Program is not { SegmentCount: > 0 } program) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
-        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, program, address => options(JobStart.Options(context, job, address, context.Driver.DefaultStrategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
+        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.Runs.SimulateAsync(job, program, address => options(JobStart.Options(context, job, address, context.Driver.DefaultStrategy, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
         context.Say(Wording.Get("Trajectories.Simulated", Figures.Bound(followed.Bound)), MessageKind.Result);
     }
 }

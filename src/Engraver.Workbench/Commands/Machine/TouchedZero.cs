@@ -34,11 +34,11 @@ internal static class TouchedZero
     /// <summary>The first touch is remembered; the second sets the zero to the centre of both.</summary>
     public static async Task ByCentreAsync(CommandContext context, CancellationToken cancellation)
     {
-        var isSecond = context.Machine.FirstTouch is { } before
+        var isSecond = context.Machine.Origins.FirstTouch is { } before
             && await context.ChoiceAsync(Wording.Get("CncZero.EnterTouch", Show(context, before)), s_touches, "Second").ConfigureAwait(false) == "Second";
-        if (!isSecond || context.Machine.FirstTouch is not { } first)
+        if (!isSecond || context.Machine.Origins.FirstTouch is not { } first)
         {
-            var at = await context.Machine.TouchAsync(cancellation).ConfigureAwait(false);
+            var at = await context.Machine.Origins.TouchAsync(cancellation).ConfigureAwait(false);
             context.Say(Wording.Get("CncZero.FirstTouch", Show(context, at)), MessageKind.Result);
             return;
         }
@@ -46,19 +46,19 @@ internal static class TouchedZero
         var axes = await context.ChoiceAsync(Wording.Get("CncZero.EnterCentreAxes"), s_axes, "All").ConfigureAwait(false);
         if (!await MaySetAsync(context, axes != "Y", axes != "X").ConfigureAwait(false)) return;
         await SetAsync(context, new ZeroTouch { X = axes != "Y", Y = axes != "X", First = first }, cancellation).ConfigureAwait(false);
-        context.Machine.ForgetTouch();
+        context.Machine.Origins.ForgetTouch();
     }
 
     private static async Task<bool> MaySetAsync(CommandContext context, bool x, bool y)
     {
-        var memory = context.Machine.Hold!.Memory;
+        var memory = context.Machine.Connection.Lease!.Memory;
         var isSet = memory.ActiveOrigin is { IsAssumed: false } origin && ((x && origin.X is not null) || (y && origin.Y is not null));
         return !isSet || await context.ConfirmAsync(Wording.Get("CncZero.ConfirmReplace", memory.Active)).ConfigureAwait(false);
     }
 
     private static async Task SetAsync(CommandContext context, ZeroTouch touch, CancellationToken cancellation)
     {
-        var part = context.Machine.Part;
+        var part = context.Machine.Runs.Part;
         await OriginText.SetAsync(context, touch, cancellation).ConfigureAwait(false);
         OriginText.TellPart(context, part);
     }

@@ -3,9 +3,10 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Arming;
 
-/// <summary>Keeps a job armed until it is started or disarmed, or the time expires.</summary>
-internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
+/// <summary>The armed job, until it is started or disarmed, or its time has expired.</summary>
+public sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
 {
+    /// <summary>A job stays armed for this long.</summary>
     public static readonly TimeSpan Lasts = TimeSpan.FromSeconds(60);
 
     private readonly Lock _guard = new();
@@ -21,7 +22,7 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
         }
     }
 
-    public ArmedJob Arm(PreparedJob job, ExecutionStrategy strategy, bool dryRun, ArmingChecklist checklist)
+    internal ArmedJob Arm(PreparedJob job, ExecutionStrategy strategy, bool dryRun, ArmingChecklist checklist)
     {
         var armed = new ArmedJob(job, strategy, dryRun, checklist, time.GetUtcNow() + Lasts);
         lock (_guard)
@@ -35,6 +36,7 @@ internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposa
         return armed;
     }
 
+    /// <summary>Disarms.</summary>
     /// <returns>False if no job was armed.</returns>
     public bool Disarm()
     {

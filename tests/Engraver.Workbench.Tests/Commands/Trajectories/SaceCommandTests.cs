@@ -257,7 +257,7 @@ public class SaceCommandTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR", "0.02", "SACEPATH", "H", "A3", "", "SACEOFFSET", "H", "A4", "", "1", "Out");
         var result = await talk.TypeAsync("SACESIMULATE");
-        var judged = talk.Session.Machine.LastRun!.Judgement;
+        var judged = talk.Session.Machine.Runs.LastRun!.Judgement;
 
         Assert.IsType<InputResult.Done>(result);
         Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // The error of the spline is visible, because only the source is the reference.

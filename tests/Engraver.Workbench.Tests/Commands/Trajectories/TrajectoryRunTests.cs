@@ -21,13 +21,13 @@ public class TrajectoryRunTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR", "0.02", "SACEPATH", "H", "A3", "", "SACEOFFSET", "H", "A4", "", "1", "Out", "CNCCONNECT", "sim:");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "T", "Y"));
-        var judged = talk.Session.Machine.LastRun!.Judgement;
+        var judged = talk.Session.Machine.Runs.LastRun!.Judgement;
 
         Assert.Contains("The job cuts 2 trajectories", talk.Said, StringComparison.Ordinal);
         Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // The error of the spline is visible.
         Assert.Equal(0.0, judged.MissingLengthMm);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "T", "T", "Y")); // And back to the drawing.
-        Assert.InRange(talk.Session.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.004);
+        Assert.InRange(talk.Session.Machine.Runs.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.004);
     }
 
     [Fact]
@@ -35,17 +35,17 @@ public class TrajectoryRunTests
     {
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("SACESETMAXERROR", "0.02", "SACEPATH", "H", "A3", "", "SACEPATH", "H", "A1", "", "CNCCONNECT", "sim:", "CNCARM", "T", "Stream", "SELECT", "ALL", "");
-        Assert.NotNull(talk.Session.Machine.Armed);
+        Assert.NotNull(talk.Session.Machine.Arming.Armed);
         await talk.TypeAsync("SACEDELETELASTTRAJECTORY");
-        Assert.Null(talk.Session.Machine.Armed);
+        Assert.Null(talk.Session.Machine.Arming.Armed);
 
         await talk.TypeAsync("CNCARM", "T", "Stream");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
-        Assert.InRange(talk.Session.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.004, 0.0228);
-        Assert.Equal(0.0, talk.Session.Machine.LastRun!.Judgement.MissingLengthMm);
-        Assert.NotNull(talk.Session.Machine.ShownJob);
+        Assert.InRange(talk.Session.Machine.Runs.LastRun!.Judgement.MaxDeviationMm!.Value, 0.004, 0.0228);
+        Assert.Equal(0.0, talk.Session.Machine.Runs.LastRun!.Judgement.MissingLengthMm);
+        Assert.NotNull(talk.Session.Machine.Runs.ShownJob);
         await talk.TypeAsync("SACEDELETEALLTRAJECTORIES");
-        Assert.Null(talk.Session.Machine.ShownJob);
+        Assert.Null(talk.Session.Machine.Runs.ShownJob);
         Assert.Contains("No trajectories yet", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "T", "Stream")).Sentence, StringComparison.Ordinal);
     }
 
@@ -55,13 +55,13 @@ public class TrajectoryRunTests
         await using var talk = Mill();
         await talk.TypeAsync("SACESETMAXERROR", "0.005", "SACEDEEPENGRAVING", "H", "A4", "", "0.5", "1.2", "SACEHELICALDRILL", "20,5", "1.25", "0.25", "1", "0.4", "");
         var result = await talk.TypeAsync("SACESIMULATE");
-        var judged = talk.Session.Machine.LastRun!.Judgement;
+        var judged = talk.Session.Machine.Runs.LastRun!.Judgement;
 
         Assert.IsType<InputResult.Done>(result);
         Assert.DoesNotContain("JOB00", talk.Said, StringComparison.Ordinal);
         Assert.InRange(judged.MaxDeviationMm!.Value, 0.0, 0.006 + (2.5 * Count));
         Assert.Equal(0.0, judged.MissingLengthMm);
-        Assert.InRange(talk.Session.Machine.LastRun!.Trace!.Places.Count, 100, 1_000_000);
+        Assert.InRange(talk.Session.Machine.Runs.LastRun!.Trace!.Places.Count, 100, 1_000_000);
     }
 
     [Theory]
@@ -91,7 +91,7 @@ public class TrajectoryRunTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("SACESIMULATE"));
         Assert.Contains("TRJ0007: The trajectories have heights from -1 to 0 mm", talk.Said, StringComparison.Ordinal);
         Assert.DoesNotContain("JOB00", talk.Said, StringComparison.Ordinal);
-        Assert.Equal(0.0, talk.Session.Machine.LastRun!.Judgement.MissingLengthMm);
+        Assert.Equal(0.0, talk.Session.Machine.Runs.LastRun!.Judgement.MissingLengthMm);
     }
 
     [Fact]

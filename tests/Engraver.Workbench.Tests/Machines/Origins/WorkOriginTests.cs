@@ -47,7 +47,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
     [Fact]
     public async Task A_job_goes_to_the_origin_that_was_set_and_ends_where_it_is_told_to()
     {
-        await ActAsync(machine => machine.SetOriginAsync((memory, _) => memory.WithOrigin("G54", 20000, -5000, null), _limit.Token));
+        await ActAsync(machine => machine.Origins.SetAsync((memory, _) => memory.WithOrigin("G54", 20000, -5000, null), _limit.Token));
         var moved = await CutAsync(JobMode.Stream);
         Assert.Equal((20000L, -5000L), Position);
 
@@ -66,7 +66,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
     [Fact]
     public async Task Another_controller_of_the_same_address_is_another_machine()
     {
-        await ActAsync(machine => machine.SetOriginAsync((memory, _) => memory.WithOrigin("G54", 20000, -5000, null), _limit.Token));
+        await ActAsync(machine => machine.Origins.SetAsync((memory, _) => memory.WithOrigin("G54", 20000, -5000, null), _limit.Token));
         await ReplaceAsync(Number + 1);
 
         await CutAsync(JobMode.Stream);
@@ -77,7 +77,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
     [Fact]
     public async Task After_a_power_cycle_an_origin_that_was_set_is_refused_and_nothing_moves_until_it_is_set_again()
     {
-        await ActAsync(machine => machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X + 700, here.Position.Y, null), _limit.Token));
+        await ActAsync(machine => machine.Origins.SetAsync((memory, here) => memory.WithOrigin("G54", here.Position.X + 700, here.Position.Y, null), _limit.Token));
         await CutAsync(JobMode.Stream);
         await ReplaceAsync(Number);
 
@@ -86,7 +86,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         Assert.Equal(JobOutcome.Refused, refused.Result.Outcome);
         Assert.Equal("JOB0009", refused.Placement!.Refusal!.Id);
         Assert.DoesNotContain(_controller.Record.Snapshot(), sample => sample.Outputs != 0 || sample.A != 0 || sample.B != 0);
-        await ActAsync(machine => machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, here.Position.Y, null), _limit.Token));
+        await ActAsync(machine => machine.Origins.SetAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, here.Position.Y, null), _limit.Token));
         await CutAsync(JobMode.Stream);
         Assert.Equal((0L, 0L), Position);
     }
@@ -113,9 +113,9 @@ public sealed class WorkOriginTests : IAsyncDisposable
         await CutAsync(JobMode.Stream);
         await ActAsync(async machine =>
         {
-            await machine.Terminal.TypeAsync("confirm DPA=7000", _limit.Token);
-            await machine.SetMotorsAsync(on: true, _limit.Token); // Polls at once, like the session ten times a second.
-            Assert.Equal(new CountsPoint(7000, 0), machine.Hold!.Memory.Rest);
+            await machine.Connection.Terminal.TypeAsync("confirm DPA=7000", _limit.Token);
+            await machine.Hand.SetMotorsAsync(on: true, _limit.Token); // looks at once, as the watch does ten times a second
+            Assert.Equal(new CountsPoint(7000, 0), machine.Connection.Lease!.Memory.Rest);
         });
         await ReplaceAsync(Number);
 
@@ -136,12 +136,12 @@ public sealed class WorkOriginTests : IAsyncDisposable
 
         if (between is "look" or "burned") await ActAsync(async machine =>
         {
-            if (between == "burned") await machine.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"cncmark={mark}"), _limit.Token); // As restored by BV; the clock restarted.
-            await machine.SetMotorsAsync(on: true, _limit.Token);
+            if (between == "burned") await machine.Connection.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"cncmark={mark}"), _limit.Token); // as BV brings it back; the clock began anew
+            await machine.Hand.SetMotorsAsync(on: true, _limit.Token);
         });
         if (between == "move") await ActAsync(async machine =>
         {
-            foreach (var goal in new[] { 500, 0 }) await machine.GoToAsync(new CountsPoint(goal, 0), Path.Combine(_folder.FullName, $"goto{goal}.jsonl"), feed: null, _limit.Token);
+            foreach (var goal in new[] { 500, 0 }) await machine.Hand.GoToAsync(new CountsPoint(goal, 0), Path.Combine(_folder.FullName, $"goto{goal}.jsonl"), feed: null, _limit.Token);
         });
         if (between is "here" or "burned") await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.PresentPlace() });
 
@@ -156,24 +156,24 @@ public sealed class WorkOriginTests : IAsyncDisposable
     {
         await ActAsync(async machine =>
         {
-            await machine.Terminal.TypeAsync("confirm MO", _limit.Token);
-            await machine.Terminal.TypeAsync("confirm MT 2,2", _limit.Token);
-            await machine.Terminal.TypeAsync("confirm SH", _limit.Token);
+            await machine.Connection.Terminal.TypeAsync("confirm MO", _limit.Token);
+            await machine.Connection.Terminal.TypeAsync("confirm MT 2,2", _limit.Token);
+            await machine.Connection.Terminal.TypeAsync("confirm SH", _limit.Token);
         });
-        await ActAsync(machine => machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X + 300, here.Position.Y, null), _limit.Token));
+        await ActAsync(machine => machine.Origins.SetAsync((memory, here) => memory.WithOrigin("G54", here.Position.X + 300, here.Position.Y, null), _limit.Token));
         await CutAsync(JobMode.Stream);
 
         await ActAsync(async machine =>
         {
-            await machine.SetMotorsAsync(on: false, _limit.Token);
-            var refused = await machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, 0, null), _limit.Token);
+            await machine.Hand.SetMotorsAsync(on: false, _limit.Token);
+            var refused = await machine.Origins.SetAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, 0, null), _limit.Token);
             Assert.Contains("stepper motors are off and do not hold their position: X, Y. Switch the motors on", refused!.Message, StringComparison.Ordinal);
-            await machine.SetMotorsAsync(on: true, _limit.Token);
+            await machine.Hand.SetMotorsAsync(on: true, _limit.Token);
             Assert.Equal(Workbench.Machines.MachineState.NoOrigin, machine.Status.State);
         });
         var lost = await RunAsync(JobMode.Stream);
         Assert.Equal("JOB0010", lost.Placement!.Refusal!.Id);
-        await ActAsync(machine => machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, here.Position.Y, null), _limit.Token));
+        await ActAsync(machine => machine.Origins.SetAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, here.Position.Y, null), _limit.Token));
         await CutAsync(JobMode.Stream);
     }
 
@@ -182,17 +182,17 @@ public sealed class WorkOriginTests : IAsyncDisposable
     {
         await ActAsync(async machine =>
         {
-            for (var i = 0; i < 254; i++) await machine.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"v{i}=1"), _limit.Token);
-            var refused = await Assert.ThrowsAsync<MachineMemoryException>(() => machine.SetOriginAsync((memory, _) => memory.WithOrigin("G54", 7, 7, null), _limit.Token));
+            for (var i = 0; i < 254; i++) await machine.Connection.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"v{i}=1"), _limit.Token);
+            var refused = await Assert.ThrowsAsync<MachineMemoryException>(() => machine.Origins.SetAsync((memory, _) => memory.WithOrigin("G54", 7, 7, null), _limit.Token));
             Assert.Contains("cncmark", refused.Message, StringComparison.Ordinal);
-            Assert.Empty(machine.Hold!.Memory.Origins);
+            Assert.Empty(machine.Connection.Lease!.Memory.Origins);
         });
     }
 
     [Fact]
     public async Task A_machine_that_stands_elsewhere_and_was_never_zeroed_is_refused_and_here_takes_it()
     {
-        await ActAsync(machine => machine.GoToAsync(new CountsPoint(9000, 0), Path.Combine(_folder.FullName, "goto.jsonl"), feed: null, _limit.Token));
+        await ActAsync(machine => machine.Hand.GoToAsync(new CountsPoint(9000, 0), Path.Combine(_folder.FullName, "goto.jsonl"), feed: null, _limit.Token));
         foreach (var file in Directory.GetFiles(_folder.FullName, "*.json")) File.Delete(file);
 
         Assert.Equal("JOB0008", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
@@ -206,9 +206,9 @@ public sealed class WorkOriginTests : IAsyncDisposable
     [Fact]
     public async Task A_second_host_is_told_who_has_the_machine_and_gets_it_when_the_first_lets_go()
     {
-        await using (var first = new Workbench.Machines.MachineSession(_clock) { OriginsFolder = _folder.FullName })
+        await using (var first = new Workbench.Machines.MachineSession(_clock, _folder.FullName))
         {
-            await first.ConnectAsync(await AddressAsync(), _limit.Token);
+            await first.Connection.ConnectAsync(await AddressAsync(), _limit.Token);
             var taken = await RunAsync(JobMode.Stream);
             Assert.Equal((JobOutcome.Refused, 0), (taken.Result.Outcome, taken.Result.SegmentsSent));
             Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"CncEngraver (process {Environment.ProcessId}, since "), taken.Result.Sentence, StringComparison.Ordinal);
@@ -264,8 +264,8 @@ public sealed class WorkOriginTests : IAsyncDisposable
 
     private async Task ActAsync(Func<Workbench.Machines.MachineSession, Task> act)
     {
-        await using var machine = new Workbench.Machines.MachineSession(_clock) { OriginsFolder = _folder.FullName };
-        await machine.ConnectAsync(await AddressAsync(), _limit.Token);
+        await using var machine = new Workbench.Machines.MachineSession(_clock, _folder.FullName);
+        await machine.Connection.ConnectAsync(await AddressAsync(), _limit.Token);
         await act(machine);
     }
 

@@ -24,8 +24,8 @@ public sealed class KeptTraceTests : IDisposable
         var job = MachineBench.Job();
         MachineRunOptions Options(ControllerAddress address) => new(address, JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         var report = isSimulated
-            ? await bench.Machine.SimulateAsync(job, job.Motion.Program!, Options, bench.Limit)
-            : await bench.Machine.RunAsync(job, job.Motion.Program!, Options, bench.Limit);
+            ? await bench.Machine.Runs.SimulateAsync(job, job.Motion.Program!, Options, bench.Limit)
+            : await bench.Machine.Runs.RunAsync(job, job.Motion.Program!, Options, bench.Limit);
         Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Sentence);
 
         var kept = KeptTrace.Read(Path.Combine(_folder.FullName, "run.jsonl"));
@@ -34,7 +34,7 @@ public sealed class KeptTraceTests : IDisposable
         Assert.Equal(45.0, cut.Max(place => place.Place.X), 1);
         Assert.True(cut.Max(place => place.DeviationMm) <= RunJudge.Tolerances(job).Deviation + 0.002);
         Assert.Equal(report.Judgement.MaxDeviationMm!.Value, report.Trace!.Places.Max(place => place.DeviationMm), 3);
-        Assert.Same(job, bench.Machine.Recorded!.Job);
+        Assert.Same(job, bench.Machine.Runs.Recorded!.Job);
     }
 
     /// <summary>Motors that trail their command by 20 ms are behind it by feed times 20 ms, whether the controller is polled over a network or its record is
@@ -45,7 +45,7 @@ public sealed class KeptTraceTests : IDisposable
         await using var bench = await MachineBench.ConnectedAsync(new SimulatorOptions { Speed = double.PositiveInfinity, ServoLag = TimeSpan.FromMilliseconds(20) });
         var job = MachineBench.Job();
         var journal = Path.Combine(_folder.FullName, "run.jsonl");
-        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = journal }, bench.Limit);
+        var report = await bench.Machine.Runs.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = journal }, bench.Limit);
         Assert.True(report.Result.Outcome == JobOutcome.Complete, report.Result.Sentence);
 
         var kept = KeptTrace.Read(journal);
@@ -67,14 +67,14 @@ public sealed class KeptTraceTests : IDisposable
         var seen = new List<int>();
         bench.Machine.Changed += (_, _) =>
         {
-            if (bench.Machine is { IsRunning: true, Recorded: { } recorded }) seen.Add(recorded.Trace.Places.Count(place => place.ToolOn));
+            if (bench.Machine is { IsRunning: true, Runs.Recorded: { } recorded }) seen.Add(recorded.Trace.Places.Count(place => place.ToolOn));
         };
-        await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), DryRun = isDryRun }, bench.Limit);
+        await bench.Machine.Runs.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), DryRun = isDryRun }, bench.Limit);
 
         var growth = seen.Distinct().ToList();
         Assert.True(growth.Count > 5, string.Join(' ', growth));
         Assert.Equal(growth.Order(), growth);
-        Assert.All(bench.Machine.Recorded!.Trace.Places.Where(place => place.ToolOn), place => Assert.InRange(place.DeviationMm, 0.0, RunJudge.Tolerances(job).Deviation + 0.002));
+        Assert.All(bench.Machine.Runs.Recorded!.Trace.Places.Where(place => place.ToolOn), place => Assert.InRange(place.DeviationMm, 0.0, RunJudge.Tolerances(job).Deviation + 0.002));
     }
 
     [Fact]
@@ -86,7 +86,7 @@ public sealed class KeptTraceTests : IDisposable
         Directory.CreateDirectory(KeptTrace.PathOf(journal)); // Where the file should be.
         var told = new List<string>();
 
-        var report = await bench.Machine.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = journal, Told = finding => told.Add(finding.Id) }, bench.Limit);
+        var report = await bench.Machine.Runs.RunAsync(job, job.Motion.Program!, address => new(address, JobMode.Stream.Strategy()) { JournalPath = journal, Told = finding => told.Add(finding.Id) }, bench.Limit);
 
         Assert.Equal((JobOutcome.Complete, "JOB0020"), (report.Result.Outcome, Assert.Single(told)));
         Assert.NotEmpty(report.Trace!.Places);

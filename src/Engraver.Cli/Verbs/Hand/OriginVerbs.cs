@@ -10,27 +10,32 @@ using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Settings;
 
-namespace Engraver.Cli.Verbs;
+namespace Engraver.Cli.Verbs.Hand;
 
-/// <summary><c>engraver zero</c> sets a work origin at the current machine position: as its zero, as a point of the drawing, from a touched edge or as the
-/// centre of two touches; <c>engraver origin</c> selects one.</summary>
-internal sealed partial class HandVerbs
+/// <summary><c>engraver zero</c> sets a work origin at the machine's position: as its zero, a point of the drawing, a touched edge or the centre of two
+/// touches; <c>engraver origin</c> chooses one.</summary>
+internal sealed class OriginVerbs
 {
-    private const double LargestRadiusMm = 100.0;
+    private const double MaxRadiusMm = 100.0;
+
+    private readonly VerbHost _host;
+    private readonly MachineAction _action;
+
+    private OriginVerbs(VerbHost host) => (_host, _action) = (host, new MachineAction(host));
 
     public static Command Zero(VerbHost host)
     {
-        var verb = new HandVerbs(host);
+        var verb = new OriginVerbs(host);
         var options = new ZeroOptions();
-        var command = verb.Command("zero", Wording.Get("Hand.Zero"));
+        var command = verb._action.Command("zero", Wording.Get("Hand.Zero"));
         options.AddTo(command);
-        command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (machine, cancellation) => verb.ZeroAsync(machine, options, parsed, cancellation), stop));
+        command.SetAction((parsed, stop) => verb._action.RunAsync(parsed, (machine, cancellation) => verb.ZeroAsync(machine, options, parsed, cancellation), stop));
         return command;
     }
 
     public static Command Origin(VerbHost host)
     {
-        var verb = new HandVerbs(host);
+        var verb = new OriginVerbs(host);
         var name = new Argument<string?>("NAME") { Arity = ArgumentArity.ZeroOrOne, Description = Wording.Get("Hand.OriginName") };
         name.Validators.Add(ZeroOptions.CheckName);
         var at = new Option<string?>("--at") { HelpName = "X,Y[,Z]", Description = Wording.Get("Hand.OriginAt") };
@@ -38,10 +43,10 @@ internal sealed partial class HandVerbs
         {
             if (result.Tokens is [var token] && MachinePlaceOf(token.Value) is null) result.AddError(Wording.Get("Hand.InvalidMachinePosition", token.Value));
         });
-        var command = verb.Command("origin", Wording.Get("Hand.Origin"));
+        var command = verb._action.Command("origin", Wording.Get("Hand.Origin"));
         command.Arguments.Add(name);
         command.Options.Add(at);
-        command.SetAction((parsed, stop) => verb.WithMachineAsync(
+        command.SetAction((parsed, stop) => verb._action.RunAsync(
             parsed,
             (machine, cancellation) => parsed.GetValue(at) is { } typed ? verb.TypeAsync(machine, parsed.GetValue(name), MachinePlaceOf(typed)!, cancellation) : Task.FromResult(verb.Choose(machine, parsed.GetValue(name))),
             stop));
@@ -49,25 +54,25 @@ internal sealed partial class HandVerbs
     }
 
     private int Choose(MachineSession machine, string? name) =>
-        name is not null && machine.ChooseOrigin(WorkOriginNames.Find(name)!) is { } failure ? NotMoved(failure) : ExitCode.Done;
+        name is not null && machine.Origins.Choose(WorkOriginNames.Find(name)!) is { } failure ? _action.NotMoved(failure) : ExitCode.Done;
 
     private static MachinePlace? MachinePlaceOf(string typed) => new MachinePlacePrompt("") { MayHaveHeight = true }.Read(typed, default) is Reading<MachinePlace>.Value { Of: var place } ? place : null;
 
     private async Task<int> TypeAsync(MachineSession machine, string? name, MachinePlace place, CancellationToken stop)
     {
         var axes = machine.Profile.Axes;
-        if (place.Z is not null && axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (!place.IsCountable(axes.Scale)) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
-        var chosen = name is null ? machine.Hold!.Memory.Active : WorkOriginNames.Find(name)!;
-        return await machine.TypeOriginAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotSet(refusal) : ExitCode.Done;
+        if (place.Z is not null && axes.Z is null) return _action.NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (!place.IsCountable(axes.Scale)) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        var chosen = name is null ? machine.Connection.Lease!.Memory.Active : WorkOriginNames.Find(name)!;
+        return await machine.Origins.TypeAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }
 
     private async Task<int> ZeroAsync(MachineSession machine, ZeroOptions options, ParseResult parsed, CancellationToken stop)
     {
         var (profile, (touch, name, z)) = (machine.Profile, options.Read(parsed, machine.Profile.Scale));
-        if (z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (touch is null || !touch.IsCountable(profile.Scale)) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
-        var refused = await machine.SetOriginAsync((memory, here) => touch.Set(memory with { Active = name ?? memory.Active }, name ?? memory.Active, here.Position, profile), stop).ConfigureAwait(false);
+        if (z && profile.Axes.Z is null) return _action.NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (touch is null || !touch.IsCountable(profile.Scale)) return _action.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        var refused = await machine.Origins.SetAsync((memory, here) => touch.Set(memory with { Active = name ?? memory.Active }, name ?? memory.Active, here.Position, profile), stop).ConfigureAwait(false);
         return refused is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }
 
@@ -140,8 +145,8 @@ internal sealed partial class HandVerbs
 
         private static double ParseRadius(ArgumentResult result)
         {
-            if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var radius) && radius is >= 0.0 and <= LargestRadiusMm) return radius;
-            result.AddError(Wording.Get("Hand.InvalidRadius", result.Tokens[0].Value, LargestRadiusMm));
+            if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var radius) && radius is >= 0.0 and <= MaxRadiusMm) return radius;
+            result.AddError(Wording.Get("Hand.InvalidRadius", result.Tokens[0].Value, MaxRadiusMm));
             return 0.0;
         }
     }
