@@ -82,7 +82,7 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)
     {
         if (job.Motion.Program is not { SegmentCount: > 0 } program) return this with { Findings = Sorted(job.Diagnostics) };
-        var (post, request) = (PostTable.ForMotion(program.Style).Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions));
+        var (post, request) = (PostTable.ForMotion(program.Style).Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm });
         var posted = new Lazy<PostText?>(() => post.Write(request));
         var findings = post.Findings(request);
         cancellation.ThrowIfCancellationRequested();
