@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Offsets;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Offsets;
 
@@ -44,13 +45,13 @@ internal static class OffsetBenchmark
     private static (OffsetResult Result, double Milliseconds) Timed(OffsetContour contour, OffsetSide side, CancellationToken stop)
     {
         var times = new double[contour.Segments.Count is > NoRun and < ShortRun ? MoreRuns : Runs];
-        var result = ContourOffset.Offset([contour], Distance, side, OffsetOptions.Default); // compiles the measured code
+        var result = ContourOffset.Offset([contour], Distance, side, OffsetOptions.Round(DrawingSettings.Default.MaxErrorMm)); // compiles what is measured
         for (var i = 0; i < times.Length; i++)
         {
             stop.ThrowIfCancellationRequested();
             GC.Collect();
             var before = Environment.CpuUsage.TotalTime;
-            result = ContourOffset.Offset([contour], Distance, side, OffsetOptions.Default);
+            result = ContourOffset.Offset([contour], Distance, side, OffsetOptions.Round(DrawingSettings.Default.MaxErrorMm));
             times[i] = (Environment.CpuUsage.TotalTime - before).TotalMilliseconds;
         }
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using Engraver.Core.Pockets;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Pockets;
 
@@ -16,16 +17,21 @@ internal static class PocketBenchmark
     public static IEnumerable<string> Rows(CancellationToken stop)
     {
         var contours = Contours();
-        Measure(contours, new PocketOptions { ToolRadius = 2.0 }); // compiles the measured code
+        Measure(contours, OptionsOf(2.0, 0.5, PocketStrategy.Contour)); // compiles what is measured
         foreach (var strategy in (PocketStrategy[])[PocketStrategy.Contour, PocketStrategy.Zigzag])
         {
             foreach (var (radius, stepover) in ((double, double)[])[(1.0, 0.5), (0.5, 0.5), (0.5, 0.9), (0.25, 0.5)])
             {
                 stop.ThrowIfCancellationRequested();
-                yield return Measure(contours, new PocketOptions { ToolRadius = radius, Stepover = stepover, Strategy = strategy });
+                yield return Measure(contours, OptionsOf(radius, stepover, strategy));
             }
         }
     }
+
+    private static PocketOptions OptionsOf(double radius, double stepover, PocketStrategy strategy) => new()
+    {
+        ToolRadius = radius, Stepover = stepover, Strategy = strategy, MaxErrorMm = DrawingSettings.Default.MaxErrorMm, JoinToleranceMm = DrawingSettings.Default.JoinToleranceMm,
+    };
 
     private static string Measure(IReadOnlyList<OffsetContour> contours, PocketOptions options)
     {

@@ -5,6 +5,7 @@ using Avalonia.Layout;
 using Avalonia.VisualTree;
 using Engraver.App.Texts;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Settings;
 using ICommand = System.Windows.Input.ICommand;
 
 namespace Engraver.App.Menus;
@@ -71,8 +72,8 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
 /// <summary>The name of a command in menus and tips.</summary>
 public static class MenuTitle
 {
-    /// <summary>The text <c>Command.NAME</c>; a command without one is shown by its name.</summary>
-    public static string Find(string name) => Text.Find("Command." + name) ?? name;
+    /// <summary>The text <c>Command.NAME</c>; without one, the name of the setting that the command changes, otherwise the command's own name.</summary>
+    public static string Find(string name) => Text.Find("Command." + name) ?? SettingTable.All.FirstOrDefault(setting => setting.Command == name)?.Name ?? name;
 
     /// <summary>The shortest input for the command: its shortest alias, or the name.</summary>
     public static string Typed(CommandSession session, string name) =>

@@ -1,41 +1,13 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
-using System.Globalization;
-using Engraver.Core.Drawings;
-using Engraver.Core.Dxf.Records;
-using Engraver.Core.Geometry;
-using Engraver.Core.Kerf;
-using Engraver.Core.Machines;
-using Engraver.Core.Machines.Origins;
-using Engraver.Core.Machines.Profiles;
-using Engraver.Core.Sequencing.Ordering;
-using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>The file argument and the options shared by the drawing verbs.</summary>
+/// <summary>The file argument and the options shared by the drawing verbs: one for each setting of the table that has an option.</summary>
 internal sealed class DrawingOptions
 {
-    private static readonly DrawingSettings s_defaults = new();
-
     private readonly Argument<string> _file = new("FILE") { Description = Wording.Get("DrawingOptions.Drawing") };
-    private readonly Option<IReadOnlyList<string>?> _layers = Described<IReadOnlyList<string>?>(SettingTable.Layers, OptionValue.Names);
-    private readonly Option<IReadOnlyList<string>?> _skip = Described<IReadOnlyList<string>?>(SettingTable.SkippedLayers, OptionValue.Names);
-    private readonly Option<string> _units = Choice(SettingTable.Units, "auto");
-    private readonly Option<CutChoice> _cut = Described(SettingTable.Cut, OptionValue.Choices);
-    private readonly Option<double> _join = Number(SettingTable.JoinTolerance, s_defaults.JoinToleranceMm, OptionValue.NumberFromZero);
-    private readonly Option<double> _maxError = Number(SettingTable.MaxError, s_defaults.MaxErrorMm, OptionValue.PositiveNumber);
-    private readonly Option<Point2D> _start = Described(SettingTable.Start, OptionValue.Point);
-    private readonly Option<FinishPlace> _finish = Described(SettingTable.Finish, OptionValue.Finish);
-    private readonly Option<string?> _enter = Described<string?>(SettingTable.Enter);
-    private readonly Option<string> _order = Choice(SettingTable.Order, "nearest");
-    private readonly Option<bool> _keepDuplicates = Described<bool>(SettingTable.KeepDuplicates);
-    private readonly Option<bool> _recoverArcs = Described<bool>(SettingTable.RecoverArcs);
-    private readonly Option<string> _kerf = Choice(SettingTable.Kerf, "off");
-    private readonly Option<double?> _toolDiameter = Described<double?>(SettingTable.ToolDiameter, result => OptionValue.PositiveNumber(result));
-    private readonly Option<string?> _machine = Described<string?>(SettingTable.Machine);
-    private readonly Option<double?> _feed = Described<double?>(SettingTable.Feed, result => OptionValue.PositiveNumber(result));
+    private readonly IReadOnlyList<(Setting Setting, Option Option)> _options = [.. SettingTable.All.Where(setting => setting.HasOption).Select(setting => (setting, SettingOption.For(setting)))];
 
     public void AddTo(Command command)
     {
@@ -46,75 +18,26 @@ internal sealed class DrawingOptions
     /// <summary>For a verb whose drawing is named by an option of its own.</summary>
     public void AddOptionsTo(Command command)
     {
-        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _finish, _enter, _order, _keepDuplicates, _recoverArcs, _kerf, _toolDiameter, _machine, _feed]) command.Options.Add(option);
+        foreach (var (_, option) in _options) command.Options.Add(option);
     }
 
     public string File(ParseResult parsed) => parsed.GetRequiredValue(_file);
 
-    /// <exception cref="SettingException">The machine profile cannot be used.</exception>
-    /// <exception cref="UsageException">Options that do not go together.</exception>
-    public DrawingSettings Settings(ParseResult parsed) => new()
+    /// <exception cref="SettingException">A value is not valid, or the machine profile cannot be used.</exception>
+    /// <exception cref="UsageException">Options that cannot be used together.</exception>
+    public DrawingSettings Settings(ParseResult parsed)
     {
-        Unit = parsed.GetValue(_units) switch { "mm" => new LengthUnit(4, "mm", "option", 1.0), "inch" => new LengthUnit(1, "in", "option", 25.4), _ => null },
-        Cut = parsed.GetValue(_cut),
-        Layers = parsed.GetValue(_layers),
-        SkippedLayers = parsed.GetValue(_skip) ?? [],
-        JoinToleranceMm = parsed.GetValue(_join),
-        MaxErrorMm = parsed.GetValue(_maxError),
-        Start = parsed.GetValue(_start),
-        Finish = parsed.GetValue(_finish),
-        Enter = Entering(parsed.GetValue(_enter)),
-        Order = parsed.GetValue(_order) == "drawn" ? StrokeOrder.Drawn : StrokeOrder.Nearest,
-        KeepDuplicates = parsed.GetValue(_keepDuplicates),
-        RecoverArcs = parsed.GetValue(_recoverArcs),
-        Kerf = Kerf(parsed),
-        ToolDiameterMm = parsed.GetValue(_toolDiameter) ?? 0.0,
-        Machine = Machine(parsed),
-    };
+        var settings = DrawingSettings.Default;
+        foreach (var (setting, option) in _options)
+        {
+            if (SettingOption.TextOf(parsed, option) is { } typed) settings = setting.FromOption(settings, typed, ProfileOption.Warnings(parsed));
+        }
 
-    private KerfSide Kerf(ParseResult parsed)
-    {
-        var side = Enum.Parse<KerfSide>(parsed.GetValue(_kerf)!, ignoreCase: true);
-        return side == KerfSide.Off || parsed.GetValue(_toolDiameter) is not null ? side : throw new UsageException(Wording.Get("DrawingOptions.KerfNeedsDiameter"));
-    }
+        foreach (var (setting, _) in _options)
+        {
+            if (setting.Conflict(settings) is { } conflict) throw new UsageException(SettingWording.OnConsole(conflict));
+        }
 
-    private static EnteringPlace? Entering(string? word) => word switch
-    {
-        null => null,
-        _ when OptionValue.TryPoint(word) is { } point => new EnteringPlace.ByPoint(point),
-        _ when word.Length <= 16 && word.All(char.IsAsciiHexDigit) => new EnteringPlace.ByHandle(word),
-        _ => throw new UsageException(Wording.Get("DrawingOptions.InvalidEnter", word)),
-    };
-
-    /// <summary>Name, argument and help come from the one description of the setting.</summary>
-    private static Option<T> Described<T>(SettingDescription setting, Func<ArgumentResult, T>? parser = null)
-    {
-        var option = new Option<T>(setting.Flag!) { Description = SettingWording.OnConsole(setting.Meaning) };
-        if (setting.Argument is { } argument) option.HelpName = argument;
-        if (parser is not null) option.CustomParser = parser;
-        return option;
-    }
-
-    private static Option<string> Choice(SettingDescription setting, string standard)
-    {
-        var option = new Option<string>(setting.Flag!) { Description = SettingWording.OnConsole(setting.Meaning), DefaultValueFactory = _ => standard };
-        option.AcceptOnlyFromAmong(setting.Argument!.Split('|'));
-        return option;
-    }
-
-    private static Option<double> Number(SettingDescription setting, double standard, Func<ArgumentResult, double> parser)
-    {
-        var option = Described(setting, parser);
-        option.DefaultValueFactory = _ => standard;
-        return option;
-    }
-
-    private MachineProfile Machine(ParseResult parsed)
-    {
-        var profile = parsed.GetValue(_machine) is { } path ? ProfileOption.Load(parsed, path) : MachineProfile.Default;
-        if (parsed.GetValue(_feed) is not { } feed) return profile;
-        var fed = profile with { FeedMmPerMinute = feed };
-        var limits = MachineFamilies.DriverOf(profile).Limits;
-        return MachineProfileValidation.IsFeed(feed, profile, limits) ? fed : throw new UsageException(Wording.Get("DrawingOptions.FeedOutOfRange", feed.ToString("R", CultureInfo.InvariantCulture), MachineProfileValidation.FeedRange(profile, limits)));
+        return settings;
     }
 }

@@ -17,7 +17,7 @@ internal static class EmptyName
         {
             if (!part.Tokens.Any(token => token.Value.Length == 0)) continue;
             if (part is ArgumentResult { Argument: var argument }) return argument.Name;
-            if (part is OptionResult { Option: { HelpName: not AnyText } option } && option.ValueType == typeof(string)) return option.Name;
+            if (part is OptionResult { Option: { HelpName: not AnyText } and not SettingOption { MayBeEmpty: true } and var option } && option.ValueType == typeof(string)) return option.Name;
         }
 
         return null;

@@ -1,22 +1,15 @@
 using System.CommandLine.Parsing;
-using System.Text.RegularExpressions;
-using Engraver.Core.Dxf.Records;
-using Engraver.Core.Geometry;
-using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Options;
 
 /// <summary>Reads the values of options: invariant numbers only, and one sentence when a value cannot be read.</summary>
-internal static partial class OptionValue
+internal static class OptionValue
 {
-    /// <summary>The largest number that an option takes, in either direction: a thousand kilometres in millimetres; places may lie farther (drawings of
-    /// maps). What is larger is a slip of the hand, and arithmetic with it overflows.</summary>
-    private const double Largest = 1e9;
+    public static double PositiveNumber(ArgumentResult result) => Number(result, TypedNumber.AboveZero);
 
-    public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAboveZero"));
-
-    public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, Wording.Get("OptionValue.NumberFromZero"));
+    public static double NumberFromZero(ArgumentResult result) => Number(result, TypedNumber.FromZero);
 
     public static double AnyNumber(ArgumentResult result) => Number(result, _ => true, Wording.Get("OptionValue.AnyNumber"));
 
@@ -37,61 +30,20 @@ internal static partial class OptionValue
     /// <summary>Degrees above 0 and below 90.</summary>
     public static double RampAngle(ArgumentResult result) => Number(result, value => value is > 0.0 and < 90.0, Wording.Get("OptionValue.RampAngle"));
 
-    public static Point2D Point(ArgumentResult result)
+    private static double Number(ArgumentResult result, Func<string, Reading<double>> read)
     {
-        var word = result.Tokens[0].Value;
-        if (TryPoint(word) is { } point) return point;
-        result.AddError(Wording.Get("OptionValue.InvalidPoint", Name(result), word));
-        return default;
+        var reading = read(result.Tokens[0].Value);
+        if (reading is Reading<double>.Wrong wrong) result.AddError($"{Name(result)}: {wrong.Sentence}");
+        return reading is Reading<double>.Value value ? value.Of : double.NaN;
     }
-
-    public static Point2D? TryPoint(string word)
-    {
-        var parts = word.Split(',');
-        return parts.Length == 2 && NumberPrompt.TryNumber(parts[0], out var x) && NumberPrompt.TryNumber(parts[1], out var y) ? new Point2D(x, y) : null;
-    }
-
-    /// <summary>The words of <see cref="CutChoice"/>, parted by commas.</summary>
-    public static CutChoice Choices(ArgumentResult result)
-    {
-        var choice = CutChoice.None;
-        foreach (var word in Names(result))
-        {
-            if (char.IsAsciiLetter(word[0]) && Enum.TryParse<CutChoice>(word, ignoreCase: true, out var one)) choice |= one;
-            else result.AddError(Wording.Get("OptionValue.InvalidCut", Name(result), word));
-        }
-
-        return choice;
-    }
-
-    public static FinishPlace Finish(ArgumentResult result)
-    {
-        switch (result.Tokens[0].Value)
-        {
-            case "origin": return FinishPlace.Origin;
-            case "stay": return FinishPlace.Stay;
-            case "park": return FinishPlace.Park;
-            default:
-                result.AddError(Wording.Get("OptionValue.InvalidFinish", Name(result), result.Tokens[0].Value));
-                return FinishPlace.Origin;
-        }
-    }
-
-    public static IReadOnlyList<string> Names(ArgumentResult result) =>
-        [.. QuotedName().Matches(result.Tokens[0].Value).Select(found => found.Groups["quoted"] is { Success: true, Value: var quoted } ? quoted.Replace("\"\"", "\"", StringComparison.Ordinal) : found.Groups["plain"].Value.Trim()).Where(name => name.Length > 0)];
-
-    /// <summary>Names apart by commas; one with a comma in it stands in double quotes, in which a double quote is written twice.</summary>
-    [GeneratedRegex("(?:^|,)\\s*(?:\"(?<quoted>(?:[^\"]|\"\")*)\"\\s*(?=,|$)|(?<plain>[^,]*))", RegexOptions.CultureInvariant)]
-    private static partial Regex QuotedName();
 
     private static double Number(ArgumentResult result, Func<double, bool> allowed, string wanted)
     {
         var word = result.Tokens[0].Value;
-        if (NumberPrompt.TryNumber(word, out var value) && Math.Abs(value) <= Largest && allowed(value)) return value;
+        if (NumberPrompt.TryNumber(word, out var value) && Math.Abs(value) <= TypedNumber.Largest && allowed(value)) return value;
         result.AddError(Wording.Get("OptionValue.Invalid", Name(result), word, wanted));
         return double.NaN;
     }
-
 
     private static string Name(ArgumentResult result) => result.Argument.Name;
 }

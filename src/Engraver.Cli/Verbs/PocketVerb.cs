@@ -6,6 +6,7 @@ using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 using Engraver.Core.Pockets;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -25,7 +26,7 @@ internal static class PocketVerb
         {
             OutputFormat.Check(parsed.GetValue(output), ".dxf");
             var settings = drawing.Settings(parsed);
-            var (chosen, depths) = (options.Pocket(parsed), options.Depths(parsed));
+            var (chosen, depths) = (options.Pocket(parsed, settings), options.Depths(parsed));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             options.TellDeprecated(parsed, host);
             var pocket = PocketDrawing.Create(read, settings, chosen, depths);
@@ -67,7 +68,7 @@ internal sealed class PocketVerbOptions
     }
 
     /// <exception cref="UsageException">The allowance is larger than the tool, or the stepover is missing or given twice.</exception>
-    public PocketOptions Pocket(ParseResult parsed) => new()
+    public PocketOptions Pocket(ParseResult parsed, DrawingSettings settings) => new()
     {
         ToolRadius = parsed.GetRequiredValue(_tool),
         Stepover = Stepover(parsed),
@@ -75,6 +76,8 @@ internal sealed class PocketVerbOptions
         Angle = Angle.FromDegrees(parsed.GetValue(_angle)),
         FromCentre = parsed.GetValue(_from) == "centre",
         Allowance = parsed.GetValue(_allowance) <= parsed.GetRequiredValue(_tool) ? parsed.GetValue(_allowance) : throw new UsageException(Wording.Get("Pocket.AllowanceAboveTool")),
+        MaxErrorMm = settings.MaxErrorMm,
+        JoinToleranceMm = settings.JoinToleranceMm,
     };
 
     private double Stepover(ParseResult parsed) => (parsed.GetValue(_stepover), parsed.GetValue(_overlap)) switch

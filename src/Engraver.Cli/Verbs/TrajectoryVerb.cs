@@ -6,6 +6,7 @@ using Engraver.Core.Languages;
 using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Cli.Verbs;
 
@@ -17,7 +18,7 @@ internal sealed class TrajectoryVerb
     private readonly Option<bool> _json = JsonOption.New();
     private readonly Option<string> _folder = new("-o", "--output") { Required = true, HelpName = "DIR", Description = Wording.Get("Trajectory.Folder") };
     private readonly Option<string> _density = Choice("--density", Wording.Get("Trajectory.Density"), "dynamic", "uniform");
-    private readonly Option<double> _segment = new("--segment-length") { HelpName = "L", Description = Wording.Get("Trajectory.SegmentLength"), CustomParser = OptionValue.PositiveNumber, DefaultValueFactory = _ => TrajectoryOptions.DefaultSegmentLength };
+    private readonly Option<double> _segment = new("--segment-length") { HelpName = "L", Description = Wording.Get("Trajectory.SegmentLength"), CustomParser = OptionValue.PositiveNumber, DefaultValueFactory = _ => TrajectorySettings.Default.SegmentLengthMm };
     private readonly Option<double?> _offset = new("--offset") { HelpName = "D", Description = Wording.Get("Trajectory.Offset"), CustomParser = result => OptionValue.PositiveNumber(result) };
     private readonly Option<string?> _side = new("--side") { Description = Wording.Get("Trajectory.Side") };
     private readonly Option<double> _passes = new("--passes") { HelpName = "N", Description = Wording.Get("Trajectory.Passes"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 1.0 };

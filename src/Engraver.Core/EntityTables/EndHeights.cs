@@ -9,6 +9,9 @@ public sealed class EndHeights
     /// <summary>Heights that differ by no more are at one place, and a level does not end between them, mm.</summary>
     private const double Noise = 1e-6;
 
+    /// <summary>Smallest difference of heights that is a step, mm.</summary>
+    private const double SmallestStep = 0.01;
+
     private readonly double[] _heights;
     private readonly int[] _levels;
 
@@ -20,9 +23,9 @@ public sealed class EndHeights
     /// <summary>True when all ends are at one level.</summary>
     public bool AreFlat => _levels.Length == 0;
 
-    /// <summary>Heights nearer to each other than this are equal, mm: the join tolerance, but at least 0.01 mm, because a tolerance of 0 is meant for the
-    /// plan.</summary>
-    public static double ToleranceFor(double joinTolerance) => Math.Max(joinTolerance, 0.01);
+    /// <summary>Heights nearer to each other than this are equal, mm: the join tolerance, but at least <see cref="SmallestStep"/>, because a tolerance of 0 is
+    /// meant for the plan.</summary>
+    public static double ToleranceFor(double joinTolerance) => Math.Max(joinTolerance, SmallestStep);
 
     /// <summary>The heights of a table's rows.</summary>
     public static EndHeights From(EntityTable table, double joinTolerance)

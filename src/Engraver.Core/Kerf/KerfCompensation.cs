@@ -72,7 +72,7 @@ internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
 
         IReadOnlyList<OffsetContour> drawn = [.. group.Select(number => Contours[number])];
         var side = options.Side switch { KerfSide.Inside => OffsetSide.In, KerfSide.Left => OffsetSide.Left, KerfSide.Right => OffsetSide.Right, _ => OffsetSide.Out };
-        var offset = ContourOffset.Offset(drawn, options.Radius, side, OffsetOptions.Default with { MaxErrorMm = options.MaxErrorMm });
+        var offset = ContourOffset.Offset(drawn, options.Radius, side, OffsetOptions.Round(options.MaxErrorMm));
         foreach (var place in offset.Unresolved) Fault(KerfRules.NotCompensated, group[0], place);
         foreach (var loop in offset.Loops.OrderBy(loop => loop.Sources.Min(source => RowOf(group[source.Contour], source.Segment)))) Append(loop, group);
         var check = new KerfCheck(drawn, offset.Loops, options);

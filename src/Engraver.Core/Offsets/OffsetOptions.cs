@@ -30,13 +30,15 @@ public enum OffsetJoin
 /// <summary>Options of an offset other than distance and side.</summary>
 public sealed record OffsetOptions
 {
-    public static OffsetOptions Default { get; } = new();
+    public required OffsetJoin Join { get; init; }
 
-    public OffsetJoin Join { get; init; } = OffsetJoin.Round;
-
-    /// <summary>Maximum distance of the tip of a mitre from its corner, as a multiple of the distance; at least 1.</summary>
-    public double MitreLimit { get; init; } = 4.0;
+    /// <summary>Maximum distance of the tip of a mitre from its corner, as a multiple of the distance; at least 1. Not used by other joins.</summary>
+    public required double MitreLimit { get; init; }
 
     /// <summary>Largest distance of the arcs that approximate an ellipse or spline, millimetres.</summary>
-    public double MaxErrorMm { get; init; } = 0.001;
+    public required double MaxErrorMm { get; init; }
+
+    /// <summary>Round corners: every point of the offset has the exact distance.</summary>
+    /// <param name="maxErrorMm">Largest distance of the arcs that approximate an ellipse or spline, millimetres.</param>
+    public static OffsetOptions Round(double maxErrorMm) => new() { Join = OffsetJoin.Round, MitreLimit = 1.0, MaxErrorMm = maxErrorMm };
 }

@@ -19,9 +19,9 @@ public sealed record PocketOptions
     public required double ToolRadius { get; init; }
 
     /// <summary>Distance of neighbouring passes as a fraction of the tool's diameter (F), above 0 and below 1.</summary>
-    public double Stepover { get; init; } = 0.5;
+    public required double Stepover { get; init; }
 
-    public PocketStrategy Strategy { get; init; } = PocketStrategy.Contour;
+    public required PocketStrategy Strategy { get; init; }
 
     /// <summary>Direction of the rows of <see cref="PocketStrategy.Zigzag"/>, counter-clockwise from the X axis.</summary>
     public Angle Angle { get; init; }
@@ -33,7 +33,10 @@ public sealed record PocketOptions
     public double Allowance { get; init; }
 
     /// <summary>Largest distance of the arcs that approximate an ellipse or spline.</summary>
-    public double MaxErrorMm { get; init; } = 0.001;
+    public required double MaxErrorMm { get; init; }
+
+    /// <summary>Distance within which drawn ends were joined.</summary>
+    public required double JoinToleranceMm { get; init; }
 
     /// <summary>Distance of neighbouring passes: 2 R F.</summary>
     public double PassDistance => 2.0 * ToolRadius * Stepover;

@@ -26,8 +26,8 @@ public static class PocketPlanner
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(options.Stepover, 1.0);
         ArgumentOutOfRangeException.ThrowIfNegative(options.Allowance);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(options.Allowance, options.ToolRadius);
-        var offset = new OffsetOptions { MaxErrorMm = options.MaxErrorMm };
-        var (regions, unresolved) = PocketRegions.Of(contours, offset);
+        var offset = OffsetOptions.Round(options.MaxErrorMm);
+        var (regions, unresolved) = PocketRegions.Of(contours, offset, options.JoinToleranceMm);
         var plans = regions.Select((region, number) => RegionPlan.Of(region, number, options, offset)).ToList();
         return new PocketResult
         {

@@ -25,15 +25,16 @@ internal static class PocketRegions
 
     private const double Tolerance = 1e-10;
 
-    /// <summary>Distance within which drawn ends are joined, millimetres.</summary>
-    private const double JoinTolerance = 0.01;
+    /// <summary>Ends that are rounded differently are joined even when the join tolerance is 0, millimetres.</summary>
+    private const double EndRounding = 1e-6;
 
     /// <summary>The regions in the order of their outer contours, and the points where crossing contours could not be separated.</summary>
-    public static (List<PocketRegion> Regions, IReadOnlyList<Point2D> Unresolved) Of(IReadOnlyList<OffsetContour> contours, OffsetOptions options)
+    /// <param name="joinTolerance">Distance within which drawn ends were joined, millimetres.</param>
+    public static (List<PocketRegion> Regions, IReadOnlyList<Point2D> Unresolved) Of(IReadOnlyList<OffsetContour> contours, OffsetOptions options, double joinTolerance)
     {
         List<OffsetContour> closed = [.. contours.Where(contour => contour.Closed && contour.Segments.Any(segment => segment.Length > 0.0))];
         if (closed.Count == 0) return ([], []);
-        if (!TouchEachOther(closed, options)) return (Split(closed, 0.0, options), []);
+        if (!TouchEachOther(closed, options, Math.Max(joinTolerance, EndRounding))) return (Split(closed, 0.0, options), []);
         var (inset, parted) = (0.0, default(OffsetResult));
         foreach (var by in s_insets)
         {
@@ -45,7 +46,7 @@ internal static class PocketRegions
     }
 
     /// <summary>True when any two pieces have a common point other than the joint of neighbours. True in case of doubt, which only causes the inset.</summary>
-    private static bool TouchEachOther(List<OffsetContour> closed, OffsetOptions options)
+    private static bool TouchEachOther(List<OffsetContour> closed, OffsetOptions options, double joint)
     {
         PathPiece[][] walls = [.. closed.Select(contour => Pieces(Arcs(contour, options)))];
         PathPiece[] pieces = [.. walls.SelectMany(wall => wall)];
@@ -55,15 +56,15 @@ internal static class PocketRegions
         {
             var (a, b) = (pieces[first], pieces[second]);
             var count = PieceCrossings.Between(a, b, Tolerance, found);
-            var areNeighbours = wallOf[first] == wallOf[second] && (a.End.IsNear(b.Start, JoinTolerance) || b.End.IsNear(a.Start, JoinTolerance));
+            var areNeighbours = wallOf[first] == wallOf[second] && (a.End.IsNear(b.Start, joint) || b.End.IsNear(a.Start, joint));
             for (var i = 0; i < count; i++)
             {
                 var place = found[i].Place;
-                if (!areNeighbours || !(place.IsNear(a.End, JoinTolerance) || place.IsNear(a.Start, JoinTolerance))) return true;
+                if (!areNeighbours || !(place.IsNear(a.End, joint) || place.IsNear(a.Start, joint))) return true;
             }
         }
 
-        return walls.Any(wall => wall.Length == 2 && wall[0].At(0.5).IsNear(wall[1].At(0.5), JoinTolerance));
+        return walls.Any(wall => wall.Length == 2 && wall[0].At(0.5).IsNear(wall[1].At(0.5), joint));
     }
 
     private static Segment[] Arcs(OffsetContour contour, OffsetOptions options) => [.. contour.Segments.SelectMany(segment => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, options.MaxErrorMm) : [segment])];

@@ -62,10 +62,10 @@ public sealed record PostOption(string Name, string Argument, string Summary, st
 public sealed record PostRequest(Toolpath Path, MotionProgram? Program, Func<int, SourceRef>? SourceOf, IReadOnlyDictionary<string, string> Options)
 {
     /// <summary>The machine that runs it: feeds, tool drive, spindle. The motion program also contains it.</summary>
-    public MachineProfile Machine { get; init; } = MachineProfile.Default;
+    public required MachineProfile Machine { get; init; }
 
     /// <summary>Largest distance from the drawing where the format of the post does not have the drawn curve, millimetres, above 0.</summary>
-    public double MaxErrorMm { get; init; } = 0.001;
+    public required double MaxErrorMm { get; init; }
 
     /// <summary>The value of an option.</summary>
     public string Value(PostOption option)

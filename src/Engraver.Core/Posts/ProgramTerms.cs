@@ -2,23 +2,21 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>Requirements of a job for its program in addition to the path and the settings of the machine: the options of the post, which no drawing contains.
-/// The defaults are those of the posts.</summary>
+/// <summary>Requirements of a job for its program in addition to the path and the settings of the machine: the options of the post, which no drawing
+/// contains.</summary>
 public sealed record ProgramTerms
 {
-    public static ProgramTerms Default { get; } = new();
-
     /// <summary>G-code of the work offset of all positions: G54 to G59.</summary>
-    public string WorkOffset { get; init; } = "G54";
+    public required string WorkOffset { get; init; }
 
     /// <summary>G-code that switches the tool when no axis moves it: m3, m8 or m64.</summary>
-    public string ToolSwitch { get; init; } = "m3";
+    public required string ToolSwitch { get; init; }
 
     /// <summary>S word of G-code, for the spindle or the device that M3 switches.</summary>
-    public double SpindleSpeed { get; init; } = 1000.0;
+    public required double SpindleSpeed { get; init; }
 
     /// <summary>Pen of HP-GL, 1 to 8.</summary>
-    public int Pen { get; init; } = 1;
+    public required int Pen { get; init; }
 }
 
 /// <summary>Receives from a reader the differences between its program and the job; keeps the first one.</summary>

@@ -14,11 +14,10 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
     private readonly ContourEnds _ends;
     private readonly Func<int, int> _entityOf;
     private readonly Drawing? _drawing;
-    private readonly double _suspiciousGap;
     private readonly double _joined;
 
     internal OpenEndList(ChainedTable chained, SequencingOptions options) =>
-        (_ends, _entityOf, _drawing, _suspiciousGap, _joined) = (chained.Chain.Discontinuities, EntitiesOf(chained), chained.Drawing, options.SuspiciousGap, options.JoinTolerance);
+        (_ends, _entityOf, _drawing, _joined) = (chained.Chain.Discontinuities, EntitiesOf(chained), chained.Drawing, options.JoinTolerance);
 
     public int Count => _ends.Count;
 
@@ -28,7 +27,7 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
         {
             var end = _ends[index];
             var nearest = end.NearestRow < 0 ? -1 : _entityOf(end.NearestRow);
-            var rule = end.Gap > _joined && end.Gap < _suspiciousGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
+            var rule = end.Gap > _joined && end.Gap < ContourEnds.WidestGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
             return new OpenEnd(end.Place, _entityOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
         }
     }

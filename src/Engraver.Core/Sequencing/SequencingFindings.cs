@@ -48,12 +48,12 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, Number(chain.Branches)));
         AddShortSegments(table, segments);
         var ends = chain.Discontinuities;
-        var nearby = ends.FindNearby(options.JoinTolerance, options.SuspiciousGap, ShownPerRule);
+        var nearby = ends.FindNearby(options.JoinTolerance, ContourEnds.WidestGap, ShownPerRule);
         foreach (var end in nearby.Measured) AddSmallGap(end, table);
         if (nearby.Count > nearby.Measured.Count) _counts[SequencingRules.SmallGap] = nearby.Count;
         if (nearby.FirstFar < 0) return;
         var (place, row) = (ends.PlaceOf(nearby.FirstFar), ends.RowOf(nearby.FirstFar));
-        Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, Number(options.SuspiciousGap), Number(ends.Count - nearby.Count), Number(place.X), Number(place.Y));
+        Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, Number(ContourEnds.WidestGap), Number(ends.Count - nearby.Count), Number(place.X), Number(place.Y));
     }
 
     /// <summary>Reports the rules that have more findings than are listed. Must be called once, after all findings.</summary>

@@ -1,20 +1,18 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing.Chaining;
 using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Tolerances and requests of sequencing; lengths in millimetres. The defaults are those of the command line.</summary>
+/// <summary>Tolerances and requests of sequencing; lengths in millimetres. The caller states the tolerances and the order; any other request that is left out
+/// is not made.</summary>
 public sealed record SequencingOptions
 {
-    public static SequencingOptions Default { get; } = new();
-
     /// <summary>Distance within which ends are joined.</summary>
-    public double JoinTolerance { get; init; } = 0.01;
+    public required double JoinTolerance { get; init; }
 
     /// <summary>Distance within which coinciding segments are duplicates; smaller than the join tolerance, because an omitted duplicate must count as
     /// cut.</summary>
-    public double DuplicateTolerance { get; init; } = 0.001;
+    public required double DuplicateTolerance { get; init; }
 
     public bool KeepDuplicates { get; init; }
 
@@ -25,13 +23,10 @@ public sealed record SequencingOptions
     /// not an arc.</summary>
     public bool CutsHeights { get; init; }
 
-    /// <summary>Distance within which two open ends are reported as a probable drawing error.</summary>
-    public double SuspiciousGap { get; init; } = ContourEnds.WidestGap;
-
     /// <summary>Position of the tool when the job starts.</summary>
     public Point2D ToolStart { get; init; }
 
-    public StrokeOrder Order { get; init; } = StrokeOrder.Nearest;
+    public required StrokeOrder Order { get; init; }
 
     /// <summary>The stroke that must come first; null for no requirement.</summary>
     public EnterAt? Enter { get; init; }

@@ -3,14 +3,12 @@ namespace Engraver.Core.Verification;
 /// <summary>Allowed differences of a correct run, millimetres.</summary>
 public sealed record TraceTolerances
 {
-    public static TraceTolerances Default { get; } = new();
-
     /// <summary>Length of one count of the coarser axis. Rounding both axes and the radius of an arc moves a point by less than 2.5 counts (galil-dmc.md
     /// B.3).</summary>
-    public double Count { get; init; } = 0.001;
+    public required double Count { get; init; }
 
     /// <summary>Largest distance between the drawing's curves and the arcs cut for them.</summary>
-    public double MaxError { get; init; } = 0.001;
+    public required double MaxError { get; init; }
 
     /// <summary>Largest distance of a cutting sample from the drawing.</summary>
     public double Deviation => (2.5 * Count) + MaxError;

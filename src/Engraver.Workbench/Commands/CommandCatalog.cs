@@ -39,7 +39,7 @@ public sealed class CommandCatalog
         new EraseCommand(), new MoveCommand(), new CopyCommand(), new GripEditCommand(), new ChPropCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new OffsetCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
         .. TrimCommand.All, .. FilletCommand.All, new BreakCommand(), new StretchCommand(), new MatchPropertiesCommand(),
         new PocketCommand(), new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
-        new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
+        new EnterCommand(), new AutoSequenceCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new SacePathCommand(), new SaceOffsetCommand(), new SaceUniformOffsetCommand(), new SaceConstantOffsetsCommand(), new SaceDeepEngravingCommand(), new SaceHelicalDrillCommand(), .. SaceLengthCommand.All, new SaceToggleDensityCommand(), new SaceCornersCommand(),
         new SaceShowTrajectoriesCommand(), new SaceEditTrajectoryCommand(), new SaceDeleteLastTrajectoryCommand(), new SaceDeleteAllTrajectoriesCommand(), new SaceUpdateTrajectoriesCommand(), new SaceExportTrajectoriesCommand(), new SaceSimulateCommand(),
         new PostCommand(), new AgiePostCommand(), new LinkCommand(), new VerifyCommand(), new CertifyCommand(), new SendCommand(), new PlotCommand(), new ReportCommand(),

@@ -83,7 +83,7 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
     {
         if (job.Motion.Program is not { SegmentCount: > 0 } program) return this with { Findings = Sorted(job.Diagnostics) };
         var driver = MachineFamilies.DriverOf(program.Profile);
-        var (post, request) = (PostTable.ForMotion(driver, program.Style)?.Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions));
+        var (post, request) = (PostTable.ForMotion(driver, program.Style)?.Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm });
         var posted = new Lazy<PostText?>(() => post?.Write(request));
         var findings = post?.Findings(request) ?? [];
         cancellation.ThrowIfCancellationRequested();

@@ -21,13 +21,13 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
     /// <param name="settings">Layers, units and tolerances.</param>
     /// <param name="distance">Millimetres, above 0.</param>
     /// <param name="side">See <see cref="OffsetSide"/>.</param>
-    /// <param name="options">The join; the tolerances are those of the settings.</param>
+    /// <param name="options">Join and tolerance.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static OffsetDrawing Create(Drawing drawing, DrawingSettings settings, double distance, OffsetSide side, OffsetOptions options)
     {
         var chained = Sequencer.Chain(JobPreparation.Analyse(drawing, settings), drawing, JobPreparation.SequencingFor(drawing, settings));
         var contours = ContoursOf(chained);
-        var result = ContourOffset.Offset(contours, distance, side, options with { MaxErrorMm = settings.MaxErrorMm });
+        var result = ContourOffset.Offset(contours, distance, side, options);
         return new OffsetDrawing(result, [.. drawing.Diagnostics, .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);
     }
 

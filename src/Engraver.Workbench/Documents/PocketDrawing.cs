@@ -18,16 +18,15 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
 
     /// <param name="drawing">Its selected layers are chained to contours.</param>
     /// <param name="settings">Layers, units and tolerances.</param>
-    /// <param name="options">Tool and strategy; the tolerance is that of the settings.</param>
+    /// <param name="options">Tool, strategy and tolerances.</param>
     /// <param name="depths">Levels and entry.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static PocketDrawing Create(Drawing drawing, DrawingSettings settings, PocketOptions options, PocketDepths depths)
     {
         var chained = Sequencer.Chain(JobPreparation.Analyse(drawing, settings), drawing, JobPreparation.SequencingFor(drawing, settings));
-        var exact = options with { MaxErrorMm = settings.MaxErrorMm };
-        var result = PocketPlanner.Plan(OffsetDrawing.ContoursOf(chained), exact);
-        var cuts = PocketLevels.Of(result, exact, depths);
-        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, exact), .. Findings(cuts, depths)]);
+        var result = PocketPlanner.Plan(OffsetDrawing.ContoursOf(chained), options);
+        var cuts = PocketLevels.Of(result, options, depths);
+        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, options), .. Findings(cuts, depths)]);
     }
 
     /// <summary>Every stroke as a polyline at its height, preceded by its entry move as a 3D polyline; in the order of cutting.</summary>

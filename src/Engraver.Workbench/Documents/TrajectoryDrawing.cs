@@ -50,7 +50,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         public void AddOffsets(SequencingResult sequence, TrajectoryOffset offset)
         {
             IReadOnlyList<OffsetContour> contours = [.. sequence.Strokes.Select(stroke => new OffsetContour([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed))];
-            var options = OffsetOptions.Default with { MaxErrorMm = settings.MaxErrorMm };
+            var options = OffsetOptions.Round(settings.MaxErrorMm);
             for (var pass = 0; pass < offset.Passes; pass++)
             {
                 var distance = offset.Distance + ((offset.Passes - 1 - pass) * offset.Step);

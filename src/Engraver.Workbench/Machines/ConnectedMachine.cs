@@ -1,7 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
-using Engraver.Core.Motion;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Origins;

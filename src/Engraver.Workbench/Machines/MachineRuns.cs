@@ -1,5 +1,4 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Motion;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Arming;

@@ -8,9 +8,12 @@ using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Workbench.Settings;
 
-/// <summary>What the operator may choose between a drawing and its motion. The defaults are those of the runner's contract.</summary>
+/// <summary>The settings between a drawing and its motion. Each property has a row in <see cref="SettingTable"/>. The defaults of the program are the values
+/// here; only the numbers of the built-in machine are those of <see cref="MachineProfile"/>.</summary>
 public sealed record DrawingSettings
 {
+    public static DrawingSettings Default { get; } = new();
+
     /// <summary>Unit to take whatever the drawing says; null: the drawing's own.</summary>
     public LengthUnit? Unit { get; init; }
 

@@ -1,86 +1,76 @@
-using System.Globalization;
 using System.Text;
+using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Workbench.Settings;
 
-/// <summary>Every setting between a drawing and its motion.</summary>
+/// <summary>Every setting between a drawing and its motion, in the order of the help and of the pages. Options are applied in this order. The defaults are
+/// those of <see cref="DrawingSettings"/>.</summary>
 public static class SettingTable
 {
-    private static readonly DrawingSettings s_defaults = new();
+    public static NamesSetting Layers { get; } = new("layers", s => s.Layers, (s, v) => s with { Layers = v }) { Command = "LAYER", HasOwnCommand = true };
 
-    public static SettingDescription Layers { get; } = new("layers")
+    public static NamesSetting SkippedLayers { get; } = new("skip-layers", s => s.SkippedLayers, (s, v) => s with { SkippedLayers = v ?? [] }) { Command = "LAYER", HasOwnCommand = true };
+
+    public static UnitSetting Units { get; } = new("units", s => s.Unit, (s, v) => s with { Unit = v }) { Command = "CNCUNITS", Page = SettingPage.Drawing };
+
+    public static CutSetting Cut { get; } = new("cut", s => s.Cut, (s, v) => s with { Cut = v }) { Command = "CNCCUT", Page = SettingPage.Drawing };
+
+    public static NumberSetting JoinTolerance { get; } = new("join-tolerance", s => s.JoinToleranceMm, (s, v) => s with { JoinToleranceMm = v })
     {
-        Flag = "--layers", Argument = "A,B", Command = "LAYER"
+        Unit = "mm", Argument = "MM", Min = 0.0, Max = 1e3, Command = "CNCJOINTOL", Page = SettingPage.Drawing,
     };
 
-    public static SettingDescription SkippedLayers { get; } = new("skip-layers") { Flag = "--skip-layers", Argument = "A,B", Command = "LAYER" };
-
-    public static SettingDescription Units { get; } = new("units")
+    public static NumberSetting MaxError { get; } = new("max-error", s => s.MaxErrorMm, (s, v) => s with { MaxErrorMm = v })
     {
-        Flag = "--units", Argument = "mm|inch|auto", Command = "CNCUNITS", Least = 0, Most = 24, Whole = true
+        Unit = "mm", Argument = "MM", Min = 1e-9, Max = 1e3, Command = "CNCMAXERR", Page = SettingPage.Drawing,
     };
 
-    public static SettingDescription Cut { get; } = new("cut")
+    public static PointSetting Start { get; } = new("start", s => s.Start, (s, v) => s with { Start = v }) { Unit = "mm", Command = "TOOLSTART", HasOwnCommand = true };
+
+    public static FinishSetting Finish { get; } = new("finish", s => s.Finish, (s, v) => s with { Finish = v }) { Command = "CNCFINISH", HasOwnCommand = true, Page = SettingPage.Toolpath };
+
+    public static EnteringSetting Enter { get; } = new("enter", s => s.Enter, (s, v) => s with { Enter = v }) { Command = "ENTER", HasOwnCommand = true };
+
+    public static ChoiceSetting<StrokeOrder> Order { get; } = new("order", s => s.Order, (s, v) => s with { Order = v }) { Command = "CNCORDER", Page = SettingPage.Toolpath };
+
+    public static SwitchSetting KeepDuplicates { get; } = new("keep-duplicates", s => s.KeepDuplicates, (s, v) => s with { KeepDuplicates = v }) { Command = "CNCDUPLICATES", Page = SettingPage.Drawing };
+
+    public static SwitchSetting RecoverArcs { get; } = new("recover-arcs", s => s.RecoverArcs, (s, v) => s with { RecoverArcs = v }) { Command = "CNCRECOVER", Page = SettingPage.Drawing };
+
+    public static KerfSetting Kerf { get; } = new("kerf", s => s.Kerf, (s, v) => s with { Kerf = v }) { Command = "KERF", HasOwnCommand = true, Page = SettingPage.Toolpath };
+
+    public static ToolDiameterSetting ToolDiameter { get; } = new("tool-diameter", s => s.ToolDiameterMm, (s, v) => s with { ToolDiameterMm = v })
     {
-        Flag = "--cut", Argument = "hatch,mline,leader,helix,solid", Command = "CNCCUT", Least = 0, Most = 31, Whole = true
+        Unit = "mm", Argument = "MM", Min = 1e-3, Max = 1e3, Command = "KERF", HasOwnCommand = true, Page = SettingPage.Toolpath,
     };
 
-    public static SettingDescription JoinTolerance { get; } = new("join-tolerance")
+    public static MachineSetting Machine { get; } = new("machine") { Command = "CNCPROFILE", HasOwnCommand = true };
+
+    public static FeedSetting Feed { get; } = new("feed", m => m.FeedMmPerMinute, (m, v) => m with { FeedMmPerMinute = v })
     {
-        Unit = "mm", Flag = "--join-tolerance", Argument = "MM", Command = "CNCJOINTOL", Least = 0.0, Most = 1e3, Default = Number(s_defaults.JoinToleranceMm),
+        Unit = "mm/min", Argument = "MM/MIN", Min = 1e-6, Max = 1e9, JsonField = "feedMmPerMinute", Command = "CNCFEED", Page = SettingPage.Machine,
     };
 
-    public static SettingDescription MaxError { get; } = new("max-error")
+    public static MachineNumberSetting VectorSpeed { get; } = new("vector-speed", m => m.FeedMmPerMinute / 60.0 * m.Scale.Smallest, (m, v) => m with { FeedMmPerMinute = v * 60.0 / m.Scale.Smallest })
     {
-        Unit = "mm", Flag = "--max-error", Argument = "MM", Command = "CNCMAXERR", Least = 1e-9, Most = 1e3, Default = Number(s_defaults.MaxErrorMm),
+        Unit = "counts/s", HasOption = false, Min = 1e-3, Max = 1e12, Command = "CNCVS", Page = SettingPage.Machine,
     };
 
-    public static SettingDescription Start { get; } = new("start") { Unit = "mm", Flag = "--start", Argument = "X,Y", Command = "TOOLSTART", Default = "0,0" };
-
-    public static SettingDescription Finish { get; } = new("finish") { Flag = "--finish", Argument = "origin|stay|park", Command = "CNCFINISH", Default = "origin" };
-
-    public static SettingDescription Enter { get; } = new("enter") { Flag = "--enter", Argument = "HANDLE|X,Y", Command = "ENTER" };
-
-    public static SettingDescription Order { get; } = new("order")
+    public static MachineNumberSetting Rapid { get; } = new("rapid", m => m.RapidMmPerMinute, (m, v) => m with { RapidMmPerMinute = v })
     {
-        Flag = "--order", Argument = "drawn|nearest", Command = "CNCORDER", Default = "nearest",
+        Unit = "mm/min", HasOption = false, Min = 1e-6, Max = 1e9, JsonField = "rapidMmPerMinute", Command = "CNCRAPID", Page = SettingPage.Machine,
     };
 
-    public static SettingDescription KeepDuplicates { get; } = new("keep-duplicates")
+    public static MachineNumberSetting Acceleration { get; } = new("acceleration", m => m.AccelerationCounts, (m, v) => m with { AccelerationCounts = (int)v })
     {
-        Flag = "--keep-duplicates", Command = "CNCDUPLICATES", Least = 0, Most = 1, Whole = true, Default = "0",
+        Unit = "counts/s2", HasOption = false, Min = 1024, Max = 67107840, Whole = true, JsonField = "accelerationCounts", Command = "CNCVA", Page = SettingPage.Machine,
     };
 
-    public static SettingDescription RecoverArcs { get; } = new("recover-arcs")
-    {
-        Flag = "--recover-arcs", Command = "CNCRECOVER", Least = 0, Most = 1, Whole = true, Default = "0",
-    };
-
-    public static SettingDescription Kerf { get; } = new("kerf") { Flag = "--kerf", Argument = "off|nesting|outside|inside|left|right", Command = "KERF", Default = "off" };
-
-    public static SettingDescription ToolDiameter { get; } = new("tool-diameter") { Unit = "mm", Flag = "--tool-diameter", Argument = "MM", Command = "KERF", Least = 1e-3, Most = 1e3 };
-
-    public static SettingDescription Machine { get; } = new("machine") { Flag = "--machine", Argument = "PROFILE.json", Command = "CNCPROFILE" };
-
-    public static SettingDescription Feed { get; } = new("feed")
-    {
-        Unit = "mm/min", Flag = "--feed", Argument = "MM/MIN", Command = "CNCFEED", Least = 1e-6, Most = 1e9, JsonField = "feedMmPerMinute", Default = Number(s_defaults.Machine.FeedMmPerMinute),
-    };
-
-    public static SettingDescription VectorSpeed { get; } = new("vector-speed") { Unit = "counts/s", Command = "CNCVS", Least = 1e-3, Most = 1e12 };
-
-    public static SettingDescription Rapid { get; } = new("rapid")
-    {
-        Unit = "mm/min", Command = "CNCRAPID", Least = 1e-6, Most = 1e9, JsonField = "rapidMmPerMinute", Default = Number(s_defaults.Machine.RapidMmPerMinute),
-    };
-
-    public static SettingDescription Acceleration { get; } = new("acceleration")
-    {
-        Unit = "counts/s2", Command = "CNCVA", Least = 1024, Most = 67107840, Whole = true, JsonField = "accelerationCounts", Default = Number(s_defaults.Machine.AccelerationCounts),
-    };
-
-    public static IReadOnlyList<SettingDescription> All { get; } =
+    public static IReadOnlyList<Setting> All { get; } =
         [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+
+    /// <summary>The setting of a key; null when there is none.</summary>
+    public static Setting? Find(string key) => All.FirstOrDefault(setting => setting.Key == key);
 
     /// <summary>The text of docs/settings.md.</summary>
     public static string ToMarkdown()
@@ -89,17 +79,13 @@ public static class SettingTable
         page.Append("| Key | Setting | Unit | Default | Option | Command | Range of the command | JSON | Meaning |\n|---|---|---|---|---|---|---|---|---|\n");
         foreach (var setting in All)
         {
-            page.Append("| ").AppendJoin(" | ", setting.Key, setting.Name, setting.Unit, setting.Default, Code(Option(setting)), Code(setting.Command), Range(setting), Code(setting.JsonField), setting.Meaning).Append(" |\n");
+            page.Append("| ").AppendJoin(" | ", setting.Key, setting.Name, setting.Unit, setting.Default, Code($"{setting.Option} {(setting.HasOption ? setting.Argument : "")}".Trim()), Code(setting.Command), Range(setting), Code(setting.JsonField), setting.Meaning).Append(" |\n");
         }
 
         return page.ToString();
     }
 
-    private static string Option(SettingDescription setting) => setting.Argument is { } argument ? $"{setting.Flag} {argument}".Trim() : setting.Flag ?? "";
-
-    private static string Range(SettingDescription setting) => setting.Most > setting.Least ? $"{Number(setting.Least)} to {Number(setting.Most)}" : "";
+    private static string Range(Setting setting) => setting.Max > setting.Min ? $"{TypedNumber.Exact(setting.Min)} to {TypedNumber.Exact(setting.Max)}" : "";
 
     private static string Code(string? text) => string.IsNullOrEmpty(text) ? "" : $"`{text.Replace("|", "\\|", StringComparison.Ordinal)}`";
-
-    private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 }

@@ -11,10 +11,9 @@ public static partial class SettingWording
     /// <summary>Keys that stand for more than the name of a setting: a setting with a value, or a command that shows something.</summary>
     private static readonly Dictionary<string, (string Console, string Desktop)> s_phrases = new(StringComparer.Ordinal)
     {
-        ["units-mm"] = ("--units mm", "CNCUNITS 4"),
-        ["units-inch"] = ("--units inch", "CNCUNITS 1"),
+        ["units-mm"] = ($"{SettingTable.Units.Option} mm", $"{SettingTable.Units.Command} 4"),
+        ["units-inch"] = ($"{SettingTable.Units.Option} inch", $"{SettingTable.Units.Command} 1"),
         ["look"] = (Verb("info"), "CHECK"),
-        ["cut"] = ("--cut", "CNCCUT"),
         ["certify"] = (Verb("certify"), "CERTIFY"),
         ["connect"] = ("--connect", "CNCCONNECT"),
         ["zero"] = (Verb("zero"), "CNCZERO"),
@@ -46,17 +45,17 @@ public static partial class SettingWording
 
     private static string Console(string sign, string key)
     {
-        var flag = s_phrases.TryGetValue(key, out var phrase) ? phrase.Console : Find(key).Flag ?? Find(key).Name;
+        var flag = s_phrases.TryGetValue(key, out var phrase) ? phrase.Console : Find(key).Option ?? Find(key).Name;
         return sign switch { "+" => Wording.Get("Advice.With", flag), "-" => Wording.Get("Advice.Without", flag), _ => TextCatalogue.Fact(flag) };
     }
 
     private static string Desktop(string sign, string key)
     {
-        var command = s_phrases.TryGetValue(key, out var phrase) ? phrase.Desktop : Find(key).Command ?? Find(key).Name;
-        return sign switch { "+" => Wording.Get("Advice.With", command + " 1"), "-" => Wording.Get("Advice.With", command + " 0"), _ => key == "cut" ? Wording.Get("Advice.CutAtOpening", command) : TextCatalogue.Fact(command) };
+        var command = s_phrases.TryGetValue(key, out var phrase) ? phrase.Desktop : Find(key).Command;
+        return sign switch { "+" => Wording.Get("Advice.With", command + " 1"), "-" => Wording.Get("Advice.With", command + " 0"), _ => key == SettingTable.Cut.Key ? Wording.Get("Advice.CutAtOpening", command) : TextCatalogue.Fact(command) };
     }
 
-    private static SettingDescription Find(string key) => SettingTable.All.First(setting => setting.Key == key);
+    private static Setting Find(string key) => SettingTable.Find(key) ?? throw new ArgumentException(key, nameof(key));
 
     [GeneratedRegex(@"\[(?<sign>[-+]?)(?<key>[a-z][a-z-]+)\]", RegexOptions.CultureInvariant)]
     private static partial Regex Key();

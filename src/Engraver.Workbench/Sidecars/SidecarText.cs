@@ -57,8 +57,8 @@ public static class SidecarText
 
     private static TrajectorySettings SettingsOf(TrajectorySettingsJson? json)
     {
-        if (json is null) return new TrajectorySettings();
-        var standard = new TrajectorySettings();
+        var standard = TrajectorySettings.Default;
+        if (json is null) return standard;
         var settings = new TrajectorySettings
         {
             MaxErrorMm = json.MaxError ?? standard.MaxErrorMm,

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Posts;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Verification;
 
@@ -23,7 +24,7 @@ public sealed record PostedWith
     public double BlendMm { get; init; }
 
     /// <summary>Program content other than the path.</summary>
-    public ProgramTerms Terms { get; init; } = ProgramTerms.Default;
+    public ProgramTerms Terms { get; init; } = TermsOf(_ => null);
 
     /// <summary>The motion from which it was posted, if a slow link has changed it; otherwise null.</summary>
     internal MotionProgram? Fitted { get; init; }
@@ -38,18 +39,24 @@ public sealed record PostedWith
     public static PostedWith Parse(Func<string, string?> valueOf)
     {
         ArgumentNullException.ThrowIfNull(valueOf);
-        var usual = ProgramTerms.Default;
         return new()
         {
             Origin = valueOf("origin") is { } origin ? ProgramOrigin.TryParse(origin) : null,
             BlendMm = Number(valueOf("blend")) ?? 0.0,
-            Terms = new ProgramTerms
-            {
-                WorkOffset = valueOf("work-offset") ?? usual.WorkOffset,
-                ToolSwitch = valueOf("tool-switch") ?? usual.ToolSwitch,
-                SpindleSpeed = Number(valueOf("spindle-speed")) ?? usual.SpindleSpeed,
-                Pen = (int)(Number(valueOf("pen")) ?? usual.Pen),
-            },
+            Terms = TermsOf(valueOf),
+        };
+    }
+
+    /// <summary>The terms of options of posts; an option that was not given has the default of its post.</summary>
+    private static ProgramTerms TermsOf(Func<string, string?> valueOf)
+    {
+        string Value(string name) => valueOf(name) ?? PostTable.Options.First(option => option.Name == name).Default;
+        return new ProgramTerms
+        {
+            WorkOffset = Value("work-offset"),
+            ToolSwitch = Value("tool-switch"),
+            SpindleSpeed = Number(Value("spindle-speed"))!.Value,
+            Pen = (int)Number(Value("pen"))!.Value,
         };
     }
 

@@ -322,7 +322,7 @@ public class NetworkRunTests
 
     private static void AssertPart(IReadOnlyList<TraceSample> trace)
     {
-        var found = TraceComparison.Compare(s_paperPart, trace, TraceTolerances.Default);
+        var found = TraceComparison.Compare(s_paperPart, trace, UsualOptions.Trace);
         Assert.InRange(found.MaxDeviation, 0.0, 0.0035);
         Assert.Equal(0.0, found.MissingLength);
     }

@@ -1,5 +1,6 @@
 using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
 
@@ -13,7 +14,7 @@ public class FlatLineTests
     {
         var drawing = Reading.Entities((0, "LINE"), (10, 1), (20, 2), (30, 0), (11, 1), (21, 2), (31, height), (0, "LINE"), (10, 0), (20, 0), (11, 3), (21, 4));
         var table = EntityTableBuilder.Build(drawing, LayerSelection.Default);
-        var sequence = Sequencer.Sequence(ArcAnalysis.Analyse(table), drawing, new SequencingOptions());
+        var sequence = Sequencer.Sequence(ArcAnalysis.Analyse(table), drawing, UsualOptions.Sequencing);
 
         Assert.Equal((2, 1, 5.0), (drawing.Entities.Count, table.Count, sequence.PathLength));
         Assert.Contains(words, Assert.Single(drawing.Diagnostics).Message, StringComparison.Ordinal);

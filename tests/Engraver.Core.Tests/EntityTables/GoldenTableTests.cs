@@ -28,7 +28,7 @@ public class GoldenTableTests
     {
         var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(SampleDrawings.PaperSample(), LayerSelection.Default));
 
-        var sequenced = Sequencer.Sequence(analysed, null, SequencingOptions.Default);
+        var sequenced = Sequencer.Sequence(analysed, null, UsualOptions.Sequencing);
 
         Assert.Equal(
             Header

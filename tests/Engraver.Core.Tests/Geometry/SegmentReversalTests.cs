@@ -49,7 +49,7 @@ public class SegmentReversalTests
             var table = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));
             var drawn = table[0].ToSegment();
 
-            var cut = Sequencer.Sequence(table, null, SequencingOptions.Default with { ToolStart = drawn.End, JoinTolerance = 0.0 }).Strokes[0].Moves[0].Segment;
+            var cut = Sequencer.Sequence(table, null, UsualOptions.Sequencing with { ToolStart = drawn.End, JoinTolerance = 0.0 }).Strokes[0].Moves[0].Segment;
 
             return cut.Start == drawn.End
                 && cut.End == drawn.Start

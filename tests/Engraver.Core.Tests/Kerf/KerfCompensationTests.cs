@@ -5,6 +5,7 @@ using Engraver.Core.Kerf;
 using Engraver.Core.Offsets;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Tests.Dxf;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Kerf;
 
@@ -127,7 +128,7 @@ public class KerfCompensationTests
     private static KerfResult Compensated(KerfSide side, double diameter, (int, object)[] entities, bool cutsHeights = false)
     {
         var drawing = Reading.Entities(entities);
-        var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, SequencingOptions.Default with { CutsHeights = cutsHeights });
+        var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, UsualOptions.Sequencing with { CutsHeights = cutsHeights });
         return KerfCompensation.Compensate(chained, Options(side, diameter, cutsHeights));
     }
 

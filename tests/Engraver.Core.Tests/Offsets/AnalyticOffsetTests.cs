@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
+using Engraver.TestKit;
 using static Engraver.Core.Tests.Offsets.OffsetShapes;
 
 namespace Engraver.Core.Tests.Offsets;
@@ -47,9 +48,9 @@ public class AnalyticOffsetTests
         var beside = new OffsetContour([Segment.FromLine(new Point2D(0, 0.75), new Point2D(10, 0.75))], false);
         var below = new OffsetContour([Segment.FromLine(new Point2D(0, 0), new Point2D(10, 0))], false);
 
-        Assert.InRange(ContourOffset.Offset([Rectangle(0, 0, 10, 4), line], 1, OffsetSide.In, new OffsetOptions()).MaxDeviation, 0.0, 1e-9);
-        Assert.InRange(ContourOffset.Offset([below, beside], 1, OffsetSide.Left, new OffsetOptions()).MaxDeviation, 0.0, 1e-9);
-        Assert.InRange(ContourOffset.Offset([Rectangle(0, 0, 10, 4), line], 1, OffsetSide.Both, new OffsetOptions()).MaxDeviation, 0.0, 1e-9);
+        Assert.InRange(ContourOffset.Offset([Rectangle(0, 0, 10, 4), line], 1, OffsetSide.In, UsualOptions.Offset).MaxDeviation, 0.0, 1e-9);
+        Assert.InRange(ContourOffset.Offset([below, beside], 1, OffsetSide.Left, UsualOptions.Offset).MaxDeviation, 0.0, 1e-9);
+        Assert.InRange(ContourOffset.Offset([Rectangle(0, 0, 10, 4), line], 1, OffsetSide.Both, UsualOptions.Offset).MaxDeviation, 0.0, 1e-9);
     }
 
     [Fact]
@@ -189,7 +190,7 @@ public class AnalyticOffsetTests
 
     private static OffsetResult Offset(double distance, OffsetSide side, params OffsetContour[] contours)
     {
-        var result = ContourOffset.Offset(contours, distance, side, OffsetOptions.Default);
+        var result = ContourOffset.Offset(contours, distance, side, UsualOptions.Offset);
         Assert.True(result.MaxDeviation < 1e-9, $"deviation {result.MaxDeviation}");
         Assert.Null(new OffsetWitness(contours).FaultOfLoops(result, distance));
         return result;

@@ -37,7 +37,7 @@ public class CorpusOffsetTests
     private static IEnumerable<OffsetContour> ClosedOf(string file)
     {
         var drawing = Reading.Of(File.ReadAllBytes(file));
-        var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, SequencingOptions.Default);
+        var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, UsualOptions.Sequencing);
         var rows = chained.Segments.ToArray();
         foreach (var contour in chained.Chain.Contours.Where(contour => contour.Closed))
         {
@@ -56,7 +56,7 @@ public class CorpusOffsetTests
         {
             foreach (var side in new[] { OffsetSide.In, OffsetSide.Out })
             {
-                var result = ContourOffset.Offset([contour], size * distance, side, OffsetOptions.Default);
+                var result = ContourOffset.Offset([contour], size * distance, side, UsualOptions.Offset);
                 if (result.Unresolved.Count > 0) return $"{distance} {side} unresolved at {result.Unresolved[0]}";
                 if (result.Loops.Any(loop => !loop.Closed || loop.Segments[^1].End != loop.Segments[0].Start)) return $"{distance} {side} is open";
                 if (result.MaxDeviation > 0.012) return $"{distance} {side} deviates by {result.MaxDeviation}";

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Offsets;
 
@@ -36,7 +37,7 @@ public class HardOffsetTests
     {
         foreach (var join in new[] { OffsetJoin.Mitre, OffsetJoin.Bevel })
         {
-            var result = ContourOffset.Offset(contours, distance, side, new OffsetOptions { Join = join });
+            var result = ContourOffset.Offset(contours, distance, side, UsualOptions.OffsetWith(join));
             if (result.Unresolved.Count > 0 || result.Loops.Any(IsOpen)) return $"{join} is open";
             if (result.MaxDeviation > 2e-7) return $"{join} deviates by {result.MaxDeviation}"; // of arcs that are nearly lines, with radii of kilometres
         }
@@ -168,7 +169,7 @@ public class HardOffsetTests
         }
     }
 
-    private static OffsetResult Offset(OffsetContour[] contours, double distance, OffsetSide side) => ContourOffset.Offset(contours, distance, side, OffsetOptions.Default);
+    private static OffsetResult Offset(OffsetContour[] contours, double distance, OffsetSide side) => ContourOffset.Offset(contours, distance, side, UsualOptions.Offset);
 
     private static bool IsOpen(OffsetLoop loop) => !loop.Closed || loop.Segments[^1].End != loop.Segments[0].Start;
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
+using Engraver.TestKit;
 using static Engraver.Core.Tests.Offsets.OffsetShapes;
 
 namespace Engraver.Core.Tests.Offsets;
@@ -32,7 +33,7 @@ public class JoinTests
     public void A_tip_beyond_the_limit_becomes_a_bevel(double limit, int lines)
     {
         var triangle = Polygon((0, 0), (10, 0), (5, 10 * Math.Sqrt(0.75)));
-        var result = ContourOffset.Offset([triangle], 1, OffsetSide.Out, new OffsetOptions { Join = OffsetJoin.Mitre, MitreLimit = limit });
+        var result = ContourOffset.Offset([triangle], 1, OffsetSide.Out, UsualOptions.OffsetWith(OffsetJoin.Mitre, limit));
 
         Assert.Equal(lines, Assert.Single(result.Loops).Lines);
     }
@@ -65,10 +66,10 @@ public class JoinTests
     public void Joins_are_no_deviation_and_all_else_is_measured(OffsetJoin join)
     {
         var needle = Polygon((0, 0), (10, -0.17455), (10, 0.17455));
-        var result = ContourOffset.Offset([needle], 1, OffsetSide.Out, new OffsetOptions { Join = join, MitreLimit = 100.0 });
+        var result = ContourOffset.Offset([needle], 1, OffsetSide.Out, UsualOptions.OffsetWith(join, 100.0));
 
         Assert.InRange(result.MaxDeviation, 0.0, 1e-9);
-        Assert.True(OffsetCheck.MaxDeviation([needle], [.. result.Loops.Select(loop => loop with { Segments = [.. loop.Segments.Select(segment => Segment.FromLine(Away(segment.Start), Away(segment.End)))] })], 1, OffsetSide.Out, new OffsetOptions { Join = join }) > 1e-4);
+        Assert.True(OffsetCheck.MaxDeviation([needle], [.. result.Loops.Select(loop => loop with { Segments = [.. loop.Segments.Select(segment => Segment.FromLine(Away(segment.Start), Away(segment.End)))] })], 1, OffsetSide.Out, UsualOptions.OffsetWith(join)) > 1e-4);
 
         static Point2D Away(Point2D place) => new(place.X * 1.001, place.Y * 1.001);
     }
@@ -95,5 +96,5 @@ public class JoinTests
     }
 
     private static OffsetResult Offset(OffsetJoin join, double distance, OffsetSide side, params OffsetContour[] contours) =>
-        ContourOffset.Offset(contours, distance, side, new OffsetOptions { Join = join });
+        ContourOffset.Offset(contours, distance, side, UsualOptions.OffsetWith(join));
 }

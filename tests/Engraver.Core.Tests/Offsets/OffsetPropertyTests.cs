@@ -51,8 +51,8 @@ public class OffsetPropertyTests
     {
         foreach (var contour in new[] { Circle(1, 2, 10), Slot(20, 5), RoundedRectangle(40, 20, 6) })
         {
-            var once = ContourOffset.Offset([contour], 3.75, there, OffsetOptions.Default).Loops;
-            var twice = ContourOffset.Offset([.. once.Select(loop => new OffsetContour(loop.Segments, true))], 3.75, back, OffsetOptions.Default);
+            var once = ContourOffset.Offset([contour], 3.75, there, UsualOptions.Offset).Loops;
+            var twice = ContourOffset.Offset([.. once.Select(loop => new OffsetContour(loop.Segments, true))], 3.75, back, UsualOptions.Offset);
             var (loop, witness) = (Assert.Single(twice.Loops), new OffsetWitness([contour]));
 
             Assert.Equal(contour.Segments.Count, loop.Segments.Count);
@@ -63,10 +63,10 @@ public class OffsetPropertyTests
     [Fact]
     public void The_self_crossing_loop_can_be_offset_twice()
     {
-        var once = ContourOffset.Offset([s_shapes[5].Contour], 0.1, OffsetSide.Out, OffsetOptions.Default).Loops;
+        var once = ContourOffset.Offset([s_shapes[5].Contour], 0.1, OffsetSide.Out, UsualOptions.Offset).Loops;
         OffsetContour[] again = [.. once.Select(loop => new OffsetContour(loop.Segments, true))];
 
-        Assert.Null(new OffsetWitness(again).FaultOfRegion(ContourOffset.Offset(again, 0.1, OffsetSide.Out, OffsetOptions.Default), 0.1, inside: false, 60));
+        Assert.Null(new OffsetWitness(again).FaultOfRegion(ContourOffset.Offset(again, 0.1, OffsetSide.Out, UsualOptions.Offset), 0.1, inside: false, 60));
     }
 
     [Theory]
@@ -80,7 +80,7 @@ public class OffsetPropertyTests
     {
         OffsetContour[] plate = [Rectangle(0, 0, 100, 100), Rectangle(20, 20, 20, 20), Rectangle(60, 30, 20, 50)];
 
-        foreach (var side in new[] { OffsetSide.In, OffsetSide.Out }) Assert.Null(new OffsetWitness(plate).FaultOfRegion(ContourOffset.Offset(plate, distance, side, OffsetOptions.Default), distance, side == OffsetSide.In, 80));
+        foreach (var side in new[] { OffsetSide.In, OffsetSide.Out }) Assert.Null(new OffsetWitness(plate).FaultOfRegion(ContourOffset.Offset(plate, distance, side, UsualOptions.Offset), distance, side == OffsetSide.In, 80));
     }
 
     [Fact]
@@ -88,7 +88,7 @@ public class OffsetPropertyTests
     {
         foreach (var (name, contour, distance) in s_shapes)
         {
-            var result = ContourOffset.Offset([contour], distance, OffsetSide.Out, OffsetOptions.Default);
+            var result = ContourOffset.Offset([contour], distance, OffsetSide.Out, UsualOptions.Offset);
             var (area, counted) = (result.Loops.Sum(loop => loop.SignedArea), OffsetWitness.CountedArea(result, TestExtent.IsFull ? 400 : 200));
             Assert.True(Math.Abs(area - counted) < 0.01 * area, $"{name}: {area} and {counted}");
         }
@@ -100,7 +100,7 @@ public class OffsetPropertyTests
         var (clean, doubled) = (Polygon((0, 0), (10, 0), (10, 4), (0, 4)), Polygon((0, 0), (0, 0), (10, 0), (10, 0), (10, 0), (10, 4), (0, 4), (0, 4)));
 
         AreNear(Fingerprint(clean, 1, OffsetSide.Out), Fingerprint(doubled, 1, OffsetSide.Out), "doubled");
-        Assert.Empty(ContourOffset.Offset([Polygon((1, 1), (1, 1)), new OffsetContour([], true)], 1, OffsetSide.Both, OffsetOptions.Default).Loops);
+        Assert.Empty(ContourOffset.Offset([Polygon((1, 1), (1, 1)), new OffsetContour([], true)], 1, OffsetSide.Both, UsualOptions.Offset).Loops);
     }
 
     /// <summary>Ends that differ by rounding are the same; tangent lines and arcs remain without a join.</summary>
@@ -109,7 +109,7 @@ public class OffsetPropertyTests
     {
         var slot = Slot(20, 3);
         OffsetContour rounded = new([.. slot.Segments.Select(segment => segment.Kind == SegmentKind.Line ? Segment.FromLine(new Point2D(segment.Start.X + 1e-7, segment.Start.Y), new Point2D(segment.End.X - 1e-7, segment.End.Y + 1e-7)) : segment)], true);
-        var loop = Assert.Single(ContourOffset.Offset([rounded], 1, OffsetSide.Out, OffsetOptions.Default).Loops);
+        var loop = Assert.Single(ContourOffset.Offset([rounded], 1, OffsetSide.Out, UsualOptions.Offset).Loops);
 
         Assert.Equal((2, 2), (loop.Lines, loop.Arcs));
         Assert.True(loop.Closed);
@@ -120,14 +120,14 @@ public class OffsetPropertyTests
     {
         var steps = Line([.. Enumerable.Range(0, 200).Select(i => (0.0125 * (i / 2), 0.0125 * ((i + 1) / 2)))]);
 
-        foreach (var side in new[] { OffsetSide.Left, OffsetSide.Right }) Assert.Null(new OffsetWitness([steps]).FaultOfLoops(ContourOffset.Offset([steps], 2e-5, side, OffsetOptions.Default), 2e-5));
+        foreach (var side in new[] { OffsetSide.Left, OffsetSide.Right }) Assert.Null(new OffsetWitness([steps]).FaultOfLoops(ContourOffset.Offset([steps], 2e-5, side, UsualOptions.Offset), 2e-5));
     }
 
     [Fact]
     public void An_ellipse_is_offset_within_the_curve_tolerance()
     {
         var ellipse = FreeCurves.Ellipse(0, 0, 10, 0.5, 0, 0, 360).ToCurve();
-        var loop = ContourOffset.Offset([new OffsetContour([Segment.FromCurve(ellipse)], true)], 2, OffsetSide.Out, OffsetOptions.Default);
+        var loop = ContourOffset.Offset([new OffsetContour([Segment.FromCurve(ellipse)], true)], 2, OffsetSide.Out, UsualOptions.Offset);
 
         Assert.InRange(loop.MaxDeviation, 0.0, 0.001);
         Assert.Equal((Math.PI * 50.0) + (2.0 * ellipse.PlanLength) + (4.0 * Math.PI), Assert.Single(loop.Loops).SignedArea, 1);
@@ -142,7 +142,7 @@ public class OffsetPropertyTests
     public void A_nearly_flat_ellipse_is_offset_as_the_line_it_nearly_is(double ratio)
     {
         var flat = FreeCurves.Ellipse(70, 0, 5, ratio, 0, 0, 360).ToCurve();
-        var result = ContourOffset.Offset([new OffsetContour([Segment.FromCurve(flat)], true)], 0.5, OffsetSide.Out, OffsetOptions.Default);
+        var result = ContourOffset.Offset([new OffsetContour([Segment.FromCurve(flat)], true)], 0.5, OffsetSide.Out, UsualOptions.Offset);
 
         Assert.InRange(result.MaxDeviation, 0.0, 0.0011);
         Assert.InRange(Assert.Single(result.Loops).SignedArea, 10.0 + (Math.PI / 4.0) - 0.03, 10.0 + (Math.PI / 4.0) + 0.03 + (25.0 * Math.PI * ratio) + (10.0 * ratio));
@@ -150,7 +150,7 @@ public class OffsetPropertyTests
 
     private static List<(int Lines, int Arcs, double Length, double Area)> Fingerprint(OffsetContour contour, double distance, OffsetSide side)
     {
-        var result = ContourOffset.Offset([contour], distance, side, OffsetOptions.Default);
+        var result = ContourOffset.Offset([contour], distance, side, UsualOptions.Offset);
         Assert.Null(new OffsetWitness([contour]).FaultOfLoops(result, distance));
         return [.. result.Loops.Select(loop => (loop.Lines, loop.Arcs, loop.Length, Area: Math.Abs(loop.SignedArea))).OrderBy(loop => Math.Round(loop.Area, 6)).ThenBy(loop => Math.Round(loop.Length, 6))];
     }

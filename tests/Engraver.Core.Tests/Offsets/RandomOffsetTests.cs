@@ -47,7 +47,7 @@ public class RandomOffsetTests
         var contour = OffsetShapes.Chain(true, vertices);
         foreach (var side in new[] { OffsetSide.In, OffsetSide.Out })
         {
-            var fault = new OffsetWitness([contour]).FaultOfRegion(ContourOffset.Offset([contour], distance, side, OffsetOptions.Default), distance, side == OffsetSide.In, 30);
+            var fault = new OffsetWitness([contour]).FaultOfRegion(ContourOffset.Offset([contour], distance, side, UsualOptions.Offset), distance, side == OffsetSide.In, 30);
             Assert.True(fault is null, FormattableString.Invariant($"seed {seed}, {distance:R} {side}: {fault}"));
         }
     }
@@ -59,7 +59,7 @@ public class RandomOffsetTests
         var witness = new OffsetWitness([contour]);
         foreach (var side in new[] { OffsetSide.Left, OffsetSide.Right })
         {
-            var result = ContourOffset.Offset([contour], distance, side, OffsetOptions.Default);
+            var result = ContourOffset.Offset([contour], distance, side, UsualOptions.Offset);
             var fault = witness.FaultOfLoops(result, distance) ?? witness.Missing(result, distance, side == OffsetSide.Left);
             Assert.True(fault is null, FormattableString.Invariant($"seed {seed}, {distance:R} {side}: {fault}"));
         }

@@ -82,7 +82,7 @@ public class SvgPlotWriterTests
     private static XDocument DrawingPicture(DrawingBuilder builder, string title = "drawing.dxf") => Written(PlotModel.FromDrawing(Analysed(builder), title));
 
     private static XDocument PathPicture(DrawingBuilder builder) =>
-        Written(PlotModel.FromPath(ToolpathPlanner.Plan(Sequencer.Sequence(Analysed(builder), null, SequencingOptions.Default), Point2D.Origin, 0.001), "drawing.dxf"));
+        Written(PlotModel.FromPath(ToolpathPlanner.Plan(Sequencer.Sequence(Analysed(builder), null, UsualOptions.Sequencing), Point2D.Origin, 0.001), "drawing.dxf"));
 
     private static XDocument Written(PlotModel plot)
     {

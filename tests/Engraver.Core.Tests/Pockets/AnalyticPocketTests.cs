@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using Engraver.Core.Pockets;
+using Engraver.TestKit;
 using static Engraver.Core.Tests.Offsets.OffsetShapes;
 
 namespace Engraver.Core.Tests.Pockets;
@@ -164,7 +165,7 @@ public class AnalyticPocketTests
         Assert.Null(result.Coverage);
     }
 
-    private static PocketOptions Options(double radius, double stepover) => new() { ToolRadius = radius, Stepover = stepover };
+    private static PocketOptions Options(double radius, double stepover) => UsualOptions.Pocket(radius, stepover);
 
     private static PocketResult Plan(PocketOptions options, params OffsetContour[] contours)
     {

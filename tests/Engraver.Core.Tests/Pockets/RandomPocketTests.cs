@@ -41,7 +41,7 @@ public class RandomPocketTests
         var contours = SeededPockets.Of(7);
         for (var step = 0; step <= 13; step++)
         {
-            var options = new PocketOptions { ToolRadius = 0.9, Stepover = 0.3 + (0.05 * step), Angle = Angle.FromDegrees(24.0 * step) };
+            var options = UsualOptions.Pocket(0.9, 0.3 + (0.05 * step)) with { Angle = Angle.FromDegrees(24.0 * step) };
             foreach (var strategy in new[] { PocketStrategy.Contour, PocketStrategy.Zigzag }) Judge(contours, options with { Strategy = strategy }, FormattableString.Invariant($"overlap {options.Stepover}"));
         }
     }
@@ -50,10 +50,8 @@ public class RandomPocketTests
     {
         var random = new Random(seed + 1000);
         var radius = 0.4 + (1.2 * random.NextDouble());
-        var options = new PocketOptions
+        var options = UsualOptions.Pocket(radius, 0.3 + (0.65 * random.NextDouble())) with
         {
-            ToolRadius = radius,
-            Stepover = 0.3 + (0.65 * random.NextDouble()),
             Strategy = strategy,
             Angle = Angle.FromDegrees(360.0 * random.NextDouble()),
             FromCentre = fromCentre,

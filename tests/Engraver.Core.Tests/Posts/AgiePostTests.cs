@@ -196,7 +196,7 @@ public class AgiePostTests
     public void The_mark_of_the_start_may_have_a_line_of_its_own()
     {
         var options = new Dictionary<string, string> { ["start-mark"] = "own-line" };
-        var text = new AgiePost().Write(new PostRequest(Path([Line(0, 0, 1, 0)]), null, null, options)).Text;
+        var text = new AgiePost().Write(UsualOptions.Post(Path([Line(0, 0, 1, 0)]), null, null, options)).Text;
 
         Assert.Equal("%\n\t001\t01\t000\t000\t+001000\t+000000\t02\t02\n", text);
     }
@@ -216,7 +216,7 @@ public class AgiePostTests
         return [Segment.FromLine(entry, large.Start), large, Segment.FromLine(large.End, small.Start), small, Segment.FromLine(small.End, large.Start)];
     }
 
-    private static PostText Written(Toolpath path, string style) => new AgiePost().Write(new PostRequest(path, null, null, new Dictionary<string, string> { ["style"] = style }));
+    private static PostText Written(Toolpath path, string style) => new AgiePost().Write(UsualOptions.Post(path, null, null, new Dictionary<string, string> { ["style"] = style }));
 
     private static Toolpath Path(params Segment[][] strokes) => new(default, [.. strokes.Select((segments, index) => new ToolpathStroke(index, segments[0].Start == segments[^1].End, [.. segments.Select((segment, entity) => new StrokeMove(segment, entity))]))]);
 

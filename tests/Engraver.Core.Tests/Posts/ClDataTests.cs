@@ -8,6 +8,7 @@ using Engraver.Core.Posts;
 using Engraver.Core.Posts.ClDataReading;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -60,7 +61,7 @@ public class ClDataTests
     public void A_number_that_is_not_finite_names_its_entity_and_nothing_is_written()
     {
         var path = new Toolpath(default, [new ToolpathStroke(0, false, [new StrokeMove(Segment.FromLine(default, new Point2D(double.NaN, 1.0)), 7)])]);
-        var written = new ClDataPost().Write(new PostRequest(path, null, entity => new SourceRef(14, entity == 7 ? "2A" : null), new Dictionary<string, string>()));
+        var written = new ClDataPost().Write(UsualOptions.Post(path, null, entity => new SourceRef(14, entity == 7 ? "2A" : null), new Dictionary<string, string>()));
 
         Assert.Empty(written.Chunks);
         Assert.Equal("PST0014", Assert.Single(written.Diagnostics).Id);

@@ -6,6 +6,7 @@ using Engraver.Core.Posts.Gcode;
 using Engraver.Core.Posts.GcodeReading;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Posts;
 
@@ -138,7 +139,7 @@ public class GcodePostTests
         new GcodePost().Write(Request([.. strokes.Select(segments => segments.Select((segment, entity) => new StrokeMove(segment, entity)).ToArray())], machine ?? MachineProfile.Default, options));
 
     private static PostRequest Request(StrokeMove[][] strokes, MachineProfile machine, params (string Name, string Value)[] options) =>
-        new(new Toolpath(default, [.. strokes.Select((moves, index) => new ToolpathStroke(index, Closed: false, moves))]), null, null, options.ToDictionary(option => option.Name, option => option.Value)) { Machine = machine };
+        UsualOptions.Post(new Toolpath(default, [.. strokes.Select((moves, index) => new ToolpathStroke(index, Closed: false, moves))]), null, null, options.ToDictionary(option => option.Name, option => option.Value)) with { Machine = machine };
 
     private static string Ids(PostText written) => string.Join(' ', written.Diagnostics.Select(finding => finding.Id));
 

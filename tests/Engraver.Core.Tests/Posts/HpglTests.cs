@@ -5,6 +5,7 @@ using Engraver.Core.Posts.Hpgl;
 using Engraver.Core.Posts.HpglReading;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Posts;
 
@@ -71,8 +72,8 @@ public class HpglTests
         Assert.Equal(("PST0011", 0), (Assert.Single(written.Diagnostics).Id, written.Chunks.Count));
     }
 
-    private static PostText Written(Segment[][] strokes, params (string Name, string Value)[] options) => new HpglPost().Write(new PostRequest(
-        new Toolpath(default, [.. strokes.Select((segments, index) => new ToolpathStroke(index, Closed: false, [.. segments.Select(segment => new StrokeMove(segment, 0))]))]), null, null, options.ToDictionary(option => option.Name, option => option.Value)) { Machine = MachineProfile.Default });
+    private static PostText Written(Segment[][] strokes, params (string Name, string Value)[] options) => new HpglPost().Write(UsualOptions.Post(
+        new Toolpath(default, [.. strokes.Select((segments, index) => new ToolpathStroke(index, Closed: false, [.. segments.Select(segment => new StrokeMove(segment, 0))]))]), null, null, options.ToDictionary(option => option.Name, option => option.Value)));
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
 

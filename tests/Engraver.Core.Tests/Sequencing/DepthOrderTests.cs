@@ -3,13 +3,14 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Core.Tests.Dxf;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Sequencing;
 
 /// <summary>If heights are cut, the nearest start is not chosen when it would plunge into uncleared material.</summary>
 public class DepthOrderTests
 {
-    private static readonly SequencingOptions Cutting = SequencingOptions.Default with { CutsHeights = true };
+    private static readonly SequencingOptions Cutting = UsualOptions.Sequencing with { CutsHeights = true };
 
     [Theory]
     [InlineData(StrokeOrder.Nearest)]
@@ -24,7 +25,7 @@ public class DepthOrderTests
 
     [Fact]
     public void A_machine_without_heights_takes_the_nearest() =>
-        Assert.Equal([-2, -1], Heights([.. Line(0, 0, -2, 20, 0, -2), .. Line(20, 0.5, -1, 0, 0.5, -1)], SequencingOptions.Default));
+        Assert.Equal([-2, -1], Heights([.. Line(0, 0, -2, 20, 0, -2), .. Line(20, 0.5, -1, 0, 0.5, -1)], UsualOptions.Sequencing));
 
     [Fact]
     public void Lines_are_cut_from_above_from_whichever_end_is_nearer()
@@ -42,7 +43,7 @@ public class DepthOrderTests
         var strokes = Sequence([.. Line(0, 0, -1, 30, 0, 0), .. Line(0, 8, 0, 30, 8, -1)], Cutting).Strokes;
 
         Assert.Equal([(0.0, 8.0, 0.0), (30.0, 0.0, 0.0)], strokes.Select(stroke => (stroke.Start.X, stroke.Start.Y, stroke.Moves[0].StartZ)));
-        Assert.Equal(new Point2D(0, 0), Sequence([.. Line(0, 0, -1, 30, 0, 0), .. Line(0, 8, 0, 30, 8, -1)], SequencingOptions.Default).Strokes[0].Start);
+        Assert.Equal(new Point2D(0, 0), Sequence([.. Line(0, 0, -1, 30, 0, 0), .. Line(0, 8, 0, 30, 8, -1)], UsualOptions.Sequencing).Strokes[0].Start);
     }
 
     [Fact]

@@ -79,7 +79,7 @@ public class FreeCurveSequencingTests
     private static SequencingResult Sequenced(DrawingBuilder builder)
     {
         var drawing = builder.Build();
-        return Sequencer.Sequence(Analysed(drawing), drawing, SequencingOptions.Default);
+        return Sequencer.Sequence(Analysed(drawing), drawing, UsualOptions.Sequencing);
     }
 
     private static EntityTable Analysed(Drawing drawing) => ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));

@@ -13,8 +13,8 @@ namespace Engraver.Core.Tests.Sequencing;
 
 public class SequencerTests
 {
-    private static readonly SequencingOptions Nearest = SequencingOptions.Default;
-    private static readonly SequencingOptions Drawn = SequencingOptions.Default with { Order = StrokeOrder.Drawn };
+    private static readonly SequencingOptions Nearest = UsualOptions.Sequencing;
+    private static readonly SequencingOptions Drawn = UsualOptions.Sequencing with { Order = StrokeOrder.Drawn };
 
     [Theory]
     [InlineData(-1, 98)]
@@ -136,7 +136,7 @@ public class SequencerTests
     public void What_is_inside_is_always_cut_before_what_is_around_it(StrokeOrder order) =>
         Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
         {
-            var strokes = Sequence(NestedSquares(seed), SequencingOptions.Default with { Order = order }).Strokes;
+            var strokes = Sequence(NestedSquares(seed), UsualOptions.Sequencing with { Order = order }).Strokes;
             return strokes.All(stroke => stroke.Inside == -1 || stroke.Inside > stroke.Index) && strokes.Any(stroke => stroke.Inside >= 0);
         }).QuickCheckThrowOnFailure();
 
@@ -222,7 +222,7 @@ public class SequencerTests
         for (var i = 0; i < lines; i++) drawing.Line(random.Next(200) / 4.0, random.Next(200) / 4.0, random.Next(200) / 4.0, random.Next(200) / 4.0);
         var result = Sequence(drawing, Nearest);
 
-        var small = result.Discontinuities.Count(end => end.Gap < SequencingOptions.Default.SuspiciousGap);
+        var small = result.Discontinuities.Count(end => end.Gap < ContourEnds.WidestGap);
         var counted = result.Diagnostics.SingleOrDefault(finding => finding.Id == "SEQ0014" && finding.Facts[0] == "SEQ0003")?.Facts[1] ?? $"{result.Diagnostics.Count(finding => finding.Id == "SEQ0003")}";
         var wide = result.Diagnostics.SingleOrDefault(finding => finding.Id == "SEQ0002")?.Facts[1] ?? "0";
         Assert.Equal(($"{small}", $"{result.Discontinuities.Count - small}"), (counted, wide));

@@ -12,7 +12,7 @@ public class ToolpathPlannerTests
     public void The_toolpath_has_the_strokes_in_order_and_a_gap_within_the_tolerance_stays_as_drawn()
     {
         var drawing = new DrawingBuilder().Line(20, 0, 30, 0).Line(0, 0, 5, 0).Line(5.004, 0, 9, 0).Build();
-        var sequenced = Sequencer.Sequence(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default)), drawing, SequencingOptions.Default);
+        var sequenced = Sequencer.Sequence(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default)), drawing, UsualOptions.Sequencing);
 
         var path = ToolpathPlanner.Plan(sequenced, new Point2D(-1, 0), 0.001);
 

@@ -11,7 +11,7 @@ public class DrawnCoverageTests
 {
     private const int Cases = 300;
 
-    private static readonly TraceTolerances s_tolerances = TraceTolerances.Default;
+    private static readonly TraceTolerances s_tolerances = UsualOptions.Trace;
 
     /// <summary>A part that a chord came within reach of is not missing. A part that a chord passed at a few reaches may be missing or not.</summary>
     [Fact]

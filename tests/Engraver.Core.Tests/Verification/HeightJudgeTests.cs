@@ -2,6 +2,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
@@ -105,7 +106,7 @@ public class HeightJudgeTests
 
     private static TraceVerdict Judge(StrokeMove[] drawing, HeightDrive drive, params TraceSample[][] trace)
     {
-        var judge = new HeightJudge(drawing, drive.CutDepth, drive.DepthPerPass, TraceTolerances.Default);
+        var judge = new HeightJudge(drawing, drive.CutDepth, drive.DepthPerPass, UsualOptions.Trace);
         foreach (var sample in trace.SelectMany(part => part)) judge.Add(sample);
         return judge.Verdict();
     }

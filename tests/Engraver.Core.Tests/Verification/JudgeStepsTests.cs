@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Verification;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
@@ -45,7 +46,7 @@ public class JudgeStepsTests
     public void A_faithful_run_is_judged_in_few_steps_a_cut(string name)
     {
         var drawing = Drawing(name);
-        var judge = new TraceJudge(drawing, TraceTolerances.Default);
+        var judge = new TraceJudge(drawing, UsualOptions.Trace);
         foreach (var segment in drawing) Cut(judge, segment);
 
         var verdict = judge.Verdict();
@@ -60,7 +61,7 @@ public class JudgeStepsTests
     public void What_was_not_cut_is_found_in_few_steps(string name)
     {
         var drawing = Drawing(name);
-        var judge = new TraceJudge(drawing, TraceTolerances.Default);
+        var judge = new TraceJudge(drawing, UsualOptions.Trace);
         foreach (var segment in drawing[..(drawing.Length / 2)]) Cut(judge, segment);
 
         judge.Verdict();

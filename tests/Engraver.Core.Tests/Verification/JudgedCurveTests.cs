@@ -72,7 +72,7 @@ public class JudgedCurveTests
         for (var i = 1; i < chain.Count; i++)
         {
             var middle = chain[i - 1] + ((chain[i] - chain[i - 1]) * 0.5);
-            if (!edges.Any(edge => edge.DistanceTo(middle) <= TraceTolerances.Default.Coverage)) length += chain[i - 1].DistanceTo(chain[i]);
+            if (!edges.Any(edge => edge.DistanceTo(middle) <= UsualOptions.Trace.Coverage)) length += chain[i - 1].DistanceTo(chain[i]);
         }
 
         return length;
@@ -87,6 +87,6 @@ public class JudgedCurveTests
             trace.AddRange(cut.Select((place, i) => new TraceSample(trace.Count + i, place.X, place.Y, true)));
         }
 
-        return TraceComparison.Compare([Segment.FromCurve(drawn.Curve)], trace, TraceTolerances.Default);
+        return TraceComparison.Compare([Segment.FromCurve(drawn.Curve)], trace, UsualOptions.Trace);
     }
 }

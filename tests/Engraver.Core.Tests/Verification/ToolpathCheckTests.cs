@@ -35,7 +35,7 @@ public class ToolpathCheckTests
         var drawing = builder.Free(curve).Free(curve.Reversed()).Build();
 
         Assert.Empty(Check(Planned(drawing)));
-        var recovered = Planned(drawing, SequencingOptions.Default with { ArcTolerance = 0.01 });
+        var recovered = Planned(drawing, UsualOptions.Sequencing with { ArcTolerance = 0.01 });
         Assert.Contains(recovered.Path.Strokes, stroke => stroke.Moves is [{ Segment.Kind: SegmentKind.Circle, Segment.Arc.Radius: > 9.9 }]);
         Assert.Empty(ToolpathCheck.Findings(recovered.Drawn, recovered.Path, new ToolpathTolerances(0.01, 0.01, ArcsRecovered: true), drawing.SourceOf));
     }
@@ -146,7 +146,7 @@ public class ToolpathCheckTests
     private static (EntityTable Drawn, Toolpath Path, Drawing Drawing) Planned(Drawing drawing, SequencingOptions? options = null)
     {
         var drawn = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));
-        return (drawn, ToolpathPlanner.Plan(Sequencer.Sequence(drawn, drawing, options ?? SequencingOptions.Default), default, MaxError), drawing);
+        return (drawn, ToolpathPlanner.Plan(Sequencer.Sequence(drawn, drawing, options ?? UsualOptions.Sequencing), default, MaxError), drawing);
     }
 
     private static IReadOnlyList<Diagnostic> Check((EntityTable Drawn, Toolpath Path, Drawing Drawing) planned) =>

@@ -14,7 +14,7 @@ public class TraceComparisonTests
     private static readonly Segment[] Drawing = [Line, Arc, Circle];
 
     /// <summary>For tests without missing length.</summary>
-    private static readonly TraceTolerances Coarse = TraceTolerances.Default with { LargestStep = 100.0, FewestSteps = 1 };
+    private static readonly TraceTolerances Coarse = UsualOptions.Trace with { LargestStep = 100.0, FewestSteps = 1 };
 
     [Fact]
     public void An_exact_trace_deviates_by_nothing_and_misses_nothing()
@@ -124,7 +124,7 @@ public class TraceComparisonTests
         }).Check(Config.QuickThrowOnFailure.WithMaxTest(10));
 
     private static TraceVerdict Compare(IReadOnlyList<Segment> drawing, IReadOnlyList<TraceSample> trace) =>
-        TraceComparison.Compare(drawing, trace, TraceTolerances.Default);
+        TraceComparison.Compare(drawing, trace, UsualOptions.Trace);
 
     /// <summary>Samples every 0.06 mm along each stroke, tool off between strokes.</summary>
     private static List<TraceSample> Trace(params IReadOnlyList<Segment>[] strokes)

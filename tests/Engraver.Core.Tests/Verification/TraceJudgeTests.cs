@@ -7,7 +7,7 @@ namespace Engraver.Core.Tests.Verification;
 /// <summary>The judge that receives samples during a run: spans of any length, exact gaps, both directions of travel.</summary>
 public class TraceJudgeTests
 {
-    private static readonly TraceTolerances Tolerances = TraceTolerances.Default;
+    private static readonly TraceTolerances Tolerances = UsualOptions.Trace;
 
     public static TheoryData<Segment> Long =>
     [

@@ -5,6 +5,7 @@ using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Simulator;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Programs;
 
@@ -143,12 +144,12 @@ public class UnattendedPostTests
     public void The_options_of_the_posts_give_origin_and_handlers_and_without_them_the_text_is_as_before()
     {
         var program = MotionProgramGenerator.Generate(Slot(), MachineProfile.Default, 0.001, null, MotionStyle.Continuous).Program!;
-        string Text(params (string Name, string Value)[] options) => GalilPost.Sequences.Write(new PostRequest(Slot(), program, null, options.ToDictionary(one => one.Name, one => one.Value))).Text;
+        string Text(params (string Name, string Value)[] options) => GalilPost.Sequences.Write(UsualOptions.Post(Slot(), program, null, options.ToDictionary(one => one.Name, one => one.Value))).Text;
 
         Assert.Equal(DmcPost.Sequences(program, DmcPostOptions.Default).Text, Text(("origin", "here"), ("unattended", "no")));
         Assert.Contains("CB1;SHAB;ox=10000;oy=-20500\n", Text(("origin", "10,-20.5")), StringComparison.Ordinal);
         Assert.Contains("\n#TCPERR\n", Text(("unattended", "yes")), StringComparison.Ordinal);
-        Assert.Equal("MOT0001", Assert.Single(GalilPost.Sequences.Write(new PostRequest(Slot(), program, null, new Dictionary<string, string> { ["origin"] = "99999999,0" })).Diagnostics).Id);
+        Assert.Equal("MOT0001", Assert.Single(GalilPost.Sequences.Write(UsualOptions.Post(Slot(), program, null, new Dictionary<string, string> { ["origin"] = "99999999,0" })).Diagnostics).Id);
         Assert.All(["10", "a,b", "1,2,3,4", ""], place => Assert.False(GalilPost.Sequences.Options.Single(option => option.Name == "origin").Takes(place)));
     }
 

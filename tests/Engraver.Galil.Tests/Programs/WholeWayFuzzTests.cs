@@ -60,7 +60,7 @@ public class WholeWayFuzzTests
     {
         var drawing = DxfReader.Read(file, "test.dxf", new DxfReadOptions(MaxExpandedCurves: MostCurves, Cut: seed % 2 == 0 ? CutChoice.None : (CutChoice)31), CancellationToken.None);
         var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], [])));
-        var options = SequencingOptions.Default with { ArcTolerance = seed % 3 == 0 ? MaxError : null, KeepDuplicates = seed % 5 == 0 };
+        var options = UsualOptions.Sequencing with { ArcTolerance = seed % 3 == 0 ? MaxError : null, KeepDuplicates = seed % 5 == 0 };
         var sequence = Sequencer.Sequence(analysed, drawing, options);
         var toolpath = ToolpathPlanner.Plan(sequence, default, MaxError);
         Assert.Equal(sequence.Strokes.Count, toolpath.Strokes.Count);

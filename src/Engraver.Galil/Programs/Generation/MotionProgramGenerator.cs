@@ -83,7 +83,7 @@ public static class MotionProgramGenerator
 
     private static bool HasArcs(Toolpath toolpath) => toolpath.Strokes.Any(stroke => stroke.Moves.Any(move => move.Segment.Kind != SegmentKind.Line));
 
-    private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) => (TraceTolerances.Default with { Count = 1.0 / profile.Scale.Smallest, MaxError = maxErrorMm }).Deviation;
+    private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) => new TraceTolerances { Count = 1.0 / profile.Scale.Smallest, MaxError = maxErrorMm }.Deviation;
 
     private static Diagnostic ChordsNote(CountsScale scale, double maxErrorMm) =>
         MotionRules.ArcsBecomeChords.At(default, FactText.Of(scale.X), FactText.Of(scale.Y), FactText.Of(maxErrorMm));

@@ -15,7 +15,7 @@ internal sealed class KerfCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var settings = context.Document.Current.Settings;
-        var side = Enum.Parse<KerfSide>(await context.ChoiceAsync(Wording.Get("Kerf.EnterSide"), Keyword.List("OFF", "Nesting", "Outside", "Inside", "Left", "Right"), settings.Kerf == KerfSide.Off ? "OFF" : settings.Kerf.ToString()).ConfigureAwait(false), ignoreCase: true);
+        var side = SettingTable.Kerf.ParseInput(await context.ChoiceAsync(Wording.Get("Kerf.EnterSide"), Keyword.List([.. SettingTable.Kerf.Choices]), SettingTable.Kerf.ToInput(settings)).ConfigureAwait(false));
         var diameter = side == KerfSide.Off ? settings.ToolDiameterMm : await DiameterAsync(context, side, settings.ToolDiameterMm).ConfigureAwait(false);
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Kerf = side, ToolDiameterMm = diameter } });
@@ -26,7 +26,7 @@ internal sealed class KerfCommand : ICommand
         var (setting, shown) = (SettingTable.ToolDiameter, before);
         while (true)
         {
-            var prompt = new NumberPrompt(Wording.Get("Kerf.SpecifyDiameter")) { Default = shown > 0.0 ? NumberPrompt.Show(shown) : null, Least = setting.Least, Most = setting.Most };
+            var prompt = new NumberPrompt(Wording.Get("Kerf.SpecifyDiameter")) { Default = shown > 0.0 ? NumberPrompt.Show(shown) : null, Least = setting.Min, Most = setting.Max };
             if (context.Document.Current.Drawing is not { } drawing) return await context.ValueAsync(prompt).ConfigureAwait(false);
             var answer = await context.AskAsync(prompt with { Options = Keyword.List("Preview"), Preview = shown > 0.0 ? PathOf(drawing, context.Document.Current.Settings with { Kerf = side, ToolDiameterMm = shown }) : null }).ConfigureAwait(false);
             if (answer is Answer<double>.Value { Of: var diameter }) return diameter;

@@ -1,8 +1,5 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
-using Engraver.Core.Kerf;
-using Engraver.Core.Machines.Origins;
-using Engraver.Core.Sequencing.Ordering;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 
@@ -12,45 +9,25 @@ namespace Engraver.Workbench.Commands.Settings;
 /// variables. A value is changed by the command that is typed for it.</summary>
 public static class OptionTable
 {
-    private const string Off = "OFF";
-
-    /// <summary>Before an option: it is said in English, whatever is spoken.</summary>
+    /// <summary>Before an option: it is read as English in every language.</summary>
     private const string English = "_";
-
-    private static readonly IReadOnlyList<(string Page, IReadOnlyList<SettingDescription> Settings)> s_pages =
-    [
-        ("Drawing", [SettingTable.Units, SettingTable.Cut, SettingTable.JoinTolerance, SettingTable.MaxError, SettingTable.KeepDuplicates, SettingTable.RecoverArcs]),
-        ("Toolpath", [SettingTable.Order, SettingTable.Kerf, SettingTable.ToolDiameter, SettingTable.Finish]),
-        ("Machine", [SettingTable.Feed, SettingTable.VectorSpeed, SettingTable.Rapid, SettingTable.Acceleration]),
-    ];
-
-    /// <summary>Settings that are a place, a choice of layers or a file: they have a command, a palette or a dialog of their own.</summary>
-    public static IReadOnlyList<SettingDescription> Elsewhere { get; } = [SettingTable.Layers, SettingTable.SkippedLayers, SettingTable.Start, SettingTable.Enter, SettingTable.Machine];
 
     /// <summary>The settings with their values as they are now.</summary>
     public static IReadOnlyList<OptionEntry> Of(CommandSession session)
     {
         ArgumentNullException.ThrowIfNull(session);
-        var rows = s_pages.SelectMany(page => page.Settings.Select(setting => Described(session, page.Page, setting)));
+        var rows = SettingTable.All.Where(setting => setting.Page is not null).OrderBy(setting => setting.Page).Select(setting => Described(session, setting)); // a stable order
         var variables = SystemVariables.All.Select(variable => Variable(session, variable));
         var theme = Chosen(session, "THEME", Enum.GetNames<DesktopTheme>(), session.View.Current.Theme.ToString());
         var language = Chosen(session, "LANGUAGE", LanguageCommand.Choices, LanguageCommand.NameOf(session.Settings.Current));
         return [.. rows, theme, language, .. variables.OrderBy(entry => entry.Page, StringComparer.Ordinal)];
     }
 
-    private static OptionEntry Described(CommandSession session, string page, SettingDescription setting)
+    private static OptionEntry Described(CommandSession session, Setting setting) => new(setting.Page!.Value.ToString(), setting.Key, setting.Command)
     {
-        var settings = session.Document.Current.Settings;
-        var entry = new OptionEntry(page, setting.Key, setting.Command!)
-        {
-            Name = setting.Name, Meaning = SettingWording.AtCommandLine(setting.Meaning), Unit = setting.Unit, Least = setting.Least, Most = setting.Most, Whole = setting.Whole, Default = setting.Default,
-        };
-        if (setting == SettingTable.Order) return entry with { Choices = Enum.GetNames<StrokeOrder>(), Value = settings.Order.ToString() };
-        if (setting == SettingTable.Finish) return entry with { Choices = Enum.GetNames<FinishPlace>(), Value = settings.Finish.ToString() };
-        if (setting == SettingTable.Kerf) return entry with { Choices = [.. Enum.GetNames<KerfSide>().Select(KerfWord)], Value = KerfWord(settings.Kerf.ToString()) };
-        if (setting == SettingTable.ToolDiameter) return entry with { Value = settings.ToolDiameterMm > 0.0 ? NumberPrompt.Show(settings.ToolDiameterMm) : "", MayBeEmpty = true };
-        return entry with { Value = Shown(session, setting.Command!) };
-    }
+        Name = setting.Name, Meaning = SettingWording.AtCommandLine(setting.Meaning), Unit = setting.Unit, Least = setting.Min, Most = setting.Max, Whole = setting.Whole, Default = setting.Default,
+        Choices = setting.Choices, Value = setting.ToInput(session.Document.Current.Settings), MayBeEmpty = setting.MayBeEmpty,
+    };
 
     private static OptionEntry Variable(CommandSession session, SystemVariable variable)
     {
@@ -67,8 +44,6 @@ public static class OptionTable
         return new OptionEntry("Screen", info.Name, info.Name) { Name = info.Name, Meaning = info.Summary, Choices = choices, Default = choices[0], Value = now };
     }
 
-    private static string KerfWord(string side) => side == nameof(KerfSide.Off) ? Off : side;
-
     private static string Shown(CommandSession session, string name)
     {
         var setting = (ISettingCommand)session.Catalog.Find(name)!;
@@ -83,7 +58,7 @@ public static class OptionTable
         ArgumentNullException.ThrowIfNull(shown);
         if (changed.Command != SettingTable.Kerf.Command) return [changed.Command, changed.Choices.Count > 0 ? English + shown[changed.Key] : shown[changed.Key]];
         var (side, diameter) = (shown[SettingTable.Kerf.Key], shown[SettingTable.ToolDiameter.Key]);
-        return side == Off ? [changed.Command, English + side] : [changed.Command, English + side, diameter];
+        return side == KerfSetting.Off ? [changed.Command, English + side] : [changed.Command, English + side, diameter];
     }
 }
 

@@ -99,6 +99,7 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
             FromCentre = context.Remembered(Memory + "From") == "Centre",
             Allowance = Math.Min(Number("Allowance"), radius),
             MaxErrorMm = context.Document.Current.Settings.MaxErrorMm,
+            JoinToleranceMm = context.Document.Current.Settings.JoinToleranceMm,
         };
         var entry = depth > 0.0 ? Enum.Parse<PocketEntry>(context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge))) : PocketEntry.Plunge;
         var depths = new PocketDepths { Depth = depth, Step = depth > 0.0 ? Number("Step") : 0.0, Entry = entry, RampAngle = Angle.FromDegrees(Number("RampAngle")) };

@@ -67,7 +67,7 @@ internal sealed class SaceEditTrajectoryCommand : ICommand
 
     private static async Task<DocumentTrajectory> WithStepsAsync(CommandContext context, DocumentTrajectory one)
     {
-        var length = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewSteps")) { Default = NumberPrompt.Show(one.SegmentLengthMm ?? TrajectoryOptions.DefaultSegmentLength), Least = 1e-6, Most = 1e6 }).ConfigureAwait(false);
+        var length = await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.NewSteps")) { Default = NumberPrompt.Show(one.SegmentLengthMm ?? TrajectorySettings.Default.SegmentLengthMm), Least = 1e-6, Most = 1e6 }).ConfigureAwait(false);
         return MadeAnew(one, new TrajectoryOptions(one.MaxErrorMm) { SegmentLength = length });
     }
 

@@ -88,7 +88,7 @@ internal static class SaceOffsets
             foreach (var group in groups)
             {
                 var (sources, distance) = (group.ToList(), distances[pass] * making.Unit);
-                var result = ContourOffset.Offset([.. sources.Select(one => one.Contour)], distance, group.Key, OffsetOptions.Default with { MaxErrorMm = making.Settings.MaxErrorMm });
+                var result = ContourOffset.Offset([.. sources.Select(one => one.Contour)], distance, group.Key, OffsetOptions.Round(making.Settings.MaxErrorMm));
                 making.Tell(OffsetDrawing.Findings(result, sources.Count, distance));
                 (OffsetContour, Func<int, string>)[] loops = [.. result.Loops.Select(one => (new OffsetContour(one.Segments, one.Closed), name(pass, loop++)))];
                 making.AddBeside(loops, [.. sources.SelectMany(one => one.Handles).Distinct()], distance, group.Key);

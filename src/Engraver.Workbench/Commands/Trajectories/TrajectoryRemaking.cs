@@ -59,7 +59,7 @@ internal sealed class TrajectoryRemaking(Drawing drawing, DocumentState state, T
 
     private IReadOnlyList<OffsetContour> Beside(IReadOnlyList<OffsetContour> contours, double distance, OffsetSide side, double maxError)
     {
-        var result = ContourOffset.Offset(contours, distance, side, OffsetOptions.Default with { MaxErrorMm = maxError });
+        var result = ContourOffset.Offset(contours, distance, side, OffsetOptions.Round(maxError));
         _findings.AddRange(OffsetDrawing.Findings(result, contours.Count, distance));
         return [.. result.Loops.Select(loop => new OffsetContour(loop.Segments, loop.Closed))];
     }

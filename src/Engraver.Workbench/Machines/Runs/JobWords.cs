@@ -42,7 +42,7 @@ internal static class JobWords
         return differing.Count == 0 ? null : Wording.Get("Resume.OtherSettings", string.Join("; ", differing));
     }
 
-    private static SettingDescription? Setting(string key) => SettingTable.All.FirstOrDefault(setting => setting.Key == key || setting.JsonField == key);
+    private static Setting? Setting(string key) => SettingTable.Find(key) ?? SettingTable.All.FirstOrDefault(setting => setting.JsonField == key);
 
     private static string Name(string key) => Setting(key)?.Name ?? key;
 

@@ -56,7 +56,7 @@ public static class RunJudge
         MotorSample(job.Settings.Machine, new TracePoint(told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath)) { Error = error });
 
     /// <summary>The allowed deviations of a correct run.</summary>
-    public static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
+    public static TraceTolerances Tolerances(PreparedJob job) => new()
     {
         Count = CoarsestCount(job.Settings.Machine),
         MaxError = job.Settings.MaxErrorMm,

@@ -216,7 +216,7 @@ public static class JobReportPage
         var (settings, machine) = (report.Job.Settings, report.Job.Settings.Machine);
         page.Pairs(
         [
-            .. SettingWords.Of(settings).Select(one => new PagePair(SettingTable.All.First(setting => setting.Key == one.Key).Name, one.Value, "settings." + one.Key)),
+            .. SettingWords.Of(settings).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
             new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Rapid"), string.Create(CultureInfo.InvariantCulture, $"{machine.RapidMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Counts"), string.Create(CultureInfo.InvariantCulture, $"{machine.Scale.X:0.###} × {machine.Scale.Y:0.###}")),

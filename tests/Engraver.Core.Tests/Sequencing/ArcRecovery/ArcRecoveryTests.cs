@@ -200,13 +200,13 @@ public class ArcRecoveryTests
         var drawing = Polyline(Flatten(new ArcSegment(new Point2D(0, 0), 20, Angle.Zero, Angle.FromDegrees(90)), 40)).Build();
         var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default));
 
-        var result = Sequencer.Sequence(analysed, drawing, SequencingOptions.Default with { ArcTolerance = MaxError });
+        var result = Sequencer.Sequence(analysed, drawing, UsualOptions.Sequencing with { ArcTolerance = MaxError });
 
         var found = Assert.Single(result.Diagnostics, diagnostic => diagnostic.Rule == SequencingRules.ArcRecovered);
         Assert.Equal((10, "A1", Severity.Info), ((int)found.Source.Line, found.Source.Handle, found.Severity));
         Assert.Equal(0, result.DuplicatesRemoved);
         Assert.Equal(1, result.Segments);
-        Assert.Equal(40, Sequencer.Sequence(analysed, drawing, SequencingOptions.Default).Segments);
+        Assert.Equal(40, Sequencer.Sequence(analysed, drawing, UsualOptions.Sequencing).Segments);
     }
 
     private static ArcRecoveryResult Recover(EntityTable analysed) => ArcRecoverer.Recover(analysed, MaxError);

@@ -6,6 +6,7 @@ using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Programs.Posting;
 
@@ -19,7 +20,7 @@ public class PostFindingsTests
         var toolpath = new Toolpath(default, [Zigzag(0, 40), Zigzag(1, 9_000), Zigzag(2, 3), Zigzag(3, 2_500)]);
         var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, 0.001, _ => new SourceRef(7, "A"), style).Program!;
         IPost post = style == MotionStyle.Calls ? GalilPost.Calls : GalilPost.Sequences;
-        var request = new PostRequest(toolpath, program, entity => new SourceRef(entity, "A"), new Dictionary<string, string>());
+        var request = UsualOptions.Post(toolpath, program, entity => new SourceRef(entity, "A"), new Dictionary<string, string>());
         var written = post.Write(request);
 
         Assert.NotEmpty(written.Diagnostics);

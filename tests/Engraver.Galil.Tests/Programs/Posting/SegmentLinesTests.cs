@@ -2,6 +2,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Programs.Posting;
 
@@ -15,7 +16,7 @@ public class SegmentLinesTests
         var toolpath = Toolpaths.Paper;
         var program = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, 0.001, null, style).Program!;
         var post = style == MotionStyle.Calls ? GalilPost.Calls : GalilPost.Sequences;
-        var written = post.Write(new PostRequest(toolpath, program, null, new Dictionary<string, string>()));
+        var written = post.Write(UsualOptions.Post(toolpath, program, null, new Dictionary<string, string>()));
         var lines = written.Text.Split('\n');
         var segments = program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments).ToList();
 

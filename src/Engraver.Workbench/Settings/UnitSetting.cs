@@ -1,0 +1,34 @@
+using Engraver.Core.Drawings;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Settings;
+
+/// <summary>The unit of the drawing; null for the unit stated in the file. The console has words, the command and files the code of $INSUNITS.</summary>
+public sealed class UnitSetting : Setting<LengthUnit?>
+{
+    private const string Auto = "auto";
+    private const string Unitless = "0";
+
+    public UnitSetting(string key, Func<DrawingSettings, LengthUnit?> get, Func<DrawingSettings, LengthUnit?, DrawingSettings> with)
+        : base(key, get, with) => (Min, Max, Whole) = (0, 24, true);
+
+    public override string? Argument => string.Join('|', OptionWords);
+
+    public override IReadOnlyList<string> OptionWords => ["mm", "inch", Auto];
+
+    public override bool IsOneWord => true;
+
+    public override string? OptionDefault => Auto;
+
+    public override Reading<LengthUnit?> ReadOption(string typed) => new Reading<LengthUnit?>.Value(typed switch { "mm" => Of(4), "inch" => Of(1), _ => null });
+
+    public override string ToInput(DrawingSettings settings) => ToWord(settings) ?? Unitless;
+
+    public override DrawingSettings FromInput(DrawingSettings settings, string input) => With(settings, Of(TypedNumber.Parse(input)));
+
+    protected override string? WordOf(LengthUnit? value) => value is null ? null : TypedNumber.Exact(value.Code);
+
+    protected override LengthUnit? ParseWord(string word) => Of(TypedNumber.Parse(word)) ?? throw new FormatException(word);
+
+    private static LengthUnit? Of(double code) => LengthUnits.FromInsUnits(code) is { } unit ? unit with { Source = "option" } : null;
+}
