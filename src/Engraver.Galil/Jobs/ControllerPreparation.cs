@@ -18,6 +18,7 @@ internal sealed class ControllerPreparation(ControllerSession session, MachinePr
     public async ValueTask RunAsync(JobMachine machine, ControllerSnapshot found, OperatorStop stopper)
     {
         if (!await stopper.RehearseAsync().ConfigureAwait(false)) throw JobEnd.Broken(Wording.Get("Job.StopTestFailed")).ToException();
+        await JobEnd.RehearseAsync().ConfigureAwait(false);
         var mark = await MarkAsync(machine).ConfigureAwait(false);
         await session.NoteSoftLimitsAsync(options.SoftLimits, machine.Stop).ConfigureAwait(false);
         if (await found.BorrowAsync(resident.Text, machine.Stop).ConfigureAwait(false) is { } refused) throw machine.Commands.Refuse(refused, "").ToException();

@@ -136,11 +136,8 @@ internal sealed class Job
     {
         // The job would leave the controller's 32 bits.
         if (!_machine.Frame.ToController.Holds(MotionExtents.Of(_program))) throw JobEnd.Broken(Wording.Get("Job.BeyondCounterRange", _machine.Frame.Origin.X, _machine.Frame.Origin.Y)).ToException();
-        if (await IsCutAsync(CutFromStartAsync).ConfigureAwait(false)) return;
-        while (!await IsCutAsync(CutRestAsync).ConfigureAwait(false))
-        {
-            // Given up again, also on the way back to the path.
-        }
+        var isCut = await IsCutAsync(CutFromStartAsync).ConfigureAwait(false);
+        while (!isCut) isCut = await IsCutAsync(CutRestAsync).ConfigureAwait(false); // it may be given up again, also on the way back to the path
     }
 
     /// <returns>False where a hold has given up the motion.</returns>

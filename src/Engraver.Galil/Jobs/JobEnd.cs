@@ -47,6 +47,9 @@ internal sealed record JobEnd(JobOutcome Outcome, string Sentence, Rejected? Ref
         }
     }
 
+    /// <summary>Throws and catches an end once: the first exception of a process takes milliseconds, which must not delay the stop of a motion.</summary>
+    public static ValueTask<JobEnd?> RehearseAsync() => OfAsync(static async () => await OfAsync(static () => throw Broken("").ToException()).ConfigureAwait(false));
+
     private sealed class EarlyEndException(JobEnd end) : Exception(end.Sentence)
     {
         public JobEnd End => end;

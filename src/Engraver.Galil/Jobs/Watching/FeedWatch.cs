@@ -11,7 +11,7 @@ internal readonly record struct PlannedSpeed(int Lowest, int Highest)
 }
 
 /// <summary>Compares the speed of the path (_VMS, in every poll) with the planned speed times the ratio that the job sent: VS, VR and VA act in motion,
-/// whoever sets them (galil-dmc.md B.4).</summary>
+/// whichever host or program sets them (galil-dmc.md B.4).</summary>
 /// <remarks>
 /// Too fast: 5 % above, in two polls in a row. After the job itself lowers the ratio the path brakes at VD; the limit follows at half of that rate.
 /// Too slow: below half of the plan for half a second with the tool on. A speed that changes by at least half of the planned acceleration is a ramp.
