@@ -7,13 +7,12 @@ namespace Engraver.Galil.Jobs;
 /// <summary>Counts what was sent and what the controller confirmed; the one place where a job is counted.</summary>
 /// <param name="program">The whole program: segments and strokes are counted in it, also where only its rest is cut.</param>
 /// <param name="rest">What is cut; null for all of it.</param>
-/// <param name="from">What lies before it was cut by an earlier job.</param>
-/// <param name="polled">Told every position that was polled and differs from the one before; null for nobody.</param>
+/// <param name="from">What is before it was cut by an earlier job.</param>
+/// <param name="polled">Called with every polled position that differs from the one before; null for no call.</param>
 internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = null, JobPlace from = default, Action<TracePoint>? polled = null)
 {
     /// <summary>A position further from the path than this is not on it, counts.</summary>
     private const double OnPath = 2.5;
-
 
     private readonly List<TracePoint> _trace = [];
     private readonly List<int> _entities = [];
@@ -41,14 +40,14 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
     /// <summary>Segments of the whole program before those that this job cuts.</summary>
     public int SegmentsBefore => _rest.SegmentsBefore;
 
-    /// <summary>The machine is being stopped with the tool off: what is counted from now on was passed and not cut.</summary>
+    /// <summary>The machine is being stopped with the tool off: segments that are counted from now on were passed and not cut.</summary>
     public bool IsStopping { get; set; }
 
-    /// <summary>What lies before it was cut for certain.</summary>
-    /// <remarks>What is seen of the machine while <see cref="IsAway"/> does not change it.</remarks>
+    /// <summary>Everything before it was certainly cut.</summary>
+    /// <remarks>Polls do not change it while <see cref="IsAway"/>.</remarks>
     public JobPlace Place => _cutting is { } seen ? JobPlace.Later(_cut, PlaceOnProgram.Find(program, seen.Segments, seen.At, OnPath)) : _cut;
 
-    /// <summary>The job stands held and the operator may move the machine: what it passes is not cut.</summary>
+    /// <summary>The job is held and the operator may move the machine: what it passes is not cut.</summary>
     public bool IsAway { get; private set; }
 
     public int Sent { get; set; }
@@ -102,7 +101,7 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
         if (!IsToolMissing && !IsStopping) _cut = JobPlace.Later(_cut, new JobPlace(Executed, 0.0));
     }
 
-    /// <summary>The machine goes on to a stroke and a sequence of what this job cuts.</summary>
+    /// <summary>The machine continues with a stroke and a sequence of what this job cuts.</summary>
     public void Enter(int stroke, int sequence) => (Stroke, Sequence) = (stroke + _rest.StrokesBefore, stroke == 0 ? sequence + _rest.SequencesBefore : sequence);
 
     /// <summary>A poll saw the tool on here.</summary>
@@ -113,22 +112,23 @@ internal sealed class JobLedger(MotionProgram program, RemainingProgram? rest = 
         if (!IsAway) _cutting = (segments, at);
     }
 
-    /// <summary>The job stands held, and what was under way is given up.</summary>
+    /// <summary>The job is held, and what was in progress is given up.</summary>
     /// <param name="segments">Segments that are done, in the whole program.</param>
-    /// <param name="at">Where it stands in the next one, job frame; null where none of it was begun since the job parted last, as on the way back.</param>
-    public void Part(int segments, CountsPoint? at)
+    /// <param name="at">Where the machine is in the next one, job frame; null where it was not begun since something was last given up, as on the way
+    /// back.</param>
+    public void GiveUp(int segments, CountsPoint? at)
     {
-        PartedAt = at is { } here ? PlaceOnProgram.Find(program, segments, here, OnPath) : JobPlace.Later(PartedAt, new JobPlace(segments, 0.0));
-        _cut = JobPlace.Later(Place, PartedAt);
+        PlaceGivenUp = at is { } here ? PlaceOnProgram.Find(program, segments, here, OnPath) : JobPlace.Later(PlaceGivenUp, new JobPlace(segments, 0.0));
+        _cut = JobPlace.Later(Place, PlaceGivenUp);
         (_cutting, IsAway) = (null, true);
     }
 
-    /// <summary>Where the job stood when it gave up what was under way; in a lead-in that lies before <see cref="Place"/>.</summary>
-    public JobPlace PartedAt { get; private set; }
+    /// <summary>Where the machine was when the job gave up what was in progress; in a lead-in this is before <see cref="Place"/>.</summary>
+    public JobPlace PlaceGivenUp { get; private set; }
 
-    /// <summary>The job goes on with what is left behind <see cref="PartedAt"/>.</summary>
-    /// <param name="left">Begins at that place or, where the segment that holds it has no rest to cut, behind it.</param>
-    public void GoOn(RemainingProgram left)
+    /// <summary>The job continues with what is left after <see cref="PlaceGivenUp"/>.</summary>
+    /// <param name="left">Begins at that place or, where the segment that contains it has no rest to cut, after it.</param>
+    public void Continue(RemainingProgram left)
     {
         _cutOfFirst = 0.0;
         while (Executed < left.SegmentsBefore && program.SegmentBehind(Executed) is var (_, segment, stroke))

@@ -7,7 +7,7 @@ using Engraver.Galil.Language;
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Reports the job's progress to the operator and the journal.</summary>
-internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time, Action<Diagnostic>? told)
+internal sealed class JobLog(JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time, Action<Diagnostic>? told)
 {
     /// <summary>Controller seconds between two lines of the journal inside one sequence.</summary>
     private const double JournalSeconds = 0.25;
@@ -20,18 +20,18 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     private bool _isBegun;
 
     /// <param name="program">The fingerprint of the whole program.</param>
-    /// <exception cref="IOException">A journal cannot be written, its own or that of the job with which it goes on.</exception>
+    /// <exception cref="IOException">A journal cannot be written: that of this job, or that of the job that it resumes.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
-    public void Begin(JobOptions options, string controller, string program)
+    public void Begin(JobMachine machine, JobOptions options, string controller, string program)
     {
         var at = machine.State.Position;
         journal.BeginJob();
         journal.Write(new JournalHeader(
-            options.DrawingName, controller, options.Mode(), ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow())
+            options.DrawingName, controller, options.Mode(), ledger.SegmentCount, at.X, at.Y, machine.Frame.Origin.X, machine.Frame.Origin.Y, time.GetUtcNow())
         {
             Axes = machine.Profile.Axes.Letters,
             StartZ = at.Z,
-            FrameZ = machine.Frame.Z,
+            FrameZ = machine.Frame.Origin.Z,
             HeightOfCut = machine.Profile is { Height: null, Axes.Z: not null } ? options.HeightOfCut ?? at.Z : null,
             Program = program,
             Settings = options.Settings,
@@ -40,12 +40,12 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
             FromSegments = options.From.Segments,
             FromAlong = options.From.Along,
         });
-        TellResumed(options);
+        NoteResumed(options);
         journal.Keep();
         _isBegun = true;
     }
 
-    /// <summary>A job that was begun is not ended because its journal cannot be written: the part would be lost for it.</summary>
+    /// <summary>A job that has begun is not ended because its journal cannot be written: the part would be lost.</summary>
     private void Write<T>(T line)
     {
         try
@@ -62,51 +62,52 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         }
     }
 
-    /// <summary>An interrupted job that is gone on with is not gone on with a second time from its own place. A dry run cuts nothing.</summary>
-    private static void TellResumed(JobOptions options)
+    /// <summary>An interrupted job that is resumed cannot be resumed a second time from the same place. A dry run cuts nothing.</summary>
+    private static void NoteResumed(JobOptions options)
     {
         if (options is not { ResumedJournal: { } earlier, JournalPath: { } own, DryRun: false } || Path.GetFullPath(earlier) == Path.GetFullPath(own)) return;
-        using var told = new JobJournal(earlier);
-        told.Write(new JournalResumed(Path.GetFullPath(own)));
+        using var resumed = new JobJournal(earlier);
+        resumed.Write(new JournalResumed(Path.GetFullPath(own)));
     }
 
     /// <summary>Written before anything in the controller is changed.</summary>
     public void Found(JournalFound found) => journal.Write(found);
 
-    public void Polled()
+    /// <summary>Call with each poll.</summary>
+    public void Polled(JobMachine machine)
     {
-        if (machine.Seconds - _journalled >= JournalSeconds) WriteProgress();
+        if (machine.Seconds - _journalled >= JournalSeconds) WriteProgress(machine);
         if (machine.Seconds - _reported < ProgressSeconds) return;
         _reported = machine.Seconds;
-        Report();
+        Report(machine);
     }
 
-    /// <summary>The operator held the job or let it go on, or an override came in force.</summary>
-    public void ControlChanged()
+    /// <summary>The operator held or resumed the job, or an override came in force.</summary>
+    public void ControlChanged(JobMachine machine)
     {
         if (machine.Known is null) return;
         var at = machine.State.Position;
-        Write(new JournalControl(machine.Hold.Phase, machine.Hold.Speed.Override, machine.Hold.RapidRatio, at.X, at.Y, machine.Seconds));
-        Report();
+        Write(new JournalControl(machine.Hold.Phase, machine.Speed.Override, machine.Speed.RapidRatio, at.X, at.Y, machine.Seconds));
+        Report(machine);
     }
 
-    /// <summary>What the controller counts from now on belongs to this.</summary>
+    /// <summary>What the controller counts from now on belongs to this sequence, call or program.</summary>
     public void Opened(int first, IReadOnlyList<int> starts, int calls) => Write(new JournalOpened(first, starts, calls));
 
     /// <summary>The present sequence is complete.</summary>
-    public void SequenceDone() => WriteProgress();
+    public void SequenceDone(JobMachine machine) => WriteProgress(machine);
 
-    public void End(JobResult result)
+    public void End(JobMachine machine, JobResult result)
     {
         journal.Write(new JournalEnd(result.Outcome, result.Sentence, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds, result.NotRestored.Count == 0)
         {
             Cut = result.Place.Segments,
             Along = Math.Round(result.Place.Along, 1),
         });
-        if (machine.Known is not null) Report();
+        if (machine.Known is not null) Report(machine);
     }
 
-    private void WriteProgress()
+    private void WriteProgress(JobMachine machine)
     {
         _journalled = machine.Seconds;
         var at = machine.State.Position;
@@ -115,13 +116,13 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         Write(new JournalProgress(ledger.Stroke, ledger.Sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds) { Cut = place.Segments, Along = Math.Round(place.Along, 1) });
     }
 
-    private void Report() => progress?.Report(new JobProgress(
+    private void Report(JobMachine machine) => progress?.Report(new JobProgress(
         ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here, machine.IsToolOn, machine.Seconds, machine.State.Outputs)
     {
         Phase = machine.Hold.Phase,
         IsOnPath = machine.State.SequenceRunning,
-        Error = machine.FollowingError,
-        FeedRatio = machine.Hold.Speed.Override,
-        RapidRatio = machine.Hold.RapidRatio,
+        Error = machine.State.Error,
+        FeedRatio = machine.Speed.Override,
+        RapidRatio = machine.Speed.RapidRatio,
     });
 }

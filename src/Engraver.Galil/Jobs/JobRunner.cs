@@ -34,7 +34,7 @@ public static class JobRunner
     {
         ArgumentNullException.ThrowIfNull(control);
         ArgumentNullException.ThrowIfNull(options);
-        var either = new CancellationTokenSource(); // not disposed: the key may be released at any moment, and it holds no timer
+        var either = new CancellationTokenSource(); // not disposed: the key may be released at any time, and it has no timer
         await using var stopped = stop.UnsafeRegister(source => ((CancellationTokenSource)source!).Cancel(), either).ConfigureAwait(false);
         _ = control.Released.ContinueWith(_ => either.Cancel(), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
         var result = await ByHandAsync(program, new HandOperation(null, machine => new JogMove(machine, control, options.SoftLimits)), session, options, progress, either.Token).ConfigureAwait(false);
@@ -50,8 +50,8 @@ public static class JobRunner
         return ByHandAsync(program, new HandOperation(null, machine => new JogStandbyMove(machine, standby, options.SoftLimits)), session, options, progress, stop);
     }
 
-    /// <summary>Homes the axes of the profile that say how (<see cref="HomingMove"/>). The controller's own software limits do not count meanwhile: they
-    /// belong to the zero before.</summary>
+    /// <summary>Homes the axes for which the profile configures it (<see cref="HomingMove"/>). The controller's own software limits are not in force
+    /// meanwhile: they belong to the previous zero.</summary>
     /// <returns>As for <see cref="GoToAsync"/>.</returns>
     public static async Task<HomingResult> HomeAsync(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
@@ -64,7 +64,7 @@ public static class JobRunner
         return result.Outcome == JobOutcome.Complete ? new HomingResult(result with { Sentence = Wording.Get("HomingMove.Homed") }, homing!.Shift) : new HomingResult(result, null);
     }
 
-    /// <summary>Switches the profile's tool output on for its settle time and off again, under the watchdog: when this computer dies meanwhile the
+    /// <summary>Switches the profile's tool output on for its settle time and off again, under the watchdog: when this computer fails meanwhile the
     /// controller switches it off.</summary>
     /// <returns>As for <see cref="GoToAsync"/>.</returns>
     public static Task<JobResult> PulseAsync(MotionProgram program, ControllerSession session, JobOptions options, CancellationToken stop) =>
@@ -98,7 +98,7 @@ public static class JobRunner
             return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalNotWritable", SystemReason.Of(failure)));
         }
 
-        // Replies from memory are immediate: without a thread of its own the whole job would run before this method returns.
+        // Replies from memory are immediate: without its own thread the whole job would run before this method returns.
         using var order = new StopOrder(stop);
         using (journal) return await Task.Run(new Job(program, session, options, progress, journal, order, hand).RunAsync, CancellationToken.None).ConfigureAwait(false);
     }

@@ -16,7 +16,7 @@ namespace Engraver.Galil.Jobs;
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SC of the first axis.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
-/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="SupervisedProgram.Strayed"/> for a motion
+/// <param name="ProgramError">errcode: TC code of a rejected line of the resident program, 0 for none, <see cref="SupervisedProgram.Strayed"/> for a motion
 /// that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
 /// <param name="WatchdogRuns">_XQ1 is a line: the watchdog lives, or has just tripped.</param>
 /// <param name="Trip">wtrip: why the watchdog has stopped the machine (<see cref="WatchdogProgram"/>); 0 while it has not.</param>
@@ -24,18 +24,18 @@ namespace Engraver.Galil.Jobs;
 internal readonly record struct MachineState(
     bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, bool WatchdogRuns, int ProgramError, int Trip, int Outputs)
 {
-    /// <summary>_TE: commanded minus actual position of each axis, counts, 0 of those that are not asked; null where it was not asked with or just behind
-    /// this position.</summary>
+    /// <summary>_TE: commanded minus actual position of each axis, counts, 0 for those that are not read; null where it was not read with this position or
+    /// just after it.</summary>
     public CountsPoint? Error { get; init; }
 
-    public bool Stands => !SequenceRunning && !AxesRunning;
+    public bool IsAtRest => !SequenceRunning && !AxesRunning;
 }
 
-/// <summary>What a poll asks for, by the letters of the axes that the job moves.</summary>
+/// <summary>What a poll queries, by the letters of the axes that the job moves.</summary>
 internal sealed class StateQuestions
 {
-    /// <param name="isSlow">On a serial line the questions go in two parts, so that the heartbeat fits between them.</param>
-    /// <param name="followed">Letters of the axes whose position error is wanted; empty for none.</param>
+    /// <param name="isSlow">On a serial line the query is sent in two parts, so that the heartbeat fits between them.</param>
+    /// <param name="followed">Letters of the axes whose position error is read; empty for none.</param>
     public StateQuestions(MachineAxes axes, bool isSlow, string followed)
     {
         var (running, places, code) = (DmcAxes.Operands(axes.Letters, "_BG"), DmcAxes.Operands(axes.Letters, "_RP"), $"_SC{axes.X.Letter}");
@@ -48,36 +48,36 @@ internal sealed class StateQuestions
         Whole = IsOne ? [new StateQuestion(all)] : [Program, Motion];
     }
 
-    /// <summary>Everything, in the order of asking. For two axes over a network one line, with MG exactly its 80 characters; wtrip is asked behind _XQ1:
-    /// where the watchdog ended by its trip, that is already known.</summary>
+    /// <summary>Everything, in the order of the queries. For two axes over a network one line, with MG exactly its 80 characters; wtrip is read after _XQ1:
+    /// where the watchdog ended by its trip, wtrip is set by then.</summary>
     public IReadOnlyList<StateQuestion> Whole { get; }
 
-    /// <summary>Sequence, counters and position come in one answer: they belong together.</summary>
+    /// <summary>Sequence, counters and position are in one reply: they belong together.</summary>
     public bool IsOne { get; }
 
     /// <summary>In two parts: first what a program does ...</summary>
     public StateQuestion Program { get; }
 
-    /// <summary>The position errors alone; null where nobody wants them.</summary>
+    /// <summary>The position errors alone; null where they are not needed.</summary>
     public StateQuestion? Errors { get; }
 
-    /// <summary>On a serial line, where a question more would take the time of segments: what the path does with the position errors in place of stop code
-    /// and wtrip. Null over a network, and where nobody wants the errors.</summary>
+    /// <summary>On a serial line, where another query would take the time of segments: what the path does, with the position errors instead of stop code
+    /// and wtrip. Null over a network, and where the errors are not needed.</summary>
     public StateQuestion? MotionWithErrors { get; }
 
-    /// <summary>... then, and on a serial line more often, what the path does. Asked last: where the axes stood before, the position is final. Where a line
-    /// holds it, seq is asked here too, with the position it belongs to.</summary>
+    /// <summary>... then, and on a serial line more often, what the path does. Read last: where the axes were at rest before, the position is final. Where
+    /// it fits into the line, seq is read here too, with the position to which it belongs.</summary>
     public StateQuestion Motion { get; }
 }
 
-/// <summary>One line of operands, and what their answers say of the machine.</summary>
-/// <param name="Text">Operands divided by commas, as MG takes them.</param>
-/// <param name="Letters">Of the axes that the job moves, where position errors are asked for.</param>
+/// <summary>One line of operands, and the machine state that results from its reply.</summary>
+/// <param name="Text">Operands separated by commas, as in MG.</param>
+/// <param name="Letters">Of the axes that the job moves, where position errors are read.</param>
 internal sealed record StateQuestion(string Text, string Letters = "")
 {
     private readonly string[] _operands = Text.Split(',');
 
-    /// <summary>The state with what was answered; the rest of it stays.</summary>
+    /// <summary>The state with the numbers of the reply; the rest of it does not change.</summary>
     /// <param name="v">One number for each operand.</param>
     public MachineState Update(MachineState state, IReadOnlyList<double> v)
     {

@@ -1,5 +1,5 @@
-using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
@@ -7,19 +7,19 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The last of every way out of a job, at rest: where an axis holds the tool it is raised to clearance height, straight up out of the cut it came
-/// by, and then the spindle is switched off (ADR 11).</summary>
-/// <remarks>Over the stop handle, because the operator's stop has ended everything else. It is not raised when nobody knows where the axes are, or a motor
-/// cannot move it.</remarks>
+/// <summary>The last step of every job, at rest: where an axis drives the tool it is raised to clearance height, straight up out of the cut, and then the
+/// spindle is switched off (ADR 11).</summary>
+/// <remarks>Over the stop handle, because the operator's stop has ended everything else. The tool is not raised when the position of the axes is not
+/// known, or a motor cannot move it.</remarks>
 internal sealed class ToolRetreat(ControllerSession session, MachineProfile profile)
 {
-    /// <summary>Polls in which the axis is reported as moving and does not change its height; after these it does not move.</summary>
+    /// <summary>Polls in which the axis is reported as moving and does not change its height; after these it counts as at rest.</summary>
     private const int MostStandingPolls = 100;
 
-    /// <param name="rest">Where the machine rests.</param>
+    /// <param name="rest">Where the machine is at rest.</param>
     /// <param name="clearance">The clearance height in the controller's own counts; null where it is not known.</param>
-    /// <param name="isDoubted">The position is not to be trusted.</param>
-    /// <returns>Where it rests now, and a sentence where the tool is still down; empty when it is up, or an output is the tool.</returns>
+    /// <param name="isDoubted">The position is not reliable.</param>
+    /// <returns>Where it is at rest now, and a sentence where the tool is still down; empty when it is up, or an output is the tool.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<(StandstillReport Standstill, string Warning)> RunAsync(StandstillReport rest, int? clearance, bool isDoubted, TimeSpan pollInterval)
     {
@@ -37,7 +37,7 @@ internal sealed class ToolRetreat(ControllerSession session, MachineProfile prof
 
     private async Task<(int Height, bool Reached)> RaiseAsync(MachineAxis z, int from, int goal, TimeSpan pollInterval)
     {
-        foreach (var command in (string[])[Text($"SP{z.Letter}={profile.RapidSpeed(z)}"), Text($"PA{z.Letter}={goal}"), "BG" + z.Letter])
+        foreach (var command in (string[])[.. RapidMove.Commands(z, goal, profile.RapidSpeed(z)), "BG" + z.Letter])
         {
             if (await SendAsync(command).ConfigureAwait(false) is Rejected) return (from, false);
         }
@@ -57,6 +57,4 @@ internal sealed class ToolRetreat(ControllerSession session, MachineProfile prof
     }
 
     private ValueTask<Reply> SendAsync(string command) => session.StopHandle.SendAsync(command, CancellationToken.None);
-
-    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

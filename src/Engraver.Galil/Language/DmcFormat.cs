@@ -9,6 +9,9 @@ public static class DmcFormat
     /// <summary>A number with at most four decimals. The caller takes into account how the controller rounds it (angle quantum).</summary>
     public static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
 
+    /// <summary>DMC text with numbers in it.</summary>
+    public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
     /// <summary>VP or CR for one segment; VP is written relative to the start of its sequence, as the controller expects it (galil-dmc.md B.2).</summary>
     public static string Command(in VectorSegment segment, CountsPoint sequenceStart) => segment.Kind switch
     {

@@ -23,8 +23,9 @@ internal sealed class SimulatedBench : IAsyncDisposable
     /// <param name="spacing">The separator before a negative number.</param>
     /// <param name="lag">Lag of the motors behind their commands.</param>
     /// <param name="model">The reply to ^R^V; null for the usual one.</param>
-    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank, TimeSpan lag = default, string? model = null, params AxisSwitches[] switches) => Controller = new SimulatedController(
-        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing, ServoLag = lag, Switches = switches, Model = model ?? new SimulatorOptions().Model });
+    /// <param name="serialNumber">What _BN answers; null: each controller has its own.</param>
+    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank, TimeSpan lag = default, string? model = null, int? serialNumber = null, params AxisSwitches[] switches) => Controller = new SimulatedController(
+        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing, ServoLag = lag, Switches = switches, Model = model ?? new SimulatorOptions().Model, SerialNumber = serialNumber ?? new SimulatorOptions().SerialNumber });
 
     public SimulatedController Controller { get; }
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Posting;
-using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
@@ -15,8 +14,8 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
 
     public bool IsEnd(int mark) => mark == _endMark;
 
-    /// <summary>Whether the chunk wants the tool on: on while a sequence runs, off in a rapid (the motion between two sequences); null where that depends
-    /// on the line it executes.</summary>
+    /// <summary>Whether the tool should be on in the chunk: on while a sequence runs, off in a rapid (the motion between two sequences); null where that
+    /// depends on the line it executes.</summary>
     public static bool? IsToolWanted(MachineState state) => (state.Calls % 2 != 0, state.SequenceRunning, state.AxesRunning) switch
     {
         (true, true, _) => true,
@@ -33,14 +32,14 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
     }
 
     /// <summary>The same within the chunk.</summary>
-    /// <param name="starts">Segments before each of its sequences, and at last all of them.</param>
+    /// <param name="starts">Segments before each of its sequences, and as the last number all of them.</param>
     public static int Within(IReadOnlyList<int> starts, int mark, int counter)
     {
         var sequence = Math.Clamp(mark / 2, 0, starts.Count - 1);
         return starts[sequence] + (mark % 2 != 0 && sequence + 1 < starts.Count ? Math.Clamp(counter, 0, starts[sequence + 1] - starts[sequence]) : 0);
     }
 
-    /// <summary>Segments before each sequence of the chunk, and at last all of them.</summary>
+    /// <summary>Segments before each sequence of the chunk, and as the last number all of them.</summary>
     public IReadOnlyList<int> SequenceStarts => _sequenceStarts;
 
     /// <summary>The entity of the present sequence, as a sentence of its own.</summary>

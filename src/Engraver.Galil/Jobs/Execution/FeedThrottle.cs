@@ -1,7 +1,7 @@
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Says how much slower the path has to be when few sent segments are left to execute (a short lead), instead of letting the buffer run dry
-/// (galil-dmc.md F.1, J 7). <see cref="SpeedRatio"/> makes VR of it.</summary>
+/// <summary>How much slower the path has to be when few sent segments are left to execute (a short lead), so that the buffer does not run dry
+/// (galil-dmc.md F.1, J 7). It is a factor of VR (<see cref="JobSpeed"/>).</summary>
 /// <param name="reactionSeconds">Delay between detecting a short lead and the command reaching the controller.</param>
 /// <param name="rampSeconds">Time of the path from full speed to rest: VR acts no faster than VA and VD allow, so it must be sent that much earlier.</param>
 internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
@@ -10,7 +10,7 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     private const int ShortLead = 20;
     private const int VeryShortLead = 8;
 
-    /// <summary>A lead of this many seconds suffices even with few segments: at 1.6 ms a command more than a hundred can be sent meanwhile. Much more than
+    /// <summary>A lead of this many seconds suffices even with few segments: at 1.6 ms a command more than a hundred can be sent in this time. Much more than
     /// the short lead, so that the speed does not oscillate.</summary>
     private const double ComfortableSeconds = 0.25;
 
@@ -18,28 +18,31 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     private const double Slow = 0.5;
     private const double VerySlow = 0.1;
 
-    private double _now = Full;
-
     private double ShortSeconds => rampSeconds + reactionSeconds;
 
-    /// <summary>The new ratio for this lead, or null when it does not change.</summary>
+    /// <summary>The factor in force.</summary>
+    public double Now { get; private set; } = Full;
+
+    /// <summary>Adapts the factor to this lead.</summary>
     /// <param name="lead">Number of segments sent and not yet executed.</param>
     /// <param name="secondsAhead">Their duration at full speed.</param>
     /// <param name="remaining">Number of segments not yet sent.</param>
-    public double? Ratio(int lead, double secondsAhead, int remaining)
+    /// <returns>Whether it has changed.</returns>
+    public bool Adapt(int lead, double secondsAhead, int remaining)
     {
         if (remaining == 0 || secondsAhead > Math.Max(ComfortableSeconds, 2 * ShortSeconds)) return Release();
         if (lead < VeryShortLead || secondsAhead < ShortSeconds / 2) return Change(VerySlow);
-        return _now == Full && (lead < ShortLead || secondsAhead < ShortSeconds) ? Change(Slow) : null;
+        return Now == Full && (lead < ShortLead || secondsAhead < ShortSeconds) && Change(Slow);
     }
 
     /// <summary>Back to full speed, when everything has been sent.</summary>
-    public double? Release() => Change(Full);
+    /// <returns>Whether it has changed.</returns>
+    public bool Release() => Change(Full);
 
-    private double? Change(double ratio)
+    private bool Change(double ratio)
     {
-        if (ratio == _now) return null;
-        _now = ratio;
-        return ratio;
+        var changes = ratio != Now;
+        Now = ratio;
+        return changes;
     }
 }

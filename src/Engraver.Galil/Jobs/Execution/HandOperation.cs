@@ -3,8 +3,7 @@ using Engraver.Galil.Programs.Resident;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Motion by hand that is run as a job without strokes: under its watchdog, its stop and its promise to leave the controller as it was
-/// found.</summary>
+/// <summary>Motion by hand that is run as a job without strokes: with its watchdog and its stop, and the controller is left as it was found.</summary>
 /// <param name="Resident">The program in the controller meanwhile; null for that of a stream.</param>
 /// <param name="Create">What is done with the machine.</param>
 internal sealed record HandOperation(ResidentProgram? Resident, Func<JobMachine, IJobStrategy> Create)
@@ -16,33 +15,44 @@ internal sealed record HandOperation(ResidentProgram? Resident, Func<JobMachine,
 /// <summary>The tool's output on for the profile's settle time and off again, while nothing moves.</summary>
 internal sealed class OutputPulse(JobMachine machine) : IJobStrategy
 {
-    public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
+    public Phase Whole => Phase.Idle;
 
-    public async ValueTask<JobStep> CutAsync() => await machine.Tool.OnAsync(machine.Here).ConfigureAwait(false) is { Ends: true } end ? end : await machine.Tool.OffAsync().ConfigureAwait(false);
+    public ValueTask StartAsync() => ValueTask.CompletedTask;
+
+    public async ValueTask CutAsync()
+    {
+        await machine.Tool.OnAsync(machine.Here).ConfigureAwait(false);
+        await machine.Tool.OffAsync().ConfigureAwait(false);
+    }
 
     public ValueTask StoppedAsync(int counter) => ValueTask.CompletedTask;
 }
 
-/// <summary>A move without cutting: a rapid to one point in the controller's own counts, under the watchdog and the stop of a job. The tool is off
+/// <summary>A move without cutting: a rapid to one point in the controller's own counts, with the watchdog and the stop of a job. The tool is off
 /// throughout.</summary>
-/// <param name="withHeight">The height is part of the place; otherwise it stays as it is.</param>
+/// <param name="withHeight">The height is part of the goal; otherwise it does not change.</param>
 /// <param name="speed">SP of each axis; null for rapid speed.</param>
 internal sealed class HandMove(JobMachine machine, CountsPoint goal, bool withHeight, Func<MachineAxis, int>? speed = null) : IJobStrategy
 {
-    public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
+    public Phase Whole => Phase.Idle;
 
-    /// <summary>Up before the way and down behind it.</summary>
-    public async ValueTask<JobStep> CutAsync()
+    public ValueTask StartAsync() => ValueTask.CompletedTask;
+
+    /// <summary>Up before the move in X and Y, and down after it.</summary>
+    public async ValueTask CutAsync()
     {
         var isUp = withHeight && machine.Profile.Up * ((long)goal.Z - machine.State.Position.Z) > 0;
-        if (isUp && await ToHeightAsync().ConfigureAwait(false) is { Ends: true } low) return low;
-        if (await RapidMove.ToMachineAsync(machine, goal, speed).ConfigureAwait(false) is { Ends: true } end) return end;
-        return withHeight && !isUp ? await ToHeightAsync().ConfigureAwait(false) : JobStep.Done;
+        if (isUp) await ToHeightAsync().ConfigureAwait(false);
+        await RapidMove.ToMachineAsync(machine, goal, speed).ConfigureAwait(false);
+        if (withHeight && !isUp) await ToHeightAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Not while a job that is on its way back stands held.</summary>
-    private async ValueTask<JobStep> ToHeightAsync() =>
-        await machine.Hold.GateAsync().ConfigureAwait(false) is { Ends: true } held ? held : await RapidMove.ToHeightAsync(machine, goal.Z, speed).ConfigureAwait(false);
+    /// <summary>Waits while a job that returns to its path is held.</summary>
+    private async ValueTask ToHeightAsync()
+    {
+        await machine.Hold.GateAsync().ConfigureAwait(false);
+        await RapidMove.ToHeightAsync(machine, goal.Z, speed).ConfigureAwait(false);
+    }
 
     public ValueTask StoppedAsync(int counter) => ValueTask.CompletedTask;
 }

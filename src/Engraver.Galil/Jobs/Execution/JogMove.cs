@@ -2,108 +2,139 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
-using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>Motion as long as a key is held (JG, BG; galil-dmc.md C). Where the travel is known the axis is sent to its end instead (PA, SP, BG): it stops
-/// there and not behind it, and a release brakes it just the same.</summary>
+/// there and not beyond it, and a release brakes it in the same way.</summary>
 /// <param name="limits">The travel that is in force, counts.</param>
-/// <param name="isOver">Whether the key was released, where no stop of the whole job says so; null where one does.</param>
+/// <param name="isOver">Whether the key was released, where this is not the stop of the whole job; null where it is.</param>
 internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyList<SoftLimit> limits, Func<bool>? isOver = null) : IJobStrategy
 {
-    /// <summary>The longest time for a look at the machine over a link that is fit for jogging; a serial line may take the time of its bytes besides.</summary>
+    /// <summary>The longest time of a poll over a link that is fit for jogging; a serial line may take the time of its bytes in addition.</summary>
     private static readonly TimeSpan s_patience = TimeSpan.FromMilliseconds(100);
 
-    /// <summary>Bytes of a whole look with its answer, on a serial line.</summary>
-    private const int LookBytes = 260;
+    /// <summary>Bytes of a whole poll with its reply, on a serial line.</summary>
+    private const int PollBytes = 260;
 
-    /// <summary>Bytes of the longest exchange between two signs.</summary>
+    /// <summary>Bytes of the longest exchange between two heartbeats.</summary>
     private const int LongestExchange = 140;
 
-    /// <summary>A serial line must carry the longest exchange between two signs in this time, or the dead-man would trip.</summary>
-    private static readonly TimeSpan s_betweenSigns = TimeSpan.FromMilliseconds(150);
+    /// <summary>A serial line must carry the longest exchange between two heartbeats in this time, or the watchdog would trip.</summary>
+    private static readonly TimeSpan s_betweenHeartbeats = TimeSpan.FromMilliseconds(150);
 
     private readonly Dictionary<char, int> _speeds = [];
     private bool _isKept;
     private bool _isBraked;
 
-    private TimeSpan Patience => s_patience + (machine.Line?.Time(LookBytes) ?? TimeSpan.Zero);
+    private TimeSpan Patience => s_patience + (machine.Line?.Time(PollBytes) ?? TimeSpan.Zero);
 
     /// <summary>No jog is faster than the rapid speed that is allowed now.</summary>
     private JogVelocity Velocity => control.Velocity.NoFasterThan(machine.Profile.RapidMmPerMinute);
 
-    public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
+    public Phase Whole => Phase.Idle;
 
-    public async ValueTask<JobStep> CutAsync()
+    public ValueTask StartAsync() => ValueTask.CompletedTask;
+
+    public async ValueTask CutAsync()
     {
-        if (Unfit() is { Ends: true } unfit) return unfit;
-        if (await LookAsync().ConfigureAwait(false) is { Ends: true } slow) return slow;
-        return await HoldAsync().ConfigureAwait(false);
+        CheckFitness();
+        await PollAsync().ConfigureAwait(false);
+        await HoldAsync().ConfigureAwait(false);
     }
 
-    /// <summary>A jog on a machine that was kept ready, and has been polled just now: its release does not end the operation in the controller, it only
+    /// <summary>A jog on a machine that was kept ready, and has just been polled: its release does not end the operation in the controller, it only
     /// brakes.</summary>
-    public async ValueTask<JobStep> KeptReadyAsync()
+    public async ValueTask KeptReadyAsync()
     {
         _isKept = true;
-        if (IsReleased) return JobStep.Done; // before anything moved
-        if (Unfit() is { Ends: true } unfit) return unfit;
-        _ = control.Released.ContinueWith(_ => machine.BrakeAsync(), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
-        return await HoldAsync().ConfigureAwait(false);
+        if (IsReleased) return; // before anything moved
+        CheckFitness();
+        _ = control.Released.ContinueWith(_ => BrakeAtOnceAsync(), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
+        await HoldAsync().ConfigureAwait(false);
     }
 
-    /// <summary>The operator's side has braked; of a jog that is not one of several the release ends the whole operation instead.</summary>
+    /// <summary>The operator's side has braked. The release of a jog that is not kept ready ends the whole operation instead.</summary>
     private bool IsReleased => _isKept && control.Released.IsCompleted;
 
-    private JobStep Unfit()
+    private void CheckFitness()
     {
-        if (machine.Line is { } line && line.Time(LongestExchange) > s_betweenSigns) return JobStep.Broken(Wording.Get("JogMove.LineTooSlow", line.Baud));
-        return Velocity is { IsZero: true } ? JobStep.Broken(Wording.Get("JogMove.NoAxis")) : JobStep.Done;
+        if (machine.Line is { } line && line.Time(LongestExchange) > s_betweenHeartbeats) throw JobEnd.Broken(Wording.Get("JogMove.LineTooSlow", line.Baud)).ToException();
+        if (Velocity is { IsZero: true }) throw JobEnd.Broken(Wording.Get("JogMove.NoAxis")).ToException();
     }
 
-    /// <summary>The brake of a release once more, behind whatever this side has sent: the first one may have been before a BG or a JG that was on its way
-    /// over another handle.</summary>
-    private async ValueTask<JobStep> BrakeAsync()
+    /// <summary>Brakes every axis over the stop handle, at the same time as other commands are sent. The next poll reports a link that failed.</summary>
+    private async Task BrakeAtOnceAsync()
     {
-        if (!IsReleased || _isBraked) return JobStep.Done;
+        try
+        {
+            await machine.Session.StopHandle.SendAsync(machine.BrakeCommand, CancellationToken.None).ConfigureAwait(false);
+        }
+        catch (ControllerException)
+        {
+            // The poll reports it, and the watchdog brakes.
+        }
+    }
+
+    /// <summary>Sends the brake of a release again, after everything that this side has sent: the first one may have arrived before a BG or a JG that was
+    /// being sent over another handle.</summary>
+    private async ValueTask BrakeAgainAsync()
+    {
+        if (!IsReleased || _isBraked) return;
         _isBraked = true;
-        return await machine.SendAsync(machine.BrakeCommand).ConfigureAwait(false);
+        await machine.Commands.SendAsync(machine.BrakeCommand).ConfigureAwait(false);
     }
 
-    private async ValueTask<JobStep> HoldAsync()
+    private async ValueTask HoldAsync()
     {
-        if (await machine.WatchCloselyAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        if (await BeginAsync(Velocity).ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
+        await machine.Commands.WatchCloselyAsync().ConfigureAwait(false);
+        await BeginAsync(Velocity).ConfigureAwait(false);
         while (true)
         {
-            if (await BrakeAsync().ConfigureAwait(false) is { Ends: true } unbraked) return unbraked;
-            if (await LookAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-            if (isOver?.Invoke() == true) return await BrakeToRestAsync().ConfigureAwait(false);
-            if (machine.State.Stands) return IsReleased || await EndedAsync().ConfigureAwait(false) is not { Ends: true } ended || IsReleased ? JobStep.Done : ended;
-            if (!IsReleased && _speeds.Count > 1 && await IsAnyHaltedAsync().ConfigureAwait(false) is { Ends: true } halted && !IsReleased) return halted; // a release may come while it is asked
-            if (!IsReleased && await SteerAsync(Velocity).ConfigureAwait(false) is { Ends: true } lost) return lost;
+            await BrakeAgainAsync().ConfigureAwait(false);
+            await PollAsync().ConfigureAwait(false);
+            if (isOver?.Invoke() == true)
+            {
+                await BrakeToRestAsync().ConfigureAwait(false);
+                return;
+            }
+
+            if (machine.State.IsAtRest)
+            {
+                await UnlessReleasedAsync(CheckEndAsync).ConfigureAwait(false);
+                return;
+            }
+
+            if (_speeds.Count > 1) await UnlessReleasedAsync(CheckNoneHaltedAsync).ConfigureAwait(false);
+            if (!IsReleased) await SteerAsync(Velocity).ConfigureAwait(false);
             await machine.RestAsync(double.PositiveInfinity).ConfigureAwait(false);
         }
     }
 
-    public ValueTask StoppedAsync(int counter) => ValueTask.CompletedTask;
-
-    private async ValueTask<JobStep> BrakeToRestAsync() =>
-        await machine.SendAsync(machine.BrakeCommand).ConfigureAwait(false) is { Ends: true } refused ? refused : await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false);
-
-    /// <summary>A look, with a sign of this computer when it is due; the jog ends when it takes too long.</summary>
-    private async ValueTask<JobStep> LookAsync()
+    /// <summary>Runs a check that ends the jog, unless the key is released before the check or during it: then the axes are to be at rest.</summary>
+    private async ValueTask UnlessReleasedAsync(Func<ValueTask> check)
     {
-        var asked = machine.Time.GetTimestamp();
-        if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        var took = machine.Time.GetElapsedTime(asked);
-        return took <= Patience
-            ? JobStep.Done
-            : JobStep.LinkLost(Wording.Get("JogMove.LinkTooSlow", Math.Round(took.TotalMilliseconds), Math.Round(Patience.TotalMilliseconds), machine.State.Position.X, machine.State.Position.Y));
+        if (!IsReleased && await JobEnd.OfAsync(check).ConfigureAwait(false) is { } end && !IsReleased) throw end.ToException();
     }
 
-    private async ValueTask<JobStep> BeginAsync(JogVelocity velocity)
+    public ValueTask StoppedAsync(int counter) => ValueTask.CompletedTask;
+
+    private async ValueTask BrakeToRestAsync()
+    {
+        await machine.Commands.SendAsync(machine.BrakeCommand).ConfigureAwait(false);
+        await machine.PollUntilAsync(state => state.IsAtRest).ConfigureAwait(false);
+    }
+
+    /// <summary>A poll, with the heartbeat when it is due; the jog ends when it takes too long.</summary>
+    private async ValueTask PollAsync()
+    {
+        var asked = machine.Time.GetTimestamp();
+        await machine.PollAsync().ConfigureAwait(false);
+        var took = machine.Time.GetElapsedTime(asked);
+        if (took > Patience) throw JobEnd.LinkLost(Wording.Get("JogMove.LinkTooSlow", Math.Round(took.TotalMilliseconds), Math.Round(Patience.TotalMilliseconds), machine.State.Position.X, machine.State.Position.Y)).ToException();
+    }
+
+    private async ValueTask BeginAsync(JogVelocity velocity)
     {
         var axes = machine.Profile.Axes.All;
         var moving = "";
@@ -114,25 +145,26 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
             var forward = velocity[i] > 0.0 == axis.CountsPerMillimetre > 0.0;
             if (EndOf(axis, forward) is not { } end)
             {
-                if (await machine.SendAsync(Text($"JG{axis.Letter}={(forward ? speed : -speed)}")).ConfigureAwait(false) is { Ends: true } refused) return refused;
+                await machine.Commands.SendAsync(DmcFormat.Text($"JG{axis.Letter}={(forward ? speed : -speed)}")).ConfigureAwait(false);
             }
             else
             {
                 var here = machine.State.Position[i];
-                if (forward ? here > end : here < end) return JobStep.Broken(Wording.Get("JogMove.Outside", machine.Profile.Axes.NameOf(axis.Letter)));
+                if (forward ? here > end : here < end) throw JobEnd.Broken(Wording.Get("JogMove.Outside", machine.Profile.Axes.NameOf(axis.Letter))).ToException();
                 if (here == end) continue;
-                if (await machine.SendAllAsync([Text($"SP{axis.Letter}={speed}"), Text($"PA{axis.Letter}={end}")]).ConfigureAwait(false) is { Ends: true } refused) return refused;
+                await machine.Commands.SendAllAsync([DmcFormat.Text($"SP{axis.Letter}={speed}"), DmcFormat.Text($"PA{axis.Letter}={end}")]).ConfigureAwait(false);
             }
 
             _speeds[axis.Letter] = speed;
             moving += axis.Letter;
         }
 
-        return moving.Length == 0 ? JobStep.Broken(Wording.Get("JogMove.EndOfTravel")) : await machine.SendAsync("BG" + moving).ConfigureAwait(false);
+        if (moving.Length == 0) throw JobEnd.Broken(Wording.Get("JogMove.EndOfTravel")).ToException();
+        await machine.Commands.SendAsync("BG" + moving).ConfigureAwait(false);
     }
 
     /// <summary>Another speed in the same direction: JG and SP act while the axis moves (galil-dmc.md C).</summary>
-    private async ValueTask<JobStep> SteerAsync(JogVelocity velocity)
+    private async ValueTask SteerAsync(JogVelocity velocity)
     {
         var axes = machine.Profile.Axes.All;
         for (var i = 0; i < axes.Count; i++)
@@ -141,37 +173,27 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
             var (axis, speed) = (axes[i], axes[i].AxisSpeed(Math.Abs(velocity[i])));
             if (speed == before) continue;
             var forward = velocity[i] > 0.0 == axis.CountsPerMillimetre > 0.0;
-            var command = EndOf(axis, forward) is null ? Text($"JG{axis.Letter}={(forward ? speed : -speed)}") : Text($"SP{axis.Letter}={speed}");
-            if (await machine.SendAsync(command).ConfigureAwait(false) is { Ends: true } refused) return refused;
+            var command = EndOf(axis, forward) is null ? DmcFormat.Text($"JG{axis.Letter}={(forward ? speed : -speed)}") : DmcFormat.Text($"SP{axis.Letter}={speed}");
+            await machine.Commands.SendAsync(command).ConfigureAwait(false);
             _speeds[axis.Letter] = speed;
         }
-
-        return JobStep.Done;
     }
 
-    /// <summary>Ends the jog when one of several axes was stopped, by a limit switch for example: the others must not go on in a direction that nobody
-    /// asked for. An axis at the end of its travel does not end it.</summary>
-    private async ValueTask<JobStep> IsAnyHaltedAsync()
-    {
-        var (codes, end) = await machine.AskAllAsync(StopCodeOperands).ConfigureAwait(false);
-        if (end.Ends) return end;
-        var at = machine.State.Position;
-        return codes.FirstOrDefault(code => code is not (StopCodes.Running or StopCodes.AtTarget), StopCodes.AtTarget) is var halted && halted != StopCodes.AtTarget
-            ? JobStep.Broken(Wording.Get("JogMove.Ended", at.X, at.Y, StopCodes.Text((int)halted)))
-            : JobStep.Done;
-    }
+    /// <summary>Ends the jog when one of several axes was stopped, by a limit switch for example: the others must not continue in a direction that was not
+    /// requested. An axis at the end of its travel does not end it.</summary>
+    private ValueTask CheckNoneHaltedAsync() => CheckStopCodesAsync(code => code is StopCodes.Running or StopCodes.AtTarget);
 
-    private string StopCodeOperands => string.Join(',', _speeds.Keys.Select(letter => $"_SC{letter}"));
+    /// <summary>The axes are at rest although the key is held: at the end of the travel, at a limit switch, or because another host stopped them.</summary>
+    private ValueTask CheckEndAsync() => CheckStopCodesAsync(code => code == StopCodes.AtTarget);
 
-    /// <summary>The axes stand though the key is held: at the end of the travel, at a limit switch, or because somebody stopped them.</summary>
-    private async ValueTask<JobStep> EndedAsync()
+    private async ValueTask CheckStopCodesAsync(Func<double, bool> isRight)
     {
-        var (codes, end) = await machine.AskAllAsync(StopCodeOperands).ConfigureAwait(false);
-        if (end.Ends) return end;
+        var codes = await machine.Commands.AskAllAsync(string.Join(',', _speeds.Keys.Select(letter => $"_SC{letter}"))).ConfigureAwait(false);
         var at = machine.State.Position;
-        return codes.FirstOrDefault(code => code != StopCodes.AtTarget, StopCodes.AtTarget) is var code && code == StopCodes.AtTarget
-            ? JobStep.Done
-            : JobStep.Broken(Wording.Get("JogMove.Ended", at.X, at.Y, StopCodes.Text((int)code)));
+        foreach (var code in codes)
+        {
+            if (!isRight(code)) throw JobEnd.Broken(Wording.Get("JogMove.Ended", at.X, at.Y, StopCodes.Text((int)code))).ToException();
+        }
     }
 
     private int? EndOf(MachineAxis axis, bool forward)

@@ -3,14 +3,14 @@ using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Keeps the controller ready for jogs: our program is in its memory and its watchdog runs, so that a press sends no more than the motion. Between
-/// two jogs the machine is polled, with the heartbeat of a job.</summary>
+/// <summary>Keeps the controller ready for jogs: the job's program is in its memory and its watchdog runs, so that a press sends no more than the motion.
+/// Between two jogs the machine is polled, with the heartbeat of a job.</summary>
 internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IReadOnlyList<SoftLimit> limits) : IJobStrategy
 {
     /// <summary>Without a press the controller gets its own program back after this time.</summary>
     private static readonly TimeSpan s_longest = TimeSpan.FromSeconds(60);
 
-    /// <summary>Between two looks for the status, which on a serial line must not delay a press.</summary>
+    /// <summary>Between two readings for the status, which on a serial line must not delay a press.</summary>
     private static readonly TimeSpan s_betweenLooks = TimeSpan.FromMilliseconds(100);
 
     private static readonly TimeSpan s_betweenSlowLooks = TimeSpan.FromSeconds(1);
@@ -19,52 +19,55 @@ internal sealed class JogStandbyMove(JobMachine machine, JogStandby standby, IRe
 
     private long _looked;
 
-    public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
+    public Phase Whole => Phase.Idle;
 
-    public async ValueTask<JobStep> CutAsync()
+    public ValueTask StartAsync() => ValueTask.CompletedTask;
+
+    public async ValueTask CutAsync()
     {
-        var stood = _looked = machine.Time.GetTimestamp();
+        var idleSince = _looked = machine.Time.GetTimestamp();
         while (true)
         {
             if (standby.Pressed is { } control)
             {
-                if (await JogAsync(control).ConfigureAwait(false) is { Ends: true } end) return end;
-                stood = machine.Time.GetTimestamp();
+                await JogAsync(control).ConfigureAwait(false);
+                idleSince = machine.Time.GetTimestamp();
             }
             else if (standby.IsLeaving)
             {
-                return JobStep.Done;
+                return;
+            }
+            else if (machine.Time.GetElapsedTime(idleSince) > s_longest)
+            {
+                standby.Leave();
             }
             else
             {
-                if (machine.Time.GetElapsedTime(stood) > s_longest) standby.Leave();
-                else if (await StandAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+                await StandByAsync().ConfigureAwait(false);
             }
         }
     }
 
     public ValueTask StoppedAsync(int counter) => ValueTask.CompletedTask;
 
-    private async ValueTask<JobStep> StandAsync()
+    private async ValueTask StandByAsync()
     {
-        machine.HasProgress(); // it stands because it is meant to
-        if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        machine.Watch.HasProgress(); // it is at rest on purpose
+        await machine.PollAsync().ConfigureAwait(false);
         if (standby.Pressed is null && machine.Time.GetElapsedTime(_looked) >= (machine.Line is null ? s_betweenLooks : s_betweenSlowLooks))
         {
-            standby.Seen?.Invoke(await machine.ReadAsync().ConfigureAwait(false));
+            standby.Seen?.Invoke(await machine.ReadStatusAsync().ConfigureAwait(false));
             _looked = machine.Time.GetTimestamp();
         }
 
         for (var i = 0; i < RestsBetweenPolls && standby is { Pressed: null, IsLeaving: false }; i++) await machine.RestAsync(double.PositiveInfinity).ConfigureAwait(false);
-        return JobStep.Done;
     }
 
-    private async ValueTask<JobStep> JogAsync(JogControl control)
+    private async ValueTask JogAsync(JogControl control)
     {
-        machine.HasProgress();
-        if (await new JogMove(machine, control, limits).KeptReadyAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        if (await machine.WatchAsUsualAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        standby.Stands(JobResult.NotStarted(0, Wording.Get("JogMove.AtRest")) with { Outcome = JobOutcome.Complete, FinalPosition = machine.State.Position, FrameOrigin = machine.FrameTaken });
-        return JobStep.Done;
+        machine.Watch.HasProgress();
+        await new JogMove(machine, control, limits).KeptReadyAsync().ConfigureAwait(false);
+        await machine.Commands.WatchAsUsualAsync().ConfigureAwait(false);
+        standby.Stands(JobResult.NotStarted(0, Wording.Get("JogMove.AtRest")) with { Outcome = JobOutcome.Complete, FinalPosition = machine.State.Position, FrameOrigin = machine.Frame.Taken });
     }
 }

@@ -13,28 +13,28 @@ namespace Engraver.Galil.Jobs.Execution;
 internal static class ResidentServer
 {
     /// <summary>Restarts the time of the watchdog.</summary>
-    public static string HeartbeatCommand { get; } = JobMachine.Text($"{Variables.Heartbeat}={HeartbeatTicks}");
+    public static string HeartbeatCommand { get; } = DmcFormat.Text($"{Variables.Heartbeat}={HeartbeatTicks}");
 
     /// <summary>The same for a jog: the watchdog then trips 0.25 s after it.</summary>
-    public static string CloseHeartbeatCommand { get; } = JobMachine.Text($"{Variables.Heartbeat}={CloseHeartbeatTicks}");
+    public static string CloseHeartbeatCommand { get; } = DmcFormat.Text($"{Variables.Heartbeat}={CloseHeartbeatTicks}");
 
     /// <summary>Gives every polled variable a value before it is read, because an undefined one is refused, and sets the watchdog's time before it
     /// starts.</summary>
     public static string DefineVariables(MachineProfile profile) =>
-        JobMachine.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.Hold}=0;{Variables.AtGate}=0;{Variables.JobMark}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile)}");
+        DmcFormat.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.Hold}=0;{Variables.AtGate}=0;{Variables.JobMark}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile)}");
 
     /// <summary>By this number the variables that the watchdog leaves are known to be of this job.</summary>
-    public static string MarkCommand(int mark) => JobMachine.Text($"{Variables.JobMark}={mark}");
+    public static string MarkCommand(int mark) => DmcFormat.Text($"{Variables.JobMark}={mark}");
 
     /// <summary>Ends both threads of a job.</summary>
-    public static IReadOnlyList<string> HaltCommands { get; } = [JobMachine.Text($"HX{MainThread}"), JobMachine.Text($"HX{WatchdogThread}")];
+    public static IReadOnlyList<string> HaltCommands { get; } = [DmcFormat.Text($"HX{MainThread}"), DmcFormat.Text($"HX{WatchdogThread}")];
 
-    /// <summary>A program that runs the job is left where it is, and its thread waits in a loop; its watchdog goes on.</summary>
-    public static string IdleCommand { get; } = JobMachine.Text($"HX{MainThread};XQ {CommandErrorProgram.Halted},{MainThread}");
+    /// <summary>A program that runs the job is left where it is, and its thread waits in a loop; its watchdog continues to run.</summary>
+    public static string IdleCommand { get; } = DmcFormat.Text($"HX{MainThread};XQ {CommandErrorProgram.Halted},{MainThread}");
 
     public static string GoCommand { get; } = $"{Variables.Go}=1";
 
-    /// <summary>A program that runs the job waits behind its next rapid.</summary>
+    /// <summary>A program that runs the job waits after its next rapid.</summary>
     public static string CloseGateCommand { get; } = $"{Variables.Hold}=1";
 
     public static string OpenGateCommand { get; } = $"{Variables.Hold}=0";
@@ -48,32 +48,32 @@ internal static class ResidentServer
     };
 
     /// <summary>True for a resident program of a job with this profile, of any mode, and for its homing.</summary>
-    public static bool IsOurs(string program, MachineProfile profile) =>
+    public static bool IsOwn(string program, MachineProfile profile) =>
         ProgramText.AreSame(program, ForStream(profile).Text) || ProgramText.AreSame(program, ForCalls(profile).Text) || (profile.HasHoming && ProgramText.AreSame(program, ForHoming(profile).Text)) || SupervisedProgram.IsChunk(program, profile);
 
-    public static string StartCommand(ResidentProgram program) => JobMachine.Text($"XQ {program.EntryLabel},{MainThread}");
+    public static string StartCommand(ResidentProgram program) => DmcFormat.Text($"XQ {program.EntryLabel},{MainThread}");
 
     /// <summary>Operand for the line of the watchdog's thread; -1 while it does not run.</summary>
-    public static string WatchdogLine { get; } = JobMachine.Text($"_XQ{WatchdogThread}");
+    public static string WatchdogLine { get; } = DmcFormat.Text($"_XQ{WatchdogThread}");
 
-    /// <summary>Gives the watchdog the clearance height to which it raises the tool; behind it the lowest height there is, for a move that leaves the
-    /// height alone.</summary>
-    /// <param name="frame">Controller counts at the drawing's zero; null before the frame is taken, when the machine stands at the drawing's height 0.</param>
-    /// <param name="lift">Of a dry run; a frame that is given has it already.</param>
+    /// <summary>Gives the watchdog the clearance height to which it raises the tool; for a program that does not cut, the lowest height there is, so that the
+    /// watchdog does not change the height.</summary>
+    /// <param name="frame">Controller counts at the drawing's zero; null before the frame is taken, when the machine is at the drawing's height 0.</param>
+    /// <param name="lift">Of a dry run; a frame that is given includes it.</param>
     /// <param name="isCut">The program cuts.</param>
     public static IReadOnlyList<string> DefineHeight(MachineProfile profile, CountsPoint? frame, int lift, bool isCut)
     {
         if (profile.Axes.Z is not { } z || profile.Height is null) return [];
-        if (!isCut) return [JobMachine.Text($"{Subprograms.ClearanceHeight}={-profile.Up * (long)int.MaxValue}")];
-        return [frame is { } at ? JobMachine.Text($"{Subprograms.ClearanceHeight}={at.Z + profile.ClearanceCounts}") : JobMachine.Text($"{Subprograms.ClearanceHeight}=_RP{z.Letter}{profile.ClearanceCounts + lift:+0;-0}")];
+        if (!isCut) return [DmcFormat.Text($"{Subprograms.ClearanceHeight}={-profile.Up * (long)int.MaxValue}")];
+        return [frame is { } at ? DmcFormat.Text($"{Subprograms.ClearanceHeight}={at.Z + profile.ClearanceCounts}") : DmcFormat.Text($"{Subprograms.ClearanceHeight}=_RP{z.Letter}{profile.ClearanceCounts + lift:+0;-0}")];
     }
 
     /// <summary>Arguments of one call; a line is relative to the machine's position.</summary>
     public static string Arguments(in VectorSegment segment, CountsPoint here, int speed) => IsSlope(segment, here)
-        ? JobMachine.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Z}={(long)segment.End.Z - here.Z};{Variables.Feed}={speed};{Variables.Operation}={Operations.Slope}")
+        ? DmcFormat.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Z}={(long)segment.End.Z - here.Z};{Variables.Feed}={speed};{Variables.Operation}={Operations.Slope}")
         : segment.Kind == VectorSegmentKind.Line
-        ? JobMachine.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Feed}={speed};{Variables.Operation}={Operations.Line}")
-        : JobMachine.Text($"{Variables.Radius}={segment.Radius};{Variables.Theta}={DmcFormat.Number(segment.ThetaDegrees)};{Variables.Delta}={DmcFormat.Number(segment.DeltaDegrees)};{Variables.Feed}={speed};{Variables.Operation}={Operations.Arc}");
+        ? DmcFormat.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Feed}={speed};{Variables.Operation}={Operations.Line}")
+        : DmcFormat.Text($"{Variables.Radius}={segment.Radius};{Variables.Theta}={DmcFormat.Number(segment.ThetaDegrees)};{Variables.Delta}={DmcFormat.Number(segment.DeltaDegrees)};{Variables.Feed}={speed};{Variables.Operation}={Operations.Arc}");
 
     private static bool IsSlope(in VectorSegment segment, CountsPoint here) => segment.End.Z != here.Z;
 

@@ -5,24 +5,22 @@ using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
-using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>Streams one VM ... VE: fills the segment buffer, begins, sends further segments by _CSS, slows down when few are left to execute, ends with VE
 /// (galil-dmc.md B.7, F.1).</summary>
 /// <remarks>
-/// Over a network nothing repeats what the controller received. A sequence of lines is therefore sent as increments (LM, LI): a damaged one shifts the rest
-/// of the path up to its end, where the position shows it.
-/// A VP is absolute in its sequence: after a damaged vertex the next one is right again, and where segments are shorter than the distance between two polls
-/// the error would not be seen.
-/// With an arc in it a sequence must go as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex moved beside the path by up to about sqrt((L +
-/// A/2)^2 - L^2) counts is not noticed, L the length of
-/// its segments and A what the path length may differ by: 62 counts for 100 segments of 60. What is farther off is.
+/// Over a network nothing repeats what the controller received. A sequence of lines is therefore sent as increments (LM, LI): a corrupted one shifts the rest
+/// of the path up to its end, where the position shows it. A VP is absolute in its sequence: after a corrupted vertex the next one is right again, and where
+/// segments are shorter than the distance between two polls the error would not be seen.
+/// A sequence with an arc must be sent as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex beside the path by up to about
+/// sqrt((L + A/2)^2 - L^2) counts is not noticed, where L is the length of its segments and A the allowed difference of the path length: 62 counts for 100
+/// segments of 60. A vertex farther off is.
 /// </remarks>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
-    /// <summary>Free places in the buffer that are not used: one command may be on its way, and the controller's count is as old as the last poll.</summary>
+    /// <summary>Free places in the buffer that are not used: one command may be in transit, and the controller's count is as old as the last poll.</summary>
     private const int SpareSegments = 5;
 
     /// <summary>A sequence begins when this many segments are buffered, or this many seconds of motion.</summary>
@@ -39,7 +37,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private const int FrameBytes = 2;
 
     /// <summary>Shorter delays between two commands need no extra poll, seconds.</summary>
-    private const double HeldUpSeconds = 0.05;
+    private const double DelaySeconds = 0.05;
 
     /// <summary>Largest difference between the controller's path length and the planned one, counts: it is truncated to whole counts, and how it is summed
     /// over segments is not known (galil-dmc.md B.1).</summary>
@@ -47,7 +45,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private const double LengthPerSegment = 0.5;
 
     private readonly FeedPace _pace = FeedPace.From(machine.Line);
-    private readonly FeedThrottle _throttle = new(Math.Max(1.0, machine.Hold.Speed.Override) * sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.From(machine.Line).ReactionSeconds);
+    private readonly FeedThrottle _throttle = new(Math.Max(1.0, machine.Speed.Override) * sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.From(machine.Line).ReactionSeconds);
     private long _begunAt;
     private int _capacity;
     private int _sent;
@@ -64,43 +62,44 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Index of the first segment that is neither skipped nor executed.</summary>
     public int Next => first + _skipped + _executed;
 
-    /// <summary>Duration of the buffered motion at the speed that the operator wants.</summary>
-    private double SecondsAhead => _countsAhead / (sequence.Speed * machine.Hold.Speed.Override);
+    /// <summary>Duration of the buffered motion at the speed that the operator requests.</summary>
+    private double SecondsAhead => _countsAhead / (sequence.Speed * machine.Speed.Override);
 
     /// <summary>Seconds until the end of the path, by the trapezoid of the whole path and the time since its beginning.</summary>
     private double SecondsLeft => SpeedTrapezoid.Time(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
 
     private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
 
-    public async ValueTask<JobStep> RunAsync()
+    /// <summary>Fills the buffer, begins, and sends the rest while the machine cuts. Returns when the path has ended, or has run dry before its
+    /// end.</summary>
+    public async ValueTask RunAsync()
     {
-        try
+        await OpenAsync().ConfigureAwait(false);
+        if (Remaining == 0) return;
+        var isReady = false;
+        while (Remaining > 0 && !isReady)
         {
-            return await FeedAsync().ConfigureAwait(false);
+            await SendNextAsync().ConfigureAwait(false);
+            isReady = IsReadyToBegin;
         }
-        finally
-        {
-            machine.Expectation = null;
-            machine.Feed.Planned = null;
-            machine.SegmentsDone = null;
-            machine.Hold.WillMove = _ => true;
-            machine.Hold.Speed.Throttle = 1.0;
-        }
-    }
 
-    private async ValueTask<JobStep> FeedAsync()
-    {
-        if (await OpenAsync().ConfigureAwait(false) is { Ends: true } unopened) return unopened;
-        if (Remaining == 0) return JobStep.Done;
+        if (!isReady) await machine.Commands.SendAsync("VE").ConfigureAwait(false); // everything is in the buffer
+        using var cutting = await BeginAsync().ConfigureAwait(false);
+        await machine.Commands.SendAsync("BGS").ConfigureAwait(false);
         while (Remaining > 0)
         {
-            if (IsTimeToWatch && await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
-            if (_begun && HasRunDry) return await CloseDryAsync().ConfigureAwait(false);
-            if (await SendNextAsync().ConfigureAwait(false) is { Ends: true } refused) return refused;
-            if (!_begun && IsReadyToBegin && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
+            if (IsTimeToWatch) await WatchAsync().ConfigureAwait(false);
+            if (HasRunDry)
+            {
+                await CloseDryAsync().ConfigureAwait(false);
+                return;
+            }
+
+            await SendNextAsync().ConfigureAwait(false);
         }
 
-        return await CloseAsync().ConfigureAwait(false);
+        if (isReady) await machine.Commands.SendAsync("VE").ConfigureAwait(false);
+        await AwaitEndAsync().ConfigureAwait(false);
     }
 
     /// <summary>Confirms the segments before <paramref name="counter"/>, each once and only those that were sent.</summary>
@@ -116,9 +115,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     /// <summary>True every few segments; and when this computer was delayed for so long that the buffer may have run dry, which the next segment would
     /// hide.</summary>
-    private bool IsTimeToWatch => _begun && (machine.Hold.IsAsked || _sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds + UsualSeconds));
+    private bool IsTimeToWatch => machine.Hold.IsRequested || _sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, DelaySeconds + UsualSeconds);
 
-    /// <summary>Time that the commands since the last poll need on a serial line, with a heartbeat for each at worst: that long is not a delay.</summary>
+    /// <summary>Time that the commands since the last poll need on a serial line, each with a heartbeat at most: that long is not a delay.</summary>
     private double UsualSeconds => machine.Line is { } line ? 2.0 * line.Time(_bytesSinceWatch).TotalSeconds : 0.0;
 
     private bool IsReadyToBegin =>
@@ -128,42 +127,32 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Everything sent was executed before VE: the controller then stops at once, with the sequence open (galil-dmc.md B.7).</summary>
     private bool HasRunDry => _sentAtWatch == _sent && (machine.State.Counter >= _sent || (machine.State.Counter == _sent - 1 && machine.State.PathSpeed == 0 && _executed > 0));
 
-    private async ValueTask<JobStep> OpenAsync()
+    private async ValueTask OpenAsync()
     {
-        if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
+        await machine.PollUntilAsync(state => state.IsAtRest).ConfigureAwait(false);
         _origin = machine.Here with { Z = first == 0 ? sequence.Start.Z : sequence.Segments[first - 1].End.Z }; // the tool is brought to this height before the motion
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
-        if (Remaining == 0) return JobStep.Done;
+        if (Remaining == 0) return;
         var ahead = Ahead;
         _byIncrements = !sequence.ChangesHeight && machine.Line is null && DmcAxes.AreFirst(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
-        var opened = await machine.SendAllAsync(["CSS", sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}")]).ConfigureAwait(false);
-        if (opened.Ends) return opened;
-        if (await SettingCheck.ReadBackAsync(
-            machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
-        if (await machine.Hold.SendRatioAsync().ConfigureAwait(false) is { Ends: true } another) return another;
-        return await AskCapacityAsync().ConfigureAwait(false);
+        await machine.Commands.SendAllAsync(["CSS", sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}")]).ConfigureAwait(false);
+        await SettingCheck.ReadBackAsync(
+            machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration)).ConfigureAwait(false);
+        await machine.Speed.SendRatioAsync().ConfigureAwait(false);
+        _capacity = (int)await machine.Commands.AskAsync("_LMS").ConfigureAwait(false);
     }
 
     /// <summary>The segments that are cut here, from the machine's present position.</summary>
     private IReadOnlyList<VectorSegment> Ahead => [.. sequence.Segments.Skip(first + _skipped)];
-
-    private JobStep OnPath(MachineState state) => state.SequenceRunning ? _watch!.Look(state.Counter, machine.Here) : JobStep.Done;
 
     /// <summary>A line to the machine's own position has no length and would be refused (TC 30); it counts as done.</summary>
     private bool IsAlreadyThere(in VectorSegment segment) => segment.Kind == VectorSegmentKind.Line && segment.End == _origin;
 
     private void SkipOne() => ledger.Confirm(sequence.Segments[first + _skipped++]);
 
-    private async ValueTask<JobStep> AskCapacityAsync()
-    {
-        var (capacity, end) = await machine.AskAsync("_LMS").ConfigureAwait(false);
-        _capacity = (int)capacity;
-        return end;
-    }
-
     /// <summary>Sends one segment; while the buffer is full, sends it again (TC 32).</summary>
-    private async ValueTask<JobStep> SendNextAsync()
+    private async ValueTask SendNextAsync()
     {
         var segment = sequence.Segments[first + _skipped + _sent];
         var from = _sent == 0 ? _origin : sequence.Segments[first + _skipped + _sent - 1].End;
@@ -172,116 +161,109 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         {
             while (_begun && _capacity - (_sent - _executed) < SpareSegments)
             {
-                if (await WatchAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+                await WatchAsync().ConfigureAwait(false);
                 await machine.RestAsync(SecondsAhead / RestShare).ConfigureAwait(false);
             }
 
-            var reply = await machine.ReplyAsync(command).ConfigureAwait(false);
+            var reply = await machine.Commands.ReplyAsync(command).ConfigureAwait(false);
             if (reply is Accepted) break;
-            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) return machine.Refuse(rejected, Wording.Get("Execution.DrawingEntity", segment.EntityIndex));
-            if (await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
+            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) throw machine.Commands.Refuse(rejected, Wording.Get("Execution.DrawingEntity", segment.EntityIndex)).ToException();
+            await WatchAsync().ConfigureAwait(false);
         }
 
         _sent++;
         _bytesSinceWatch += command.Length + FrameBytes;
         ledger.Sent++;
         _countsAhead += segment.Length;
-        return JobStep.Done;
     }
 
-    private async ValueTask<JobStep> BeginAsync()
+    /// <summary>Brings the tool to the work, and enters the phase in which the sequence is cut.</summary>
+    private async ValueTask<PhaseScope> BeginAsync()
     {
-        if (await machine.Hold.ToolOnAsync(_origin).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (machine.Hold.IsAsked && await machine.Hold.SendRatioAsync().ConfigureAwait(false) is { Ends: true } unset) return unset;
+        await machine.Hold.ToolOnAsync(_origin).ConfigureAwait(false);
+        if (machine.Hold.IsRequested) await machine.Speed.SendRatioAsync().ConfigureAwait(false);
         var before = ledger.Executed - _executed;
-        machine.SegmentsDone = state => before + Math.Clamp(state.Counter, _executed, Math.Max(_executed, _sent));
-        if (await machine.OpenAsync(before, [0, sequence.Segments.Count - first - _skipped], machine.State.Calls).ConfigureAwait(false) is { Ends: true } unopened) return unopened;
-        machine.Hold.WillMove = state => state.Counter < _sent;
-        _watch = machine.Watch(_origin, Ahead, sequence.Speed);
-        machine.Expectation = OnPath;
-        machine.Feed.Planned = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : PlannedSpeed.Of(sequence.Speed); // running dry it stands
-        _begun = true;
-        _begunAt = machine.Time.GetTimestamp();
-        return await machine.SendAsync("BGS").ConfigureAwait(false);
+        await machine.OpenAsync(before, [0, sequence.Segments.Count - first - _skipped], machine.State.Calls).ConfigureAwait(false);
+        var watch = _watch = machine.WatchPath(_origin, Ahead, sequence.Speed);
+        (_begun, _begunAt) = (true, machine.Time.GetTimestamp());
+        return machine.Enter(machine.Phase with
+        {
+            SegmentsDone = state => before + Math.Clamp(state.Counter, _executed, Math.Max(_executed, _sent)),
+            Expected = state => state.SequenceRunning ? watch.Look(state.Counter, machine.Here) : null,
+            Speed = state => Remaining > 0 && state.Counter >= _sent - 1 ? null : PlannedSpeed.Of(sequence.Speed), // at standstill when it runs dry
+            WillMove = state => state.Counter < _sent,
+            Throttle = () => _throttle.Now,
+        });
     }
 
     /// <summary>Reads the counter.</summary>
-    private async ValueTask<JobStep> WatchAsync()
+    private async ValueTask WatchAsync()
     {
-        if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        await machine.GlanceAsync().ConfigureAwait(false);
         ConfirmUpTo(machine.State.Counter);
         (_sentAtWatch, _bytesSinceWatch) = (_sent, 0);
-        if (!machine.State.SequenceRunning) return await EndedEarlyAsync().ConfigureAwait(false);
-        return _throttle.Ratio(_sent - _executed, SecondsAhead, Remaining) is { } ratio ? await ThrottleAsync(ratio).ConfigureAwait(false) : JobStep.Done;
+        if (!machine.State.SequenceRunning) throw (await EndedEarlyAsync().ConfigureAwait(false)).ToException();
+        if (_throttle.Adapt(_sent - _executed, SecondsAhead, Remaining)) await machine.Hold.AttendAsync().ConfigureAwait(false);
     }
 
-    private async ValueTask<JobStep> CloseAsync()
+    /// <summary>Everything was sent: waits for the end of the path, and compares it with the plan.</summary>
+    private async ValueTask AwaitEndAsync()
     {
-        if (await machine.SendAsync("VE").ConfigureAwait(false) is { Ends: true } refused) return refused;
-        if (!_begun && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
-        if (_throttle.Release() is { } ratio && await ThrottleAsync(ratio).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
-        if (await machine.GlanceUntilAsync(HasEnded, SecondsLeft).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (machine.State.StopCode != StopCodes.SequenceEnded) return await EndedEarlyAsync().ConfigureAwait(false);
-        if (await CheckCutAsync().ConfigureAwait(false) is { Ends: true } another) return another;
+        if (_throttle.Release()) await machine.Hold.AttendAsync().ConfigureAwait(false);
+        await machine.GlanceUntilAsync(HasEnded, SecondsLeft).ConfigureAwait(false);
+        if (machine.State.StopCode != StopCodes.SequenceEnded) throw (await EndedEarlyAsync().ConfigureAwait(false)).ToException();
+        await CheckCutAsync().ConfigureAwait(false);
         ConfirmUpTo(_sent);
-        return JobStep.Done;
-    }
-
-    private async ValueTask<JobStep> ThrottleAsync(double ratio)
-    {
-        machine.Hold.Speed.Throttle = ratio;
-        return await machine.Hold.AttendAsync().ConfigureAwait(false);
     }
 
     /// <summary>Compares the position at the end with the planned one, and the length of the path too: a closed contour ends where it began, even if
-    /// nothing of it was cut or a turn was too short
-    /// (_AVS counts from the start of the sequence, galil-dmc.md B.1). The length is not read on a serial line, where every command was compared with its
-    /// echo and a query takes long.</summary>
-    private async ValueTask<JobStep> CheckCutAsync()
+    /// no part of it was cut or a turn was too short (_AVS counts from the start of the sequence, galil-dmc.md B.1). The length is not read on a serial line,
+    /// where every command was compared with its echo and a query takes long.</summary>
+    private async ValueTask CheckCutAsync()
     {
-        if (_watch!.LookAtEnd(_sent, machine.Here) is { Ends: true } elsewhere) return elsewhere;
-        if (machine.Line is not null) return JobStep.Done;
-        var (travelled, end) = await machine.AskAsync("_AVS").ConfigureAwait(false);
-        if (end.Ends) return end;
+        if (_watch!.LookAtEnd(_sent, machine.Here) is { } elsewhere) throw elsewhere.ToException();
+        if (machine.Line is not null) return;
+        var travelled = await machine.Commands.AskAsync("_AVS").ConfigureAwait(false);
         var planned = Ahead.Take(_sent).Sum(segment => segment.Length);
-        return Math.Abs(travelled - planned) <= LengthAllowance + (LengthPerSegment * _sent)
-            ? JobStep.Done
-            : JobStep.Deviated(Wording.Get("SequenceFeed.PathLengthDiffers", travelled, planned, Ahead[_sent - 1].EntityIndex, machine.Here.X, machine.Here.Y));
+        if (Math.Abs(travelled - planned) > LengthAllowance + (LengthPerSegment * _sent))
+            throw JobEnd.Deviated(Wording.Get("SequenceFeed.PathLengthDiffers", travelled, planned, Ahead[_sent - 1].EntityIndex, machine.Here.X, machine.Here.Y)).ToException();
     }
 
     private bool HasEnded(MachineState state)
     {
         if (state.SequenceRunning) ConfirmUpTo(state.Counter);
-        return state.Stands;
+        return state.IsAtRest;
     }
 
     /// <summary>Tool off at once; then, after reading what was cut, the only documented way out of an open sequence: AB1, wait, CSS.</summary>
-    private async ValueTask<JobStep> CloseDryAsync()
+    private async ValueTask CloseDryAsync()
     {
         ledger.Underruns++;
-        var isHeld = machine.Profile.Height is not null; // by an axis of the open sequence, which cannot begin a move of its own before that is ended
-        if (!isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        var cut = await CheckCutAsync().ConfigureAwait(false);
-        if (!cut.Ends) ConfirmUpTo(_sent);
-        if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
-        if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } broken) return broken;
-        (machine.Expectation, machine.Feed.Planned) = (null, null);
-        if (isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } down) return down;
-        if (cut.Ends || (await PlaceQuestions.AskAsync(machine.Session, machine.Profile.Axes).ConfigureAwait(false)).Uncounted.Length == 0) return cut;
+        var isAxis = machine.Profile.Height is not null; // of the open sequence: it cannot begin a move of its own before the sequence is ended
+        if (!isAxis) await machine.Tool.OffAsync().ConfigureAwait(false);
+        var deviated = await JobEnd.OfAsync(CheckCutAsync).ConfigureAwait(false);
+        if (deviated is null) ConfirmUpTo(_sent);
+        await machine.Commands.SendAsync("AB 1").ConfigureAwait(false);
+        await machine.PollUntilAsync(state => state.IsAtRest).ConfigureAwait(false);
+        using var closed = machine.Enter(machine.Phase with { Expected = null, Speed = null });
+        if (isAxis) await machine.Tool.OffAsync().ConfigureAwait(false);
+        if (deviated is not null) throw deviated.ToException();
+        if ((await PlaceQuestions.AskAsync(machine.Session, machine.Profile.Axes).ConfigureAwait(false)).Uncounted.Length == 0) return;
         var at = machine.State.Position;
-        return JobStep.Broken(Wording.Get("SequenceFeed.OutOfSegmentsWithSteppers", at.X, at.Y)) with { Doubt = Wording.Get("SequenceFeed.StepsLost") };
+        throw (JobEnd.Broken(Wording.Get("SequenceFeed.OutOfSegmentsWithSteppers", at.X, at.Y)) with { Doubt = Wording.Get("SequenceFeed.StepsLost") }).ToException();
     }
 
-    private async ValueTask<JobStep> EndedEarlyAsync()
+    private async ValueTask<JobEnd> EndedEarlyAsync()
     {
         var at = machine.State.Position;
-        return JobStep.Broken(Wording.Get("SequenceFeed.EndedEarly", at.X, at.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
+        return JobEnd.Broken(Wording.Get("SequenceFeed.EndedEarly", at.X, at.Y, await machine.Watch.Fault.WhyStoppedAsync().ConfigureAwait(false)));
     }
 }
 
 /// <summary>How the segment buffer is filled over this kind of link.</summary>
 /// <param name="SegmentsBetweenPolls">Segments between two readings of the counter.</param>
-/// <param name="FillsFirst">The buffer is filled before the machine starts, however long the segments are: over a slow link it cannot be filled later.</param>
+/// <param name="FillsFirst">The buffer is filled before the machine starts, however long the segments are: over a slow link it cannot be filled
+/// later.</param>
 /// <param name="ReactionSeconds">Delay between detecting that few segments are left and the command reaching the controller, seconds.</param>
 internal sealed record FeedPace(int SegmentsBetweenPolls, bool FillsFirst, double ReactionSeconds)
 {

@@ -16,8 +16,8 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
     public static string CopyOf(string journalPath) => journalPath + CopySuffix;
 
     /// <summary>The last run with this controller that was not ended properly, by the journals of the folder; null when there is none.</summary>
-    /// <param name="journalPath">Of the run that begins now.</param>
-    /// <param name="resumed">Journal of the job that it goes on with, which may be in another folder; null for none.</param>
+    /// <param name="journalPath">Journal of the run that begins now.</param>
+    /// <param name="resumed">Journal of the job that it resumes, which may be in another folder; null for none.</param>
     /// <exception cref="IOException">A folder cannot be read.</exception>
     public static CrashRecovery? Last(string journalPath, string? resumed, JournalFound now)
     {
@@ -34,8 +34,8 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
         return JobJournal.IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new CrashRecovery(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
     }
 
-    /// <summary>The last "found" line of the journal, unless the controller was restored after it. A line that was changed after it was written tells
-    /// nothing.</summary>
+    /// <summary>The last "found" line of the journal, unless the controller was restored after it. A line that was changed after it was written is not
+    /// used.</summary>
     private static JournalFound? Unended(string journal)
     {
         JournalFound? found = null;

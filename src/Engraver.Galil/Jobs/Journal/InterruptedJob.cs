@@ -3,17 +3,18 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>What a journal tells of its last job.</summary>
+/// <summary>The last job of a journal.</summary>
 /// <param name="Header">Its first line.</param>
-/// <param name="Place">The last place that it tells; what lies before it was cut.</param>
-/// <param name="Opened">The sequence, call or program that was begun last; null for none.</param>
+/// <param name="Place">The last place that it states; what is before it was cut.</param>
+/// <param name="Opened">The sequence, call or program that was started last; null for none.</param>
 /// <param name="End">Null where the job did not end properly.</param>
 public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, JournalOpened? Opened, JournalEnd? End)
 {
-    /// <summary>Where the machine was by the line that tells <see cref="Place"/>, the controller's own counts; null where it does not tell.</summary>
+    /// <summary>Position of the machine in the line that states <see cref="Place"/>, the controller's own counts; null where the line does not state
+    /// it.</summary>
     public (long X, long Y)? At { get; init; }
 
-    /// <summary>That line is the end of a job that a fault ended: an axis that could not follow stands beside the path.</summary>
+    /// <summary>That line is the end of a job that a fault ended: an axis that could not follow is beside the path.</summary>
     public bool IsAtFault { get; init; }
 
     /// <summary>Why the journal is not as it was written; empty where it is.</summary>
@@ -22,11 +23,11 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     /// <summary>The journal is of an older version, whose lines have no check sums.</summary>
     public bool IsUnsealed { get; private init; }
 
-    /// <summary>Why the journal could not be written any more while its job went on; empty where it was.</summary>
+    /// <summary>Why the journal could no longer be written while its job continued; empty where it was written.</summary>
     public string GivenUp { get; private init; } = "";
 
-    /// <summary>Why it is not resumed, whatever else a resume asks for: nothing of it is left to cut, or how far it was cut is not known. Empty where it
-    /// may be.</summary>
+    /// <summary>Why it cannot be resumed, whatever the settings: nothing is left to cut, or how far it was cut is not known. Empty where it
+    /// can.</summary>
     public string WhyOver => this switch
     {
         { GivenUp: { Length: > 0 } reason } => Wording.Get("Resume.JournalIncomplete", reason),
@@ -40,10 +41,10 @@ public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, Journa
     /// <summary>A copy of the program that was in the controller, beside a journal.</summary>
     public static string ProgramCopyOf(string journal) => CrashRecovery.CopyOf(journal);
 
-    /// <summary>Journal of the job that has gone on with this one; null for none.</summary>
+    /// <summary>Journal of the job that has resumed this one; null for none.</summary>
     public string? ResumedBy { get; init; }
 
-    /// <returns>Null when no job is told of.</returns>
+    /// <returns>Null when the journal has no job.</returns>
     /// <exception cref="IOException">It cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
     public static InterruptedJob? Read(string path)

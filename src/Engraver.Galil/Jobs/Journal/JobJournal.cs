@@ -8,7 +8,7 @@ using Engraver.Galil.Sessions;
 namespace Engraver.Galil.Jobs.Journal;
 
 /// <summary>The journal file: one JSON object per line with a running number and a check sum (<see cref="JournalSeal"/>), each flushed to the file before
-/// the job goes on, so that a crash leaves every line but the last readable.</summary>
+/// the job continues, so that a crash leaves every line but the last readable.</summary>
 internal sealed class JobJournal : IDisposable
 {
     /// <summary>Generated at build time: reflection at the first use would delay the heartbeat.</summary>
@@ -41,7 +41,7 @@ internal sealed class JobJournal : IDisposable
         return new StreamWriter(file) { AutoFlush = true, NewLine = "\n" };
     }
 
-    /// <summary>The journal was given up while its job goes on: nothing more is written.</summary>
+    /// <summary>The journal was given up while its job continues: nothing more is written.</summary>
     public bool IsGivenUp { get; private set; }
 
     /// <summary>The lines of a job begin here.</summary>
@@ -50,9 +50,9 @@ internal sealed class JobJournal : IDisposable
     /// <summary>What was written so far stays in a journal that is given up.</summary>
     public void Keep() => _kept = Now;
 
-    /// <summary>The journal cannot be written any more (a full disk), and its job goes on: the last place that it tells would soon be wrong. Puts a line
-    /// that says so in place of everything behind <see cref="Keep"/>, which needs no more room on the disk,
-    /// and where even that fails takes the job out of the journal.</summary>
+    /// <summary>The journal can no longer be written (a full disk), and its job continues: the last place that it states would soon be wrong. Replaces
+    /// everything after <see cref="Keep"/> by a line that states this, which needs no more room on the disk. Where even that fails the job is removed from
+    /// the journal.</summary>
     public void GiveUp(string reason)
     {
         IsGivenUp = true;
@@ -79,13 +79,13 @@ internal sealed class JobJournal : IDisposable
         }
         catch (IOException)
         {
-            // The medium takes nothing at all: what stands there cannot be changed.
+            // The medium cannot be written at all: the journal remains as it is.
         }
     }
 
     private (long Length, long Number) Now => (_file?.BaseStream is { CanSeek: true } file ? file.Length : 0, _number);
 
-    /// <summary>False for a pipe: it cannot be read again, and opening it would wait for ever. Like an empty file it has no length.</summary>
+    /// <summary>False for a pipe: it cannot be read again, and opening it would wait forever. Like an empty file it has no length.</summary>
     public static bool IsReadable(string journal)
     {
         var named = new FileInfo(journal);
@@ -93,7 +93,7 @@ internal sealed class JobJournal : IDisposable
         return file is { Exists: true, Length: > 0 };
     }
 
-    /// <summary>Goes on with the running number of the lines that stand there.</summary>
+    /// <summary>Continues the running number of the present lines.</summary>
     /// <returns>Whether the last one is half a line.</returns>
     private bool Continue(string path)
     {
@@ -128,7 +128,7 @@ internal sealed class JobJournal : IDisposable
         }
         catch (IOException) when (IsGivenUp)
         {
-            // That was told.
+            // This was reported when the journal was given up.
         }
     }
 
@@ -153,14 +153,14 @@ public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int Segment
 {
     public string Kind { get; } = "end";
 
-    /// <summary>Segments that were cut whole for certain.</summary>
+    /// <summary>Segments that were certainly cut as a whole.</summary>
     public int Cut { get; init; }
 
     /// <summary>Counts along the next one that were cut too.</summary>
     public double Along { get; init; }
 }
 
-/// <summary>The controller's state before a job, written before anything in it is changed: if this program dies, the next run restores it
+/// <summary>The controller's state before a job, written before anything in it is changed: if this program fails, the next run restores it
 /// (<see cref="CrashRecovery"/>).</summary>
 /// <param name="Address">The controller's address.</param>
 /// <param name="Controller">Its model string.</param>
@@ -174,27 +174,27 @@ public sealed record JournalFound(string Address, string Controller, double? Ser
     internal bool IsSameController(JournalFound other) => (Address, Controller, SerialNumber) == (other.Address, other.Controller, other.SerialNumber);
 }
 
-/// <summary>A later run has restored the controller after the one that died.</summary>
+/// <summary>A later run has restored the controller after the one that failed.</summary>
 /// <param name="By">Journal of the later run.</param>
 public sealed record JournalGivenBack(string By)
 {
     public string Kind { get; } = "givenBack";
 }
 
-/// <summary>A later job has gone on with this one, and has a journal of its own.</summary>
+/// <summary>A later job has resumed this one, and has its own journal.</summary>
 /// <param name="By">Path of that journal.</param>
 public sealed record JournalResumed(string By)
 {
     public string Kind { get; } = "resumed";
 }
 
-/// <summary>The journal could not be written any more while its job went on: how far the job was cut is not told, and it cannot be resumed.</summary>
+/// <summary>The journal could no longer be written while its job continued: how far the job was cut is not known, and it cannot be resumed.</summary>
 public sealed record JournalGivenUp(string Reason)
 {
     public string Kind { get; } = "givenUp";
 }
 
-/// <summary>The operator held the job or let it go on, or changed an override.</summary>
+/// <summary>The operator held or resumed the job, or changed an override.</summary>
 /// <param name="Feed">Factor of the programmed feed.</param>
 /// <param name="Rapid">Factor of the rapid speed.</param>
 /// <param name="X">_RPA.</param>
@@ -227,7 +227,7 @@ public sealed record JournalProgress(int Stroke, int Sequence, int Entity, int S
 {
     public string Kind { get; } = "progress";
 
-    /// <summary>Segments that are cut whole for certain.</summary>
+    /// <summary>Segments that are certainly cut as a whole.</summary>
     public int Cut { get; init; }
 
     /// <summary>Counts along the next one that are cut too.</summary>
@@ -236,7 +236,7 @@ public sealed record JournalProgress(int Stroke, int Sequence, int Entity, int S
 
 /// <summary>A sequence, a call or a program is about to begin: what the controller counts from now on belongs to it.</summary>
 /// <param name="First">Its first segment, in the order of cutting of the whole program.</param>
-/// <param name="Starts">Segments before each of its sequences, and at last all of them.</param>
+/// <param name="Starts">Segments before each of its sequences, and as the last number all of them.</param>
 /// <param name="Calls">seq before it.</param>
 public sealed record JournalOpened(int First, IReadOnlyList<int> Starts, int Calls)
 {

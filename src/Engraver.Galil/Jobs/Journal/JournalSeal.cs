@@ -5,7 +5,7 @@ using System.Text;
 namespace Engraver.Galil.Jobs.Journal;
 
 /// <summary>The running number and the check sum with which each line of a journal ends: <c>,"n":17,"sum":"0f3a9c21"}</c>. The sum is the first 32 bits of
-/// SHA-256 over what stands before it in the line.</summary>
+/// SHA-256 over the text before it in the line.</summary>
 /// <param name="Number">From 1 in a file.</param>
 /// <param name="IsTrue">The line is as it was written.</param>
 internal readonly record struct JournalSeal(long Number, bool IsTrue)
@@ -36,8 +36,8 @@ internal readonly record struct JournalSeal(long Number, bool IsTrue)
     private static string SumOf(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)))[..SumDigits];
 }
 
-/// <summary>Looks whether the lines of a journal are those that were written, none changed and none missing before the last. Half a line, as a crash leaves
-/// it, is no line.</summary>
+/// <summary>Checks whether the lines of a journal are those that were written, none changed and none missing before the last. Half a line, as a crash leaves
+/// it, is not counted.</summary>
 internal sealed class JournalCheck
 {
     private int _lines;
@@ -46,7 +46,7 @@ internal sealed class JournalCheck
     /// <summary>Why the journal is not as it was written; empty while it is.</summary>
     public string Fault { get; private set; } = "";
 
-    /// <summary>Lines of an older version, of which nothing can be said.</summary>
+    /// <summary>Lines of an older version, which cannot be checked.</summary>
     public bool IsUnsealed { get; private set; }
 
     /// <summary>Call with each line in turn.</summary>

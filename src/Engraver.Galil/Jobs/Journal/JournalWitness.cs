@@ -5,14 +5,14 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>Compares the last place that a journal tells with the position that the same line tells, and with what the controller has counted: what lies
+/// <summary>Compares the last place that a journal states with the position in the same line, and with what the controller has counted: what is
 /// before that place is not cut again.</summary>
-/// <remarks>The position may lie ahead of the place (a poll later, braking, on the way to the next stroke), never behind it.</remarks>
+/// <remarks>The position may be ahead of the place (a poll later, braking, on the way to the next stroke), never before it.</remarks>
 /// <param name="job">Of the journal.</param>
 /// <param name="program">The whole program.</param>
 internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
 {
-    /// <summary>Largest distance of a polled position from its path, counts, without what the machine moves between two readings.</summary>
+    /// <summary>Largest distance of a polled position from its path, counts, without the distance that the machine moves between two readings.</summary>
     private const double OnPath = 2.5;
 
     /// <summary>The axes are read one after the other, a sample or two apart (galil-dmc.md C).</summary>
@@ -21,7 +21,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     /// <summary>The position may be this much later than the place, seconds: a poll on a slow serial line.</summary>
     private const double LaterSeconds = 0.5;
 
-    /// <summary>Why the place cannot be where the journal tells that the machine was; empty when it can.</summary>
+    /// <summary>Why the place cannot be at the position that the journal states; empty when it can.</summary>
     public string WhyNotThere()
     {
         var place = job.Place;
@@ -46,14 +46,14 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     }
 
     /// <summary>Why the place cannot have been reached when the watchdog stopped the machine; empty when it can. What the controller counts is cleared
-    /// between two sequences: then only the position tells.</summary>
+    /// between two sequences: then only the position shows it.</summary>
     /// <param name="trip">By what the controller counted.</param>
     /// <param name="at">Where it stopped the machine, job frame.</param>
     public string WhyNotReached(JobPlace trip, CountsPoint at) => trip >= job.Place || IsAhead(job.Place, new Point2D(at.X, at.Y)) ? "" : Contradicted(trip);
 
     private string Contradicted(JobPlace counted) => Wording.Get("Resume.CountersContradict", job.Place.Segments, Math.Round(job.Place.Along), counted.Segments, Math.Round(counted.Along));
 
-    /// <summary>Where a fault ended the job, its axes may stand beside the path by the position error that they are allowed.</summary>
+    /// <summary>Where a fault ended the job, its axes may be beside the path by the allowed position error.</summary>
     private bool IsNear(JobPlace place, Point2D here)
     {
         var (start, segment) = program.SegmentBehind(place.Segments) is var (from, next, _) ? (from, next) : (program.SegmentBehind(place.Segments - 1)!.Value.Segment.End, default);

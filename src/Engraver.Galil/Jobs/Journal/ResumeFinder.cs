@@ -9,15 +9,15 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>Finds where an interrupted job is to go on: by its journal and, where the watchdog stopped the machine because the host or the link was lost,
-/// by what it left in the controller's variables.</summary>
+/// <summary>Finds where an interrupted job is to be resumed: by its journal and, where the watchdog stopped the machine because the host or the link was
+/// lost, by what the watchdog left in the controller's variables.</summary>
 internal static class ResumeFinder
 {
     /// <summary>A position further from the path than this is not on it, counts.</summary>
     private const double OnPath = 2.5;
 
-    /// <summary>The trip switches the tool off and then reads the place, statement by statement: at 0.5 ms a line (galil-dmc.md A.4) it lies up to this
-    /// much behind the end of the cut, seconds.</summary>
+    /// <summary>The trip switches the tool off and then reads the place, statement by statement: at 0.5 ms a line (galil-dmc.md A.4) the place is up to this
+    /// much after the end of the cut, seconds.</summary>
     private const double TripSeconds = 0.005;
 
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -39,7 +39,7 @@ internal static class ResumeFinder
         return trip > job.Place ? found with { Place = trip, Doubt = TripSeconds * Speed(program, trip) } : found;
     }
 
-    /// <summary>The place at which the watchdog switched the tool off, or began to brake a tool that an axis holds.</summary>
+    /// <summary>The place at which the watchdog switched the tool off, or began to brake a tool that an axis drives.</summary>
     private static async Task<(JobPlace Place, CountsPoint At)?> TripAsync(CommandChannel channel, MotionProgram program, InterruptedJob job, JournalOpened opened, CountsPoint frame, CancellationToken cancellation)
     {
         var counter = await AskAsync(channel, ResidentProgram.Variables.TripCounter, cancellation).ConfigureAwait(false);
@@ -59,8 +59,8 @@ internal static class ResumeFinder
         return (PlaceOnProgram.Find(program, opened.First + within, at, OnPath), at);
     }
 
-    /// <summary>Reads the journal, and makes sure that it can be told that its job is gone on with: on a medium that cannot be written the job could be
-    /// resumed a second time from the same place.</summary>
+    /// <summary>Reads the journal, and makes sure that it can be written: otherwise it could not be noted there that its job was resumed, and the job
+    /// could be resumed a second time from the same place.</summary>
     private static InterruptedJob? Read(string path, out string refused)
     {
         var writing = false;
@@ -79,7 +79,7 @@ internal static class ResumeFinder
         }
     }
 
-    /// <summary>Why this program does not go on with that job; empty when it does.</summary>
+    /// <summary>Why this program cannot resume that job; empty when it can.</summary>
     private static string Unfit(InterruptedJob job, MotionProgram program, JobMode mode) =>
         Unfit(job, mode) is { Length: > 0 } unfit ? unfit
         : job.Header.Program == ProgramFingerprint.Of(program) ? ""

@@ -5,14 +5,14 @@ using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back, and behind each chunk but the
-/// first the spindle turns up again; then only the controller's own statements take time.</summary>
-/// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
+/// <summary>A job that runs in the controller: loading takes its bytes, both ways, because the download is read back, and after each chunk but the
+/// first the spindle has to reach its speed again; then only the controller's own statements take time.</summary>
+/// <param name="line">Null for a network, on which the time of loading is negligible.</param>
 internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
 {
     /// <summary>Bytes exchanged around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the query for the watchdog; the
-    /// answer to the poll before it, and about half a poll until
-    /// its end is seen by the first part of a poll, whose second part is still to come.</summary>
+    /// reply to the poll before it, and about half a poll until its end is seen by the first part of a poll, whose second part is still to
+    /// come.</summary>
     private const int BytesAroundChunk = 290;
 
     /// <summary>Statements of a rapid: the line that assigns x and y and calls #RAPID, and the lines of that.</summary>
@@ -33,7 +33,7 @@ internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
         if (line is null && spinUp == 0.0) return 0.0;
         var frame = new ControllerFrame(program.Start, default);
         var chunks = new SupervisedProgram(program, frame, dryRun: false).Pack(program.Strokes, DmcLimits.ProgramLines, null).Chunks;
-        var again = (chunks.Count - 1) * spinUp; // the spindle stands while the next chunk is loaded
+        var again = (chunks.Count - 1) * spinUp; // the spindle is off while the next chunk is loaded
         return line is null ? again : again + chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length) + chunk.Text.AsSpan().Count('\n')) * line.ByteSeconds); // an upload ends each line with two characters
     }
 

@@ -6,10 +6,10 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>Simulates the exchange of a job over a serial line byte by byte, with the heartbeats between (<see cref="JobMachine"/>,
+/// <summary>Simulates the exchange of a job over a serial line byte by byte, with the heartbeats between (<see cref="JobCommands"/>,
 /// <see cref="Heartbeat"/>), to find the time of each exchange.</summary>
 /// <remarks>Averages are not accurate enough: a poll takes as long as a settle or a short cut, so that one more or less matters, and that depends on the
-/// digits of an answer. All times are seconds since the job began.</remarks>
+/// digits of a reply. All times are seconds since the job began.</remarks>
 internal sealed class SerialConversation(SerialLine line)
 {
     /// <summary>Bytes of CR and prompt for each part of a line.</summary>
@@ -24,7 +24,7 @@ internal sealed class SerialConversation(SerialLine line)
 
     private const int ThreadLineDigits = 2;
 
-    /// <summary>Letters do not matter: only the length of a question does.</summary>
+    /// <summary>Letters do not matter: only the length of a query does.</summary>
     private static readonly StateQuestions s_questions = new(MachineAxes.Default, isSlow: true, followed: "");
 
     private readonly double _byteSeconds = line.ByteSeconds;
@@ -66,7 +66,7 @@ internal sealed class SerialConversation(SerialLine line)
     public void Ask(string operand, int digits) => Pass(Question(operand) + Answer(digits));
 
     /// <summary>A whole poll.</summary>
-    /// <returns>When the controller answered each of its two parts.</returns>
+    /// <returns>When the controller replied to each of its two parts.</returns>
     public (double Program, double Path) Poll(CountsPoint at)
     {
         var asked = AskProgram();
@@ -76,10 +76,10 @@ internal sealed class SerialConversation(SerialLine line)
     }
 
     /// <summary>A reading of the path, now and then a whole poll.</summary>
-    /// <returns>When the controller answered it, and whether the axes were at rest as far as was seen.</returns>
+    /// <returns>When the controller replied, and whether the axes were at rest in this reading.</returns>
     public (double At, bool Stands) Glance(CountsPoint at)
     {
-        var isWhole = ++_glances % JobMachine.GlancesBetweenPolls == 0;
+        var isWhole = ++_glances % StateReader.GlancesBetweenPolls == 0;
         if (isWhole) AskProgram();
         var path = AskMotion(at);
         if (!isWhole && path >= _movingUntil && _axesSeenMoving)
@@ -134,7 +134,7 @@ internal sealed class SerialConversation(SerialLine line)
 
     private static int Question(string operands) => "MG ".Length + operands.Length + 1;
 
-    /// <summary>Bytes of an answer: numbers, each after a blank or a sign; line end and prompt.</summary>
+    /// <summary>Bytes of a reply: numbers, each after a blank or a sign; line end and prompt.</summary>
     private static int Answer(params ReadOnlySpan<int> digits)
     {
         var bytes = digits.Length + 3;

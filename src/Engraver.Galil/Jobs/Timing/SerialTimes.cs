@@ -4,13 +4,12 @@ using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
-using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>A job led over a serial line: every byte of a question, a command and an answer takes its time (galil-dmc.md A.2), and an end is noticed by the
-/// next question only.</summary>
-/// <remarks>For one estimate: what a step takes depends on those before it, which are told in the order of cutting.</remarks>
+/// <summary>A job that this computer commands over a serial line: every byte of a query, a command and a reply takes its time (galil-dmc.md A.2), and an
+/// end is detected only by the next query.</summary>
+/// <remarks>For one estimate: the time of a step depends on the steps before it, so they are added in the order of cutting.</remarks>
 internal sealed class SerialTimes(SerialLine line) : DmcTimes
 {
     private const int CapacityDigits = 3;
@@ -82,7 +81,7 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
     private void Stream(VectorSequence sequence, double moving, MachineProfile profile)
     {
         var acceleration = profile.AccelerationCounts;
-        SayAll("CSS", sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
+        SayAll("CSS", sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, DmcFormat.Text($"VSS={sequence.Speed}"), DmcFormat.Text($"VAS={acceleration}"), DmcFormat.Text($"VDS={acceleration}"), "VR 1");
         _talk.Ask("_LMS", CapacityDigits);
         _talk.Counter = 0;
         var fits = sequence.Segments.Count <= LinkFeedLimit.Places;

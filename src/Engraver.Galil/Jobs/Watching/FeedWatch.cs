@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>The speeds of what may be under way when a poll is read, counts/s, without the feed override.</summary>
+/// <summary>The speeds of the sequences that may be in progress when a poll is read, counts/s, without the feed override.</summary>
 /// <param name="Lowest">VS of its slowest sequence.</param>
 /// <param name="Highest">VS of its fastest sequence.</param>
 internal readonly record struct PlannedSpeed(int Lowest, int Highest)
@@ -11,7 +11,7 @@ internal readonly record struct PlannedSpeed(int Lowest, int Highest)
 }
 
 /// <summary>Compares the speed of the path (_VMS, in every poll) with the planned speed times the ratio that the job sent: VS, VR and VA act in motion,
-/// whoever sets them (galil-dmc.md B.4).</summary>
+/// whichever host or program sets them (galil-dmc.md B.4).</summary>
 /// <remarks>
 /// Too fast: 5 % above, in two polls in a row. After the job itself lowers the ratio the path brakes at VD; the limit follows at half of that rate.
 /// Too slow: below half of the plan for half a second with the tool on. A speed that changes by at least half of the planned acceleration is a ramp.
@@ -40,9 +40,6 @@ internal sealed class FeedWatch(JobMachine machine)
     private (double Seconds, double Speed) _window;
     private double? _slowSince;
 
-    /// <summary>The speeds of the sequence that a polled state may be in; null while none is planned.</summary>
-    public Func<MachineState, PlannedSpeed?>? Planned { get; set; }
-
     /// <summary>Operands of settings that another host or program has changed: they are left as they are.</summary>
     public IReadOnlyList<string> SetByOthers { get; set; } = [];
 
@@ -50,8 +47,8 @@ internal sealed class FeedWatch(JobMachine machine)
     /// <returns>Whether the speed of the path cannot be the job's own.</returns>
     public bool IsForeign()
     {
-        if (machine is { State.SequenceRunning: true, Hold: { Phase: JobPhase.Running, Ratio: > 0.0 and var ratio } } && Planned?.Invoke(machine.State) is { } planned) return IsForeign(machine.State, machine.Seconds, planned, ratio);
-        _isFollowing = false; // the next poll begins anew
+        if (machine is { State.SequenceRunning: true, Hold.Phase: JobPhase.Running, Speed.Ratio: > 0.0 and var ratio } && machine.Phase.Speed?.Invoke(machine.State) is { } planned) return IsForeign(machine.State, machine.Seconds, planned, ratio);
+        _isFollowing = false; // the next poll begins again
         return false;
     }
 

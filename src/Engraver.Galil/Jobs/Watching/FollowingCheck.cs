@@ -3,23 +3,23 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Whether the motors of a machine at rest are where they were sent: the host polls the reference position, and an axis that was blocked for less
-/// than ER says nothing by itself (galil-dmc.md C, TE and ER).</summary>
+/// <summary>Whether the motors of a machine at rest are where they were sent: the host polls the reference position, and of an axis that was blocked by less
+/// than ER the controller reports nothing (galil-dmc.md C, TE and ER).</summary>
 internal sealed class FollowingCheck(ControllerSession session, MachineProfile profile)
 {
-    /// <summary>Position error that a motor at rest may keep, mm: friction, and a load that it holds.</summary>
+    /// <summary>Position error that a motor at rest may keep, mm: friction, and a static load.</summary>
     private const double AllowedMm = 0.2;
 
     /// <summary>The same of an axis with few counts a millimetre.</summary>
     private const double AllowedCounts = 20.0;
 
-    /// <summary>Motors settle behind the end of a motion: looks until they must have, one each <see cref="s_settling"/>.</summary>
+    /// <summary>Motors settle after the end of a motion: readings until they must have settled, one each <see cref="s_settling"/>.</summary>
     private const int Looks = 10;
 
     private static readonly TimeSpan s_settling = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>Looks until every motor is where it was sent, or has had its time.</summary>
-    /// <returns>The axes that are not, with their position errors; empty when all are, or the controller does not say.</returns>
+    /// <summary>Reads until every motor is where it was sent, or its settling time is over.</summary>
+    /// <returns>The axes that are not, with their position errors; empty when all are, or the controller does not report them.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask<string> AtRestAsync()
     {

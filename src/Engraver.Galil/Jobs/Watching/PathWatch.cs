@@ -1,21 +1,19 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
-using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Compares polled positions with the planned path while a sequence runs: a damaged command moves the machine beside it.</summary>
+/// <summary>Compares polled positions with the planned path while a sequence runs: a corrupted command moves the machine beside it.</summary>
 /// <remarks>
-/// A polled position is a reference (_RP), so no servo lag is in it; but the two axes are read one after the other, and a sample of the motion may lie
-/// between (galil-dmc.md C: 1 ms at TM 1000).
-/// So a correct point may appear beside the path by up to speed x sample x |sin x cos| of the path's direction, at a joint by half of speed x sample. A
-/// larger distance is a fault at the first poll; within it
-/// only <see cref="MostInARow"/> polls in a row are, because a sample lies between the two readings only now and then.
+/// A polled position is a reference (_RP), so no servo lag is in it; but the two axes are read one after the other, and a sample of the motion may be
+/// between the two readings (galil-dmc.md C: 1 ms at TM 1000). So a correct point may appear beside the path by up to speed x sample x |sin x cos| of the
+/// path's direction, at a joint by half of speed x sample. A larger distance is a fault at the first poll. A distance within these limits is a fault in
+/// <see cref="MostInARow"/> polls in a row, because a sample is between the two readings only now and then.
 /// </remarks>
 /// <param name="start">Where the first segment begins, job frame.</param>
 /// <param name="segments">In the order of cutting.</param>
 /// <param name="speed">VS, counts/s.</param>
-/// <param name="followsHeight">An axis holds the tool: heights are compared too.</param>
+/// <param name="followsHeight">An axis drives the tool: heights are compared too.</param>
 /// <param name="sampleSeconds">Sample time of the controller's motion.</param>
 internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed, double sampleSeconds, bool followsHeight = false)
 {
@@ -33,26 +31,27 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
 
     /// <param name="executed">Segments that were complete when the position was read.</param>
     /// <param name="place">Position, job frame.</param>
-    public JobStep Look(int executed, CountsPoint place)
+    /// <returns>Why the job ends; null where the machine is on its path.</returns>
+    public JobEnd? Look(int executed, CountsPoint place)
     {
         var (off, explained) = Nearest(Math.Clamp(executed, 0, segments.Count - 1), place);
         if (off <= Allowance) _inARow = 0;
         else if (off > Allowance + explained || ++_inARow >= MostInARow) return Left(off, place, segments[Math.Clamp(executed, 0, segments.Count - 1)].EntityIndex);
-        return JobStep.Done;
+        return null;
     }
 
     /// <summary>Compares the position at rest after the last segment.</summary>
-    public JobStep LookAtEnd(CountsPoint place) => LookAtEnd(segments.Count, place);
+    public JobEnd? LookAtEnd(CountsPoint place) => LookAtEnd(segments.Count, place);
 
     /// <param name="executed">Segments after which the machine is at rest, at least 1.</param>
-    public JobStep LookAtEnd(int executed, CountsPoint place)
+    public JobEnd? LookAtEnd(int executed, CountsPoint place)
     {
         var last = segments[executed - 1];
         var off = double.Hypot(new Point2D(place.X, place.Y).DistanceTo(new Point2D(last.End.X, last.End.Y)), followsHeight ? (double)place.Z - last.End.Z : 0.0);
-        return off <= Allowance ? JobStep.Done : Left(off, place, last.EntityIndex);
+        return off <= Allowance ? null : Left(off, place, last.EntityIndex);
     }
 
-    private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Wording.Get("PathWatch.OffPath", place.X, place.Y, off, entity));
+    private static JobEnd Left(double off, CountsPoint place, int entity) => JobEnd.Deviated(Wording.Get("PathWatch.OffPath", place.X, place.Y, off, entity));
 
     /// <summary>Distance to the path near where the machine should be, and the part of it that two readings at different times explain.</summary>
     private (double Off, double Explained) Nearest(int at, CountsPoint counts)
@@ -73,7 +72,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
         return (off, explained);
     }
 
-    /// <summary>Distance from a line that rises or falls, or stands upright.</summary>
+    /// <summary>Distance from a line that rises or falls, or is vertical.</summary>
     private static double DistanceInSpace(CountsPoint from, CountsPoint to, CountsPoint place)
     {
         var (way, spoke) = (to - from, place - from);
@@ -82,7 +81,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
         return double.Hypot(double.Hypot(spoke.X - (fraction * way.X), spoke.Y - (fraction * way.Y)), spoke.Z - (fraction * way.Z));
     }
 
-    /// <summary>How far a line rises on the way of one sample: so far the height may have been read too late.</summary>
+    /// <summary>How far a line rises in the distance of one sample: by this much the height may have been read too late.</summary>
     private double RiseInASample(CountsPoint from, CountsPoint to) => from.Z == to.Z ? 0.0 : speed * sampleSeconds * Math.Abs((double)to.Z - from.Z) / LengthOf(to - from);
 
     private static double LengthOf(CountsPoint way) => double.Hypot(double.Hypot(way.X, way.Y), way.Z);

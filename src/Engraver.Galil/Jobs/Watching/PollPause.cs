@@ -1,7 +1,7 @@
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Pauses between the polls of one wait: long ones while its end cannot have come yet, and when it does not come for long; otherwise none, so that
-/// the end is seen at once.</summary>
+/// <summary>Pauses between the polls of one wait: long ones while its end cannot have come yet, and when it has not come for a long time; otherwise none,
+/// so that the end is seen at once.</summary>
 /// <param name="interval">The longest pause; zero for no pauses.</param>
 /// <param name="atLeastSeconds">Shortest possible time of the wait; zero when nothing is known.</param>
 internal sealed class PollPause(TimeSpan interval, double atLeastSeconds)

@@ -18,7 +18,7 @@ internal sealed class PollTimes(TimeProvider time, double sampleSeconds)
     /// <summary>Samples between two values of TIME, which wraps at 2^31.</summary>
     public static long SamplesSince(long from, long to) => to >= from ? to - from : to - from + (1L << 31);
 
-    /// <param name="sample">TIME in the answer to the poll.</param>
+    /// <param name="sample">TIME in the reply to the poll.</param>
     public void Polled(long sample)
     {
         (_sample, _polledAt) = (sample, time.GetTimestamp());

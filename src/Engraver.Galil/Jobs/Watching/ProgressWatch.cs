@@ -3,9 +3,9 @@ using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Detects a job without progress: it sent no command, and the controller neither moved nor counted. Otherwise the job would wait for ever for a
-/// motion that does not come, and keep the watchdog from tripping.</summary>
-/// <remarks>Measured in controller time, so that a slow host does not look like a stalled machine; and by several polls, because a single late answer
+/// <summary>Detects a job without progress: it sent no command, and the controller neither moved nor counted. Otherwise the job would wait forever for a
+/// motion that does not happen, and keep the watchdog from tripping.</summary>
+/// <remarks>Measured in controller time, so that a slow host is not mistaken for a stalled machine; and by several polls, because a single late reply
 /// proves nothing.</remarks>
 internal sealed class ProgressWatch(MachineProfile profile)
 {
@@ -19,7 +19,7 @@ internal sealed class ProgressWatch(MachineProfile profile)
     /// <summary>Controller seconds without progress until a job is given up.</summary>
     public double Seconds { get; } = StandstillLimit.Seconds(profile);
 
-    /// <summary>The controller accepted a command of the job: the time without progress starts anew.</summary>
+    /// <summary>The controller accepted a command of the job: the time without progress starts again.</summary>
     public void Acted() => _last = null;
 
     /// <summary>Call with each poll.</summary>

@@ -3,8 +3,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Tests from time to time whether the stop handle still works: a cut connection is not reported by itself, and the operator must not find out
-/// when pressing stop.</summary>
+/// <summary>Tests from time to time whether the stop handle still works: a cut connection is not reported until something is sent, and the operator must
+/// not be the first to find out when pressing stop.</summary>
 /// <remarks>The sending of segments never waits for it.</remarks>
 internal sealed class StopHandleWatch(ControllerSession session, JobLedger ledger)
 {
@@ -20,7 +20,7 @@ internal sealed class StopHandleWatch(ControllerSession session, JobLedger ledge
         if (_check is null && ++_polls % PollsBetween == 0) _check = session.CheckStopHandleAsync(CancellationToken.None);
     }
 
-    /// <summary>Waits for the test that is under way, if any, and reports its result.</summary>
+    /// <summary>Waits for the test that is in progress, if any, and reports its result.</summary>
     public async ValueTask EndAsync()
     {
         if (_check is not { } check) return;

@@ -1,18 +1,17 @@
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Detects a tool output that is not as the job wants it: somebody else may have switched it, or the command for it was damaged.</summary>
+/// <summary>Detects a tool output that is not as planned: another host may have switched it, or the command for it was corrupted.</summary>
 /// <remarks>One poll is not enough: its operands are read one after the other, and between two of them the controller may have switched the tool off and
-/// not yet set the reason (a refused line, an axis that cannot follow),
-/// or a program may have ended its stroke. The next poll shows it. Where a program switches the tool, both polls must lie in the same part of it, as
-/// <c>seq</c> says.</remarks>
+/// not yet set the reason (a refused line, an axis that cannot follow), or a program may have ended its stroke. The next poll shows it. Where a program
+/// switches the tool, both polls must be in the same part of it, according to <c>seq</c>.</remarks>
 internal sealed class ToolWatch
 {
     private int? _callsWhenWrong;
 
-    /// <summary>The last poll saw the tool off that should be on: what is counted meanwhile is not cut.</summary>
+    /// <summary>The last poll saw the tool off that should be on: what is counted meanwhile was not cut.</summary>
     public bool IsMissing { get; private set; }
 
-    /// <summary>The last poll saw the output other than wanted; the next one should be a whole poll.</summary>
+    /// <summary>The last poll saw the output other than planned; the next one should be a whole poll.</summary>
     public bool IsSuspicious => _callsWhenWrong is not null;
 
     /// <summary>Call with each poll; true when the output was wrong for long enough.</summary>

@@ -17,14 +17,14 @@ public class PathWatchHeightTests
     {
         var watch = new PathWatch(default, s_slope, 20000, 0.001, followsHeight: true);
 
-        Assert.Equal(leaves, watch.Look(0, new CountsPoint(x, 0, z)).Ends);
+        Assert.Equal(leaves, watch.Look(0, new CountsPoint(x, 0, z)) is not null);
     }
 
     [Fact]
     public void The_end_is_compared_in_height_and_on_a_machine_that_switches_its_tool_it_is_not()
     {
-        Assert.True(new PathWatch(default, s_slope, 20000, 0.001, followsHeight: true).LookAtEnd(new CountsPoint(10000, 0, -1990)).Ends);
-        Assert.False(new PathWatch(default, s_slope, 20000, 0.001, followsHeight: true).LookAtEnd(new CountsPoint(10000, 0, -1999)).Ends);
-        Assert.False(new PathWatch(default, s_slope, 20000, 0.001).LookAtEnd(new CountsPoint(10000, 0, 777)).Ends);
+        Assert.NotNull(new PathWatch(default, s_slope, 20000, 0.001, followsHeight: true).LookAtEnd(new CountsPoint(10000, 0, -1990)));
+        Assert.Null(new PathWatch(default, s_slope, 20000, 0.001, followsHeight: true).LookAtEnd(new CountsPoint(10000, 0, -1999)));
+        Assert.Null(new PathWatch(default, s_slope, 20000, 0.001).LookAtEnd(new CountsPoint(10000, 0, 777)));
     }
 }
