@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines.Profiles;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Settings;
 
@@ -15,7 +16,7 @@ public sealed class MachineSetting(string key) : Setting(key)
     public override DrawingSettings FromOption(DrawingSettings settings, string typed, Action<string, Diagnostic> warn)
     {
         ArgumentNullException.ThrowIfNull(settings);
-        return settings with { Machine = MachineProfileSource.Load(typed, finding => warn(typed, finding)) };
+        return settings with { Machine = MachineProfileSource.Load(typed, MachineFamilies.Standard, finding => warn(typed, finding)) };
     }
 
     public override string? ToWord(DrawingSettings settings) => null;

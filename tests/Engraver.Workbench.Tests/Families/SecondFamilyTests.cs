@@ -67,7 +67,7 @@ public sealed class SecondFamilyTests : IAsyncDisposable
     {
         await _talk.TypeAsync("OPEN", "angle.dxf", "CNCPROFILE", "tiny.json", "CNCCONNECT", "tiny://bench", "CNCZERO", "All", "CNCARM", "Stream");
 
-        Assert.Null(_talk.Session.Machine.Armed);
+        Assert.Null(_talk.Session.Machine.Arming.Armed);
         Assert.Contains("[Plot/dAsh/", _talk.Session.Prompt!.Text, StringComparison.Ordinal);
     }
 

@@ -1,5 +1,6 @@
 using System.Text;
 using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.TestKit;

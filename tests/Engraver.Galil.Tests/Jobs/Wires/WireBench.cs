@@ -1,6 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
-using Engraver.Galil.Links;
+using Engraver.Links;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;

@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Jobs.Holds;
 
 namespace Engraver.Galil.Tests.Jobs.Wires;

@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
 using Engraver.Core.Machines;
-using Engraver.Galil.Links;
+using Engraver.Links;
 
 namespace Engraver.Galil.Tests.Jobs.Wires;
 
