@@ -1,6 +1,7 @@
 using Avalonia.Controls;
 using Avalonia.Layout;
 using Avalonia.Media;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas;
@@ -9,9 +10,9 @@ namespace Engraver.App.Canvas;
 /// <param name="At">The machine's present place by its own zero, millimetres.</param>
 /// <param name="Trail">Its last places, the latest one last; likewise.</param>
 /// <param name="Zero">From the machine's own zero to the drawing's, millimetres.</param>
-/// <param name="Unit">Millimetres of one drawing unit.</param>
+/// <param name="Scale">Of the drawing that is open.</param>
 /// <param name="Note">Why the place is not certain in the drawing, and what to do; empty where it is.</param>
-public sealed record MachineMark(Point2D At, IReadOnlyList<Point2D> Trail, Vector2D Zero, double Unit, string Note)
+public sealed record MachineMark(Point2D At, IReadOnlyList<Point2D> Trail, Vector2D Zero, DrawingScale Scale, string Note)
 {
     /// <summary>The machine's present place, drawing units.</summary>
     public Point2D Place => InDrawing(At);
@@ -19,7 +20,7 @@ public sealed record MachineMark(Point2D At, IReadOnlyList<Point2D> Trail, Vecto
     public bool IsCertain => Note.Length == 0;
 
     /// <summary>A place of the machine in drawing units.</summary>
-    public Point2D InDrawing(Point2D place) => new((place.X - Zero.X) / Unit, (place.Y - Zero.Y) / Unit);
+    public Point2D InDrawing(Point2D place) => Scale.ToDrawing(place - Zero);
 }
 
 /// <summary>The note of an uncertain place, in the corner of the canvas.</summary>

@@ -55,7 +55,7 @@ internal sealed class DrawingOptions
     /// <exception cref="UsageException">Options that do not go together.</exception>
     public DrawingSettings Settings(ParseResult parsed) => new()
     {
-        Unit = parsed.GetValue(_units) switch { "mm" => new LengthUnit(4, "mm", "option", 1.0), "inch" => new LengthUnit(1, "in", "option", 25.4), _ => null },
+        Unit = parsed.GetValue(_units) switch { "mm" => LengthUnits.ChosenFrom(4), "inch" => LengthUnits.ChosenFrom(1), _ => null },
         Cut = parsed.GetValue(_cut),
         Layers = parsed.GetValue(_layers),
         SkippedLayers = parsed.GetValue(_skip) ?? [],

@@ -31,7 +31,7 @@ internal static class RunReport
         Origin(job.Settings, report.Placement),
         job.Settings.Machine.Axes.Z is null ? null : report.Result.FinalPosition?.Z,
         report.Result.Holds,
-        report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, from.Along / job.Settings.Machine.Scale.Largest) : null,
+        report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, job.Settings.Machine.Scale.Finer.LengthOf(from.Along)) : null,
         StartCheckJson.Of(checks)) { OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())], MaxFollowingError = report.Judgement.FollowingMm, Tolerance = report.ToleranceMm };
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
@@ -41,11 +41,11 @@ internal static class RunReport
         new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts, null, null, 0, null, StartCheckJson.Of(checks));
 
     private static RunJson.OriginJson? Origin(DrawingSettings settings, PlacementResult? placement) => placement is { Frame: { } frame }
-        ? new(frame.X / settings.Machine.Scale.X, frame.Y / settings.Machine.Scale.Y, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
+        ? new(settings.Machine.Scale.X.ToMillimetres(frame.X), settings.Machine.Scale.Y.ToMillimetres(frame.Y), placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
         : null;
 
     /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
-    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X, settings.Machine.Scale.Y);
+    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X.CountsPerMillimetre, settings.Machine.Scale.Y.CountsPerMillimetre);
 }

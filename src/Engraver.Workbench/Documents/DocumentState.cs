@@ -17,6 +17,10 @@ public sealed record DocumentState
         init => (field, Edition) = (value, value);
     }
 
+    /// <summary>The scale of the drawing, which it has had since it was opened or created; millimetres while none is open. A unit that is set
+    /// (<see cref="DrawingSettings.Unit"/>) is for the next drawing that is opened.</summary>
+    public DrawingScale Scale => Drawing?.Scale ?? DrawingScale.Millimetres;
+
     /// <summary>Which edition of the drawing it is: another one after every edit, the same one (set behind <see cref="Drawing"/>) while objects are only
     /// hidden and shown, which no file keeps.</summary>
     public Drawing? Edition { get; init; }

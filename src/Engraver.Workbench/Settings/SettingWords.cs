@@ -57,7 +57,7 @@ public static class SettingWords
         {
             Layers = Of(SettingTable.Layers) is { } layers ? NamesIn(layers) : null,
             SkippedLayers = Of(SettingTable.SkippedLayers) is { } skipped ? NamesIn(skipped) : plain.SkippedLayers,
-            Unit = Of(SettingTable.Units) is { } unit ? (LengthUnits.FromInsUnits(NumberIn(unit)) ?? throw new FormatException(unit)) with { Source = "option" } : null,
+            Unit = Of(SettingTable.Units) is { } unit ? LengthUnits.ChosenFrom(NumberIn(unit)) ?? throw new FormatException(unit) : null,
             Cut = Of(SettingTable.Cut) is { } cut ? ChoicesIn(cut) : plain.Cut,
             JoinToleranceMm = NumberIn(Of(SettingTable.JoinTolerance), plain.JoinToleranceMm, least: 0.0),
             MaxErrorMm = NumberIn(Of(SettingTable.MaxError), plain.MaxErrorMm, least: double.Epsilon),

@@ -111,7 +111,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
         {
             if (velocity[i] == 0.0) continue;
             var (axis, speed) = (axes[i], axes[i].AxisSpeed(Math.Abs(velocity[i])));
-            var forward = velocity[i] > 0.0 == axis.CountsPerMillimetre > 0.0;
+            var forward = velocity[i] > 0.0 != axis.Scale.IsMirrored;
             if (EndOf(axis, forward) is not { } end)
             {
                 if (await machine.SendAsync(Text($"JG{axis.Letter}={(forward ? speed : -speed)}")).ConfigureAwait(false) is { Ends: true } refused) return refused;
@@ -140,7 +140,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
             if (velocity[i] == 0.0 || !_speeds.TryGetValue(axes[i].Letter, out var before)) continue;
             var (axis, speed) = (axes[i], axes[i].AxisSpeed(Math.Abs(velocity[i])));
             if (speed == before) continue;
-            var forward = velocity[i] > 0.0 == axis.CountsPerMillimetre > 0.0;
+            var forward = velocity[i] > 0.0 != axis.Scale.IsMirrored;
             var command = EndOf(axis, forward) is null ? Text($"JG{axis.Letter}={(forward ? speed : -speed)}") : Text($"SP{axis.Letter}={speed}");
             if (await machine.SendAsync(command).ConfigureAwait(false) is { Ends: true } refused) return refused;
             _speeds[axis.Letter] = speed;

@@ -26,11 +26,11 @@ internal sealed class SettingCommand : ISettingCommand
         new SettingCommand(SettingTable.MaxError, s => s.MaxErrorMm, (s, v) => s with { MaxErrorMm = v }),
         new SettingCommand(SettingTable.JoinTolerance, s => s.JoinToleranceMm, (s, v) => s with { JoinToleranceMm = v }),
         new SettingCommand(SettingTable.KeepDuplicates, s => s.KeepDuplicates ? 1 : 0, (s, v) => s with { KeepDuplicates = v == 1 }),
-        new SettingCommand(SettingTable.Units, s => s.Unit?.Code ?? 0, (s, v) => s with { Unit = LengthUnits.FromInsUnits(v) is { } unit ? unit with { Source = "option" } : null }),
+        new SettingCommand(SettingTable.Units, s => s.Unit?.Code ?? 0, (s, v) => s with { Unit = LengthUnits.ChosenFrom(v) }),
         new SettingCommand(SettingTable.Cut, s => (int)s.Cut, (s, v) => s with { Cut = (CutChoice)(int)v }),
         new SettingCommand(SettingTable.RecoverArcs, s => s.RecoverArcs ? 1 : 0, (s, v) => s with { RecoverArcs = v == 1 }),
         new SettingCommand(SettingTable.Feed, s => s.Machine.FeedMmPerMinute, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v } }),
-        new SettingCommand(SettingTable.VectorSpeed, s => s.Machine.FeedMmPerMinute / 60.0 * s.Machine.Scale.Smallest, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v * 60.0 / s.Machine.Scale.Smallest } }),
+        new SettingCommand(SettingTable.VectorSpeed, s => s.Machine.Scale.Coarser.CountsOf(s.Machine.FeedMmPerMinute / 60.0), (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = s.Machine.Scale.Coarser.LengthOf(v * 60.0) } }),
         new SettingCommand(SettingTable.Rapid, s => s.Machine.RapidMmPerMinute, (s, v) => s with { Machine = s.Machine with { RapidMmPerMinute = v } }),
         new SettingCommand(SettingTable.Acceleration, s => s.Machine.AccelerationCounts, (s, v) => s with { Machine = s.Machine with { AccelerationCounts = (int)v } }),
     ];

@@ -78,7 +78,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             OtherCertificates = [.. OthersOf(request, JobPlan.StyleOf(request.Mode), cancellation)],
             Run = request.Run,
-            RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing.FileName, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash) : [],
+            RunDiffers = request.Run is { } run ? JobIdentity.Of(request.Drawing, request.Settings, "", () => null).Differences(run.DrawingSha256, run.Settings, run.ProfileHash) : [],
         };
         if (request.Journal is not { } journal) return report;
         report = report.WithTrace(journal);
