@@ -91,7 +91,7 @@ public readonly record struct AxisScale(double CountsPerMillimetre)
     public int Sign => Math.Sign(CountsPerMillimetre);
 
     /// <summary>The same axis counting in the other direction.</summary>
-    public AxisScale Mirrored => new(-CountsPerMillimetre);
+    public AxisScale Mirrored() => new(-CountsPerMillimetre);
 
     /// <summary>A position in counts, not rounded.</summary>
     public double Exact(double millimetres) => CountsPerMillimetre * millimetres;
