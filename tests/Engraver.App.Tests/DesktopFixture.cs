@@ -29,9 +29,9 @@ public sealed class DesktopFixture : IDisposable
     /// <param name="test">What the operator does.</param>
     /// <param name="folder">Where settings and journals are kept; null is a folder that is gone afterwards.</param>
     /// <param name="language">In which the window speaks; null is English.</param>
-    /// <param name="clock">By which machine and session go; it moves while the operator waits. Null is the wall's.</param>
+    /// <param name="clock">By which machine and session go; a <see cref="ManualTimeProvider"/> moves while the operator waits. Null is the wall's.</param>
     /// <param name="workFolder">Where the operator's drawings are; null is the samples.</param>
-    internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null, ManualTimeProvider? clock = null, string? workFolder = null) => Runner.RunAsync(() =>
+    internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null, TimeProvider? clock = null, string? workFolder = null) => Runner.RunAsync(() =>
     {
         var spoken = CultureInfo.CurrentUICulture;
         CultureInfo.CurrentUICulture = language ?? spoken;
