@@ -29,9 +29,9 @@ public sealed class DesktopFixture : IDisposable
     /// <param name="test">The actions of the operator.</param>
     /// <param name="folder">The folder of settings and journals; null is a folder that is deleted afterwards.</param>
     /// <param name="language">The language of the window; null is English.</param>
-    /// <param name="clock">The clock of machine and session; it advances while the operator waits. Null is the system clock.</param>
+    /// <param name="clock">By which machine and session go; a <see cref="ManualTimeProvider"/> moves while the operator waits. Null is the wall's.</param>
     /// <param name="workFolder">The folder of the operator's drawings; null is the samples.</param>
-    internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null, ManualTimeProvider? clock = null, string? workFolder = null) => Runner.RunAsync(() =>
+    internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null, TimeProvider? clock = null, string? workFolder = null) => Runner.RunAsync(() =>
     {
         var spoken = CultureInfo.CurrentUICulture;
         CultureInfo.CurrentUICulture = language ?? spoken;

@@ -21,12 +21,12 @@ internal sealed class Operator
     private readonly DesktopFixture _fixture;
     private readonly PassingTime? _passing;
 
-    /// <param name="clock">The clock of machine and session, which advances while the operator waits or steps; null is the system clock.</param>
+    /// <param name="clock">By which machine and session go; one that a test moves passes while the operator waits or steps. Null is the wall's.</param>
     /// <param name="workFolder">The folder of the drawings; null is the samples.</param>
-    public Operator(DesktopFixture fixture, string folder, ManualTimeProvider? clock = null, string? workFolder = null)
+    public Operator(DesktopFixture fixture, string folder, TimeProvider? clock = null, string? workFolder = null)
     {
         _fixture = fixture;
-        _passing = clock is null ? null : new PassingTime(clock);
+        _passing = clock is ManualTimeProvider moved ? new PassingTime(moved) : null;
         Session = new DesktopSession(new CommandEnvironment { Time = clock ?? TimeProvider.System, Folder = workFolder ?? RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
         Window = ((App)Application.Current!).OpenShell(Session);
         Window.Opened += (_, _) => DesktopPlatform.WatchStop(Window, Session);
@@ -50,11 +50,12 @@ internal sealed class Operator
 
     public void Step() => _fixture.Desktop.Step();
 
-    public void Until(Func<bool> condition)
+    /// <param name="patience">Null for a minute.</param>
+    public void Until(Func<bool> condition, TimeSpan? patience = null)
     {
         try
         {
-            _fixture.Desktop.StepUntil(condition, s_patience);
+            _fixture.Desktop.StepUntil(condition, patience ?? s_patience);
         }
         catch (TimeoutException late)
         {

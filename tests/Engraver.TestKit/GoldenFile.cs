@@ -3,7 +3,8 @@ namespace Engraver.TestKit;
 /// <summary>Compares a text with its expected file. With ENGRAVER_UPDATE_GOLDEN=1 the file is written instead (`./test --update-golden`).</summary>
 public static class GoldenFile
 {
-    private static bool Updating => Environment.GetEnvironmentVariable("ENGRAVER_UPDATE_GOLDEN") == "1";
+    /// <summary>Expected files are to be written (ENGRAVER_UPDATE_GOLDEN=1).</summary>
+    public static bool IsUpdating => Environment.GetEnvironmentVariable("ENGRAVER_UPDATE_GOLDEN") == "1";
 
     /// <summary>Throws with the first differing line when <paramref name="actual"/> is not the content of the file, or when the file is missing.</summary>
     /// <param name="path">Full path of the expected file.</param>
@@ -11,7 +12,7 @@ public static class GoldenFile
     public static void Check(string path, string actual)
     {
         var text = actual.ReplaceLineEndings("\n");
-        if (Updating)
+        if (IsUpdating)
         {
             Directory.CreateDirectory(Path.GetDirectoryName(path)!);
             File.WriteAllText(path, text);

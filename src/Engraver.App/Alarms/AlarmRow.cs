@@ -6,11 +6,11 @@ using Engraver.Workbench.Machines.Alarms;
 namespace Engraver.App.Alarms;
 
 /// <summary>An alarm: time, sentence, place, and what to do.</summary>
-public sealed class AlarmRow(Alarm alarm, Act acknowledge)
+public sealed class AlarmRow(Alarm alarm, TimeZoneInfo zone, Act acknowledge)
 {
     public int Number => alarm.Number;
 
-    public string Time => alarm.Time.ToLocalTime().ToString("HH:mm:ss", CultureInfo.InvariantCulture);
+    public string Time => TimeZoneInfo.ConvertTime(alarm.Time, zone).ToString("HH:mm:ss", CultureInfo.InvariantCulture);
 
     public string State => Text.Get("AlarmState." + alarm.State);
 

@@ -29,7 +29,7 @@ public sealed class AlarmsModel : Observable
         var alarms = _desk.Session.Machine.Alarms.All;
         if (alarms.SequenceEqual(_shown)) return;
         _shown = alarms;
-        Rows = [.. alarms.Reverse().Select(alarm => new AlarmRow(alarm, new Act(() => _desk.Session.Machine.Alarms.Acknowledge(alarm.Number))))];
+        Rows = [.. alarms.Reverse().Select(alarm => new AlarmRow(alarm, _desk.Time.LocalTimeZone, new Act(() => _desk.Session.Machine.Alarms.Acknowledge(alarm.Number))))];
         Tell(null);
     }
 }

@@ -41,12 +41,11 @@ internal static class CanvasInputs
     private static List<Point2D> PlacesOf(DerivedDocument derived, Drawing drawing)
     {
         var places = new List<Point2D>();
-        var unit = (derived.State.Settings.Unit ?? drawing.Unit).ToMillimetres;
         foreach (var finding in derived.Findings.Take(MostFindings))
         {
             if (finding.Place is { } place)
             {
-                if (finding.Id != SequencingRules.SmallGap.Id) places.Add(new Point2D(place.X / unit, place.Y / unit)); // the gaps of the job are added separately
+                if (finding.Id != SequencingRules.SmallGap.Id) places.Add(drawing.Scale.ToDrawing(place)); // the gaps of the job come by themselves
             }
             else if (finding.Source.Handle is { } handle && drawing.IndexOfHandle(handle) is { } entity && drawing.Entities[entity].PartCount > 0) places.Add(drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]).Start);
         }

@@ -92,7 +92,7 @@ public sealed class CanvasSource
     private OverlayScene? WithTrajectories(OverlayScene? overlay)
     {
         if (_drawing is null || (_trajectories.All.Count == 0 && overlay is null)) return overlay;
-        return (overlay ?? OverlayScene.Empty).WithTrajectories(_trajectories.All, 1.0 / _drawing.Unit.ToMillimetres);
+        return (overlay ?? OverlayScene.Empty).WithTrajectories(_trajectories.All, _drawing.Scale);
     }
 
     /// <summary>Updates the machine overlay after a change of the origin, the recorded run or its colour.</summary>
@@ -111,7 +111,7 @@ public sealed class CanvasSource
         _canvas.Machine = MachineMarks.Of(_desk.Session.Machine, state);
         var isOfScene = ReferenceEquals(_desk.Derived.Current.State.Drawing, _canvas.Scene?.Drawing); // the plan of an earlier drawing refers to other entities and points
         var moment = _desk.Session.Playback.IsShown && isOfScene ? _desk.Derived.Moment : null;
-        _canvas.PlaybackPosition = moment?.Position is { } at && MachineMarks.UnitOf(state) is var unit ? new Point2D(at.X / unit, at.Y / unit) : null;
+        _canvas.PlaybackPosition = moment?.Position is { } at ? state.Scale.ToDrawing(at) : null;
         _canvas.Highlight = moment?.Entity is >= 0 and var entity ? entity : null;
         _canvas.EngravedMoves = _desk.Session.Walk.Moves ?? MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Runs.Part?.Shown.Segments ?? 0);
     }

@@ -89,10 +89,9 @@ public sealed class DesktopModel : IAsyncDisposable
         if (Session.Document.Current.Drawing is not { } drawing) return;
         if (finding.Place is { } place)
         {
-            var unit = (Session.Document.Current.Settings.Unit ?? drawing.Unit).ToMillimetres;
             var whole = Session.View.ExtentsOf(drawing);
             var part = LeastPart * Math.Max(whole.Width, whole.Height);
-            Session.View.FocusOn(new ViewFocus(new Point2D(place.X / unit, place.Y / unit), finding), part > 0.0 ? part : null);
+            Session.View.FocusOn(new ViewFocus(drawing.Scale.ToDrawing(place), finding), part > 0.0 ? part : null);
             return;
         }
 

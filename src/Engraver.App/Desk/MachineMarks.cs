@@ -15,11 +15,8 @@ internal static class MachineMarks
         var status = machine.Status;
         if (machine.Connection.Description is null || status.MachinePosition is not { } at) return null;
         var inDrawing = machine.Origins.PlaceInDrawing;
-        return new MachineMark(at, machine.Trail.Places, at - (inDrawing ?? at), UnitOf(state), NoteOf(status, inDrawing is not null));
+        return new MachineMark(at, machine.Trail.Places, at - (inDrawing ?? at), state.Scale, NoteOf(status, inDrawing is not null));
     }
-
-    /// <summary>Millimetres per drawing unit.</summary>
-    public static double UnitOf(DocumentState state) => (state.Settings.Unit ?? state.Drawing?.Unit)?.ToMillimetres ?? 1.0;
 
     private static string NoteOf(MachineStatus status, bool isKnown)
     {

@@ -29,25 +29,25 @@ internal sealed record MachineOverlay(PreparedJob? Job, Point2D? Zero, RecordedR
     public OverlayInputs Over(OverlayInputs inputs)
     {
         if (Job is null) return inputs;
-        var unit = (Job.Settings.Unit ?? Job.Drawing.Unit).ToMillimetres;
+        var scale = Job.Drawing.Scale;
         return inputs with
         {
             WorkOrigin = Zero is null ? null : default(Point2D), // the work origin is the zero of the drawing
-            MachineEnvelope = EnvelopeOf(Job, unit),
-            Finish = FinishOf(Job) is { } finish ? new Point2D(finish.X / unit, finish.Y / unit) : null,
-            Recorded = Run is null ? [] : PlacesOf(Run, unit),
+            MachineEnvelope = EnvelopeOf(Job, scale),
+            Finish = FinishOf(Job) is { } finish ? scale.ToDrawing(finish) : null,
+            Recorded = Run is null ? [] : PlacesOf(Run, scale),
         };
     }
 
-    private IReadOnlyList<RecordedPlace> PlacesOf(RecordedRun run, double unit)
+    private IReadOnlyList<RecordedPlace> PlacesOf(RecordedRun run, DrawingScale scale)
     {
         var fractions = run.Colours(Colour);
-        return [.. run.Trace.Places.Select((place, i) => new RecordedPlace(new Point2D(place.Place.X / unit, place.Place.Y / unit), fractions[i], place.ToolOn))];
+        return [.. run.Trace.Places.Select((place, i) => new RecordedPlace(scale.ToDrawing(place.Place), fractions[i], place.ToolOn))];
     }
 
     /// <summary>The travel of the profile in drawing units; null if an axis has none, or if the work origin is unknown.</summary>
-    private Bounds2D? EnvelopeOf(PreparedJob job, double unit) => job.Settings.Machine.Axes is { X.Travel: { } x, Y.Travel: { } y } && Zero is { } zero
-        ? new Bounds2D((x.Least - zero.X) / unit, (y.Least - zero.Y) / unit, (x.Most - zero.X) / unit, (y.Most - zero.Y) / unit)
+    private Bounds2D? EnvelopeOf(PreparedJob job, DrawingScale scale) => job.Settings.Machine.Axes is { X.Travel: { } x, Y.Travel: { } y } && Zero is { } zero
+        ? scale.ToDrawing(new Bounds2D(x.Least - zero.X, y.Least - zero.Y, x.Most - zero.X, y.Most - zero.Y))
         : null;
 
     /// <summary>Machine position after the last stroke, millimetres of the drawing.</summary>

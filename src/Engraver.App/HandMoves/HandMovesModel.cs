@@ -245,7 +245,7 @@ public sealed class HandMovesModel : Observable, IDisposable
 
     private static string Millimetres(double? height) => height is { } known ? known.ToString("0.000", CultureInfo.InvariantCulture) : "–";
 
-    private static string Axis(long? counts, double scale) => counts is { } set ? Show(set / scale) : "–";
+    private static string Axis(long? counts, AxisScale scale) => counts is { } set ? Show(scale.ToMillimetres(set)) : "–";
 
     private static IEnumerable<LineRow> Lines(LineNames names, int? bits) =>
         Enumerable.Range(1, 8).Select(line => new LineRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));

@@ -20,7 +20,7 @@ internal static class InfoReport
             drawing.Bytes,
             drawing.DxfVersion,
             drawing.Encoding,
-            new InfoJson.UnitsJson(drawing.Unit.Code, drawing.Unit.Name, drawing.Unit.Source, drawing.Unit.ToMillimetres),
+            new InfoJson.UnitsJson(drawing.Unit.Code, drawing.Unit.Name, drawing.Unit.Source, drawing.Unit.MillimetresPerUnit),
             balance.EntityCounts,
             new InfoJson.BalanceJson(balance.Read, balance.Cut, balance.Construction, Refused(balance.Refused), Refused(balance.RefusedInBlocks)),
             new InfoJson.PrimitivesJson(

@@ -31,7 +31,7 @@ internal static class RunReport
         Origin: Origin(job.Settings, report.Placement),
         FinalZ: job.Settings.Machine.Axes.Z is null ? null : report.Result.FinalPosition?.Z,
         Holds: report.Result.Holds,
-        ResumedFrom: report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, from.Along / job.Settings.Machine.Scale.Largest) : null,
+        ResumedFrom: report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, job.Settings.Machine.Scale.Finer.LengthOf(from.Along)) : null,
         Checks: StartCheckJson.Of(checks))
     {
         OpenLoop = [.. report.OpenLoop.Select(axis => axis.ToString())],
@@ -66,11 +66,11 @@ internal static class RunReport
         Checks: StartCheckJson.Of(checks));
 
     private static RunJson.OriginJson? Origin(DrawingSettings settings, PlacementResult? placement) => placement is { Frame: { } frame }
-        ? new(frame.X / settings.Machine.Scale.X, frame.Y / settings.Machine.Scale.Y, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
+        ? new(settings.Machine.Scale.X.ToMillimetres(frame.X), settings.Machine.Scale.Y.ToMillimetres(frame.Y), placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
         : null;
 
     /// <summary>The length of an entity that cannot be read is unknown.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
-    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X, settings.Machine.Scale.Y);
+    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X.CountsPerMillimetre, settings.Machine.Scale.Y.CountsPerMillimetre);
 }

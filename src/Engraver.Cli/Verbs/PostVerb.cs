@@ -37,7 +37,7 @@ internal static class PostVerb
             var chosen = choices.Where(choice => parsed.GetValue(choice) is not null).ToDictionary(NameOf, choice => parsed.GetValue(choice)!);
             var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen);
             Write(host, parsed, posted, PostTable.Find(parsed.GetRequiredValue(target)).Post.Name, parsed.GetValue(output), parsed.GetValue(json));
-            if (posted.Text is not null) host.Remember(HistoryEntry.OfPost(read.FileName, settings, parsed.GetRequiredValue(target), chosen, parsed.GetValue(output), TimeProvider.System.GetUtcNow()));
+            if (posted.Text is not null) host.Remember(HistoryEntry.OfPost(read, settings, parsed.GetRequiredValue(target), chosen, parsed.GetValue(output), TimeProvider.System.GetUtcNow()));
             return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));
         });
         return command;

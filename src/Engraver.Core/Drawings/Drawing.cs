@@ -38,6 +38,9 @@ public sealed record Drawing(
     /// <summary>Created here and not yet in a file: <see cref="FileName"/> is only its name.</summary>
     public bool IsNew { get; init; }
 
+    /// <summary>Converts between its unit and millimetres.</summary>
+    public DrawingScale Scale => new(Unit.MillimetresPerUnit);
+
     /// <summary>True when a diagnostic has severity error (exit code 1; a job does not start without consent).</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 

@@ -223,7 +223,7 @@ internal sealed class DrawingImport
 
     private LengthUnit Unit()
     {
-        if (_options.UnitOverride is { } chosen) return chosen with { Source = "option" };
+        if (_options.UnitOverride is { } chosen) return chosen with { Source = LengthUnit.Chosen };
         if (LengthUnits.FromInsUnits(_header.InsUnits ?? 0.0) is { } declared) return declared;
         var isInFeet = _header.DisplayUnits is 3.0 or 4.0; // AutoCAD shows such lengths as feet and inches, and a unit of them is an inch
         _log.Add(DxfRules.UnitsAssumed, 0, Shown(_header.InsUnits), Shown(_header.Measurement), isInFeet ? Wording.Get("DrawingImport.InchesAssumed", Shown(_header.DisplayUnits)) : Wording.Get("DrawingImport.MillimetresAssumed"));

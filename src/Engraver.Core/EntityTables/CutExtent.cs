@@ -32,7 +32,7 @@ internal sealed record CutExtent(Bounds2D Bounds, double Low, double High, int L
 
     private sealed class Survey(Drawing drawing, double tolerance)
     {
-        private readonly double _scale = drawing.Unit.ToMillimetres;
+        private readonly DrawingScale _scale = drawing.Scale;
         private readonly HashSet<double> _heights = [];
         private Bounds2D _bounds = Bounds2D.Empty;
         private Slant _slanted;
@@ -68,25 +68,24 @@ internal sealed record CutExtent(Bounds2D Bounds, double Low, double High, int L
         {
             if (part.Kind == SegmentKind.Line)
             {
-                _bounds = _bounds.Including(new Point2D(part.A * _scale, part.B * _scale)).Including(new Point2D(part.D * _scale, part.E * _scale));
+                _bounds = _bounds.Including(_scale.ToMillimetres(new Point2D(part.A, part.B))).Including(_scale.ToMillimetres(new Point2D(part.D, part.E)));
                 return;
             }
 
-            var box = drawing.SegmentOf(part).Bounds;
-            _bounds = _bounds.Union(Bounds2D.FromCorners(new Point2D(box.MinX * _scale, box.MinY * _scale), new Point2D(box.MaxX * _scale, box.MaxY * _scale)));
+            _bounds = _bounds.Union(_scale.ToMillimetres(drawing.SegmentOf(part).Bounds));
         }
 
         /// <summary>Lowest and highest height; of a curve those of its control points, which enclose it.</summary>
         private (double, double) HeightsOf(in DrawingPart part)
         {
-            if (!part.IsFreeCurve) return part.Kind == SegmentKind.Line ? (part.C * _scale, part.F * _scale) : (part.C * _scale, part.C * _scale);
+            if (!part.IsFreeCurve) return part.Kind == SegmentKind.Line ? (_scale.ToMillimetres(part.C), _scale.ToMillimetres(part.F)) : (_scale.ToMillimetres(part.C), _scale.ToMillimetres(part.C));
             var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
             foreach (var span in drawing.Curves[part.CurveIndex].Spans)
             {
                 for (var i = 0; i <= span.Degree; i++) (low, high) = (Math.Min(low, span.Z(i)), Math.Max(high, span.Z(i)));
             }
 
-            return (low * _scale, high * _scale);
+            return (_scale.ToMillimetres(low), _scale.ToMillimetres(high));
         }
     }
 }

@@ -43,18 +43,19 @@ public static class CutFindings
         var (dx, dy) = (Math.Max(Math.Abs(bounds.MinX - toolStart.X), Math.Abs(bounds.MaxX - toolStart.X)), Math.Max(Math.Abs(bounds.MinY - toolStart.Y), Math.Abs(bounds.MaxY - toolStart.Y)));
         var distance = double.Hypot(dx, dy);
         if (bounds.Width <= LargestMm && bounds.Height <= LargestMm && distance <= FarthestMm) return;
-        findings.Add(PreparationRules.TooLarge.At(default, Number(bounds.Width), Number(bounds.Height), Number(distance), Number(LargestMm), Number(FarthestMm), Guess(drawing.Unit, bounds)));
+        findings.Add(PreparationRules.TooLarge.At(default, Number(bounds.Width), Number(bounds.Height), Number(distance), Number(LargestMm), Number(FarthestMm), Guess(drawing, bounds)));
     }
 
     /// <summary>The probable cause of such numbers in a drawing.</summary>
-    private static string Guess(LengthUnit unit, Bounds2D bounds)
+    private static string Guess(Drawing drawing, Bounds2D bounds)
     {
+        var (unit, scale) = (drawing.Unit, drawing.Scale);
         var size = Math.Max(bounds.Width, bounds.Height);
         if (size <= LargestMm) return Wording.Get("CutFindings.FarFromOrigin");
-        var asNumbers = size / unit.ToMillimetres;
+        var asNumbers = scale.ToDrawing(size);
         var isStated = unit.Source == "INSUNITS";
-        return asNumbers <= LargestMm && unit.ToMillimetres > 1.0
-            ? Wording.Get(isStated ? "CutFindings.StatedUnitTooLarge" : "CutFindings.AssumedUnitTooLarge", unit.Name, Number(bounds.Width / unit.ToMillimetres), Number(bounds.Height / unit.ToMillimetres))
+        return asNumbers <= LargestMm && unit.MillimetresPerUnit > 1.0
+            ? Wording.Get(isStated ? "CutFindings.StatedUnitTooLarge" : "CutFindings.AssumedUnitTooLarge", unit.Name, Number(scale.ToDrawing(bounds.Width)), Number(scale.ToDrawing(bounds.Height)))
             : Wording.Get(isStated ? "CutFindings.StatedUnitBuilding" : "CutFindings.AssumedUnitBuilding", unit.Name);
     }
 

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>Converts a drawing to an entity table: the only place where drawing units become millimetres.</summary>
+/// <summary>Converts a drawing in its own unit to an entity table in millimetres.</summary>
 public static class EntityTableBuilder
 {
     /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are divided into their parts (paper 001, section
@@ -41,13 +41,13 @@ public static class EntityTableBuilder
             ref var drawn = ref drawing.Parts[part];
             if (drawn.IsFreeCurve)
             {
-                var curve = drawing.Curves[drawn.CurveIndex].Scaled(drawing.Unit.ToMillimetres);
+                var curve = drawing.Scale.ToMillimetres(drawing.Curves[drawn.CurveIndex]);
                 table.Append(SlotsOf(curve), entityIndex, curve);
                 continue;
             }
 
             if (drawn is { Kind: SegmentKind.Line } && drawn.A == drawn.D && drawn.B == drawn.E) continue; // nothing to cut; the reader has reported it
-            var slots = SlotsOf(drawn, drawing.Unit.ToMillimetres, hasDrawnAngles: entity.Type is CurveType.Arc or CurveType.Circle);
+            var slots = SlotsOf(drawn, drawing.Scale, hasDrawnAngles: entity.Type is CurveType.Arc or CurveType.Circle);
             table.Append(slots, entityIndex, null);
         }
     }
@@ -61,20 +61,20 @@ public static class EntityTableBuilder
         return slots;
     }
 
-    private static EntitySlots SlotsOf(in DrawingPart part, double toMillimetres, bool hasDrawnAngles)
+    private static EntitySlots SlotsOf(in DrawingPart part, DrawingScale scale, bool hasDrawnAngles)
     {
         var slots = default(EntitySlots);
         slots[EntitySlot.Kind] = (int)part.Kind;
-        var first = new Point2D(part.A * toMillimetres, part.B * toMillimetres);
+        var first = scale.ToMillimetres(new Point2D(part.A, part.B));
         if (part.Kind == SegmentKind.Line)
         {
-            slots.SetStart(first, part.C * toMillimetres);
-            slots.SetEnd(new Point2D(part.D * toMillimetres, part.E * toMillimetres), part.F * toMillimetres);
+            slots.SetStart(first, scale.ToMillimetres(part.C));
+            slots.SetEnd(scale.ToMillimetres(new Point2D(part.D, part.E)), scale.ToMillimetres(part.F));
             return slots;
         }
 
-        slots.SetCentre(first, part.C * toMillimetres);
-        slots[EntitySlot.Radius] = part.D * toMillimetres;
+        slots.SetCentre(first, scale.ToMillimetres(part.C));
+        slots[EntitySlot.Radius] = scale.ToMillimetres(part.D);
         if (part.Kind == SegmentKind.Arc)
         {
             slots[EntitySlot.StartAngle] = part.E;

@@ -2,67 +2,113 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>Converts millimetres to counts: the only place where the unit changes. End points are rounded, never increments, so errors cannot accumulate
-/// (galil-dmc.md J.2).</summary>
+/// <summary>Converts between millimetres and counts: with <see cref="AxisScale"/> the only place where this unit changes. End points are rounded, never
+/// increments, so errors cannot accumulate (galil-dmc.md J.2).</summary>
 /// <remarks>"Exact" values are counts that are not rounded yet; they are carried in the geometry types of Core, whose unit is then the count.</remarks>
-/// <param name="X">Counts per millimetre of the drawing's X; negative mirrors.</param>
-/// <param name="Y">Counts per millimetre of the drawing's Y; negative mirrors.</param>
-/// <param name="Z">Counts per millimetre of height; negative where the axis counts downwards, 0 for a machine without such an axis.</param>
-public readonly record struct CountsScale(double X, double Y, double Z = 0.0)
+/// <param name="X">Of the drawing's X.</param>
+/// <param name="Y">Of the drawing's Y.</param>
+/// <param name="Z">Of the height; <see cref="AxisScale.IsNone"/> for a machine without such an axis.</param>
+public readonly record struct CountsScale(AxisScale X, AxisScale Y, AxisScale Z = default)
 {
     /// <summary>A point farther from the drawing's zero is not a whole number of counts in a double.</summary>
     public const double MostCounts = 1L << 52;
 
     /// <summary>True when a circle in millimetres is a circle in counts; otherwise it is an ellipse, which CR cannot cut.</summary>
-    public bool KeepsCircles => Math.Abs(X) == Math.Abs(Y);
+    public bool KeepsCircles => X.CountsOf(1.0) == Y.CountsOf(1.0);
 
-    /// <summary>Counts per millimetre of the coarser axis of the plane, whose count is the longest. A feed converted with it is not exceeded in any
-    /// direction.</summary>
-    public double Smallest => Math.Min(Math.Abs(X), Math.Abs(Y));
+    /// <summary>The coarser axis of the plane, whose count is the longest; not mirrored. A feed converted with it is not exceeded in any direction.</summary>
+    public AxisScale Coarser => new(Math.Min(X.CountsOf(1.0), Y.CountsOf(1.0)));
 
-    /// <summary>Counts per millimetre of the finer axis of the plane.</summary>
-    public double Largest => Math.Max(Math.Abs(X), Math.Abs(Y));
+    /// <summary>The finer axis of the plane; not mirrored.</summary>
+    public AxisScale Finer => new(Math.Max(X.CountsOf(1.0), Y.CountsOf(1.0)));
+
+    /// <summary>Counts along the path while every axis moves a millimetre: no path of this length in millimetres has more.</summary>
+    public AxisScale Diagonal => new(Math.Sqrt(Square(X) + Square(Y) + Square(Z)));
+
+    /// <summary>From counts per millimetre; negative mirrors, 0 for no Z axis.</summary>
+    public static CountsScale From(double x, double y, double z = 0.0) => new(new AxisScale(x), new AxisScale(y), new AxisScale(z));
 
     /// <summary>Rounds half away from zero. The caller first ensures that the point can be counted (<see cref="Holds"/>, <see cref="Counts"/>).</summary>
     public static CountsPoint Round(Point2D exact) => new(
         checked((long)Math.Round(exact.X, MidpointRounding.AwayFromZero)),
         checked((long)Math.Round(exact.Y, MidpointRounding.AwayFromZero)));
 
-    public Point2D Exact(Point2D millimetres) => new(X * millimetres.X, Y * millimetres.Y);
+    public Point2D Exact(Point2D millimetres) => new(X.Exact(millimetres.X), Y.Exact(millimetres.Y));
 
     /// <summary>Counts, rounded or not, as millimetres of the drawing.</summary>
-    public Point2D ToMillimetres(double x, double y) => new(x / X, y / Y);
+    public Point2D ToMillimetres(double x, double y) => new(X.ToMillimetres(x), Y.ToMillimetres(y));
+
+    public Vector2D ToMillimetres(Vector2D counts) => new(X.ToMillimetres(counts.X), Y.ToMillimetres(counts.Y));
 
     public CountsPoint ToCounts(Point2D millimetres) => Round(Exact(millimetres));
 
     /// <summary>A height in counts; 0 on a machine without a Z axis.</summary>
-    public int ToHeight(double millimetres) => checked((int)Math.Round(Z * millimetres, MidpointRounding.AwayFromZero));
+    public int ToHeight(double millimetres) => checked((int)Math.Round(Z.Exact(millimetres), MidpointRounding.AwayFromZero));
 
     /// <summary>Counts of the Z axis as a height in millimetres; 0 on a machine without one.</summary>
-    public double ToMillimetres(double z) => Z == 0.0 ? 0.0 : z / Z;
+    public double ToMillimetres(double z) => Z.IsNone ? 0.0 : Z.ToMillimetres(z);
 
     /// <summary>The same arc in counts. A mirrored X turns the angle into 180 - angle, a mirrored Y into -angle; each reverses the sweep.</summary>
     /// <remarks>Only when <see cref="KeepsCircles"/>.</remarks>
     public ArcSegment Exact(ArcSegment millimetres)
     {
-        var start = X < 0.0 ? Angle.FromDegrees(180.0) - millimetres.Start : millimetres.Start;
-        if (Y < 0.0) start = -start;
-        var sweep = X < 0.0 == Y < 0.0 ? millimetres.Sweep : -millimetres.Sweep;
-        return new ArcSegment(Exact(millimetres.Centre), millimetres.Radius * Math.Abs(X), start, sweep);
+        var start = X.IsMirrored ? Angle.FromDegrees(180.0) - millimetres.Start : millimetres.Start;
+        if (Y.IsMirrored) start = -start;
+        var sweep = X.IsMirrored == Y.IsMirrored ? millimetres.Sweep : -millimetres.Sweep;
+        return new ArcSegment(Exact(millimetres.Centre), X.CountsOf(millimetres.Radius), start, sweep);
     }
 
     /// <summary>True when a point of the drawing, millimetres, is near enough to its zero to be a whole number of counts: a double holds one only below
     /// 2^53.</summary>
-    public bool Counts(Point2D millimetres) => Math.Abs(X * millimetres.X) < MostCounts && Math.Abs(Y * millimetres.Y) < MostCounts;
+    public bool Counts(Point2D millimetres) => Math.Abs(X.Exact(millimetres.X)) < MostCounts && Math.Abs(Y.Exact(millimetres.Y)) < MostCounts;
 
     /// <summary>True when every point of the box (millimetres) fits int32 in counts from <paramref name="origin"/>, the range of a controller.</summary>
     public bool Holds(Bounds2D millimetres, CountsPoint origin) =>
-        Fits(X * millimetres.MinX, origin.X) && Fits(X * millimetres.MaxX, origin.X) && Fits(Y * millimetres.MinY, origin.Y) && Fits(Y * millimetres.MaxY, origin.Y);
+        Fits(X.Exact(millimetres.MinX), origin.X) && Fits(X.Exact(millimetres.MaxX), origin.X) && Fits(Y.Exact(millimetres.MinY), origin.Y) && Fits(Y.Exact(millimetres.MaxY), origin.Y);
 
     /// <summary>True when a height fits int32 in counts.</summary>
-    public bool HoldsHeight(double millimetres) => Fits(Z * millimetres, 0);
+    public bool HoldsHeight(double millimetres) => Fits(Z.Exact(millimetres), 0);
 
     private static bool Fits(double counts, long origin) => Math.Abs(counts) < MostCounts && Math.Abs(counts - origin) < int.MaxValue;
+
+    private static double Square(AxisScale axis) => axis.CountsPerMillimetre * axis.CountsPerMillimetre;
+}
+
+/// <summary>Converts between millimetres and counts of one axis.</summary>
+/// <param name="CountsPerMillimetre">Negative mirrors the axis. To be shown, stored and checked; calculations use the methods.</param>
+public readonly record struct AxisScale(double CountsPerMillimetre)
+{
+    /// <summary>The machine has no such axis (also <c>default</c>).</summary>
+    public bool IsNone => CountsPerMillimetre == 0.0;
+
+    /// <summary>The number is finite and not 0.</summary>
+    public bool IsUsable => double.IsFinite(CountsPerMillimetre) && CountsPerMillimetre != 0.0;
+
+    /// <summary>The axis counts against the drawing's axis.</summary>
+    public bool IsMirrored => CountsPerMillimetre < 0.0;
+
+    /// <summary>+1 where the axis counts with the drawing's axis, -1 where against it; 0 for no axis.</summary>
+    public int Sign => Math.Sign(CountsPerMillimetre);
+
+    /// <summary>The same axis counting in the other direction.</summary>
+    public AxisScale Mirrored() => new(-CountsPerMillimetre);
+
+    /// <summary>A position in counts, not rounded.</summary>
+    public double Exact(double millimetres) => CountsPerMillimetre * millimetres;
+
+    /// <summary>A position, rounded or not, in millimetres.</summary>
+    public double ToMillimetres(double counts) => counts / CountsPerMillimetre;
+
+    /// <summary>A length, a speed or an acceleration in counts: in any direction, so the sign is that of the argument.</summary>
+    public double CountsOf(double millimetres) => millimetres * Math.Abs(CountsPerMillimetre);
+
+    /// <summary>A length, a speed or an acceleration in millimetres; the sign is that of the argument.</summary>
+    public double LengthOf(double counts) => counts / Math.Abs(CountsPerMillimetre);
+
+    /// <summary>The scale by a move that was measured, in the same direction.</summary>
+    /// <param name="counts">Of the move, above 0.</param>
+    /// <param name="millimetres">Its length, above 0.</param>
+    public AxisScale Measured(double counts, double millimetres) => new(Math.CopySign(counts / millimetres, CountsPerMillimetre));
 }
 
 /// <summary>A position of the axes that a job moves, in counts, in the order of <see cref="MachineAxes.All"/>. In the job's frame the drawing's zero is 0,0,0;

@@ -7,16 +7,22 @@ namespace Engraver.Core.Machines;
 /// <param name="Z">The axis that moves the tool up and down; null on a machine that only switches its tool.</param>
 public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = null)
 {
+    /// <summary>The operator's names of the axes of <see cref="All"/>, in their order: those of the drawing's axes.</summary>
+    public const string Names = "XYZ";
+
     public static MachineAxes Default { get; } = new(new MachineAxis('A', 1000.0), new MachineAxis('B', 1000.0));
 
     /// <summary>Every axis that a job moves, in the order of the drawing's axes.</summary>
     public IReadOnlyList<MachineAxis> All => Z is { } z ? [X, Y, z] : [X, Y];
 
+    /// <summary>Every axis that a job moves with the operator's name of it.</summary>
+    public IReadOnlyList<(char Name, MachineAxis Axis)> Named => [.. Names.Zip(All)];
+
     /// <summary>The letters of these axes in that order.</summary>
     public string Letters => string.Concat(All.Select(axis => axis.Letter));
 
     /// <summary>The operator's name of the axis with a letter of the controller: X, Y or Z, or the letter itself where no job moves that axis.</summary>
-    public char NameOf(char letter) => Letters.IndexOf(letter, StringComparison.Ordinal) is >= 0 and var place ? "XYZ"[place] : letter;
+    public char NameOf(char letter) => Letters.IndexOf(letter, StringComparison.Ordinal) is >= 0 and var place ? Names[place] : letter;
 
     /// <summary>The names of several axes, in their order.</summary>
     public string NamesOf(string letters) => string.Concat(letters.Select(NameOf));
@@ -24,7 +30,7 @@ public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = 
     /// <summary>The letters of the two axes of the plane.</summary>
     public string PlaneLetters => string.Concat(X.Letter, Y.Letter);
 
-    public CountsScale Scale => new(X.CountsPerMillimetre, Y.CountsPerMillimetre, Z?.CountsPerMillimetre ?? 0.0);
+    public CountsScale Scale => new(X.Scale, Y.Scale, Z?.Scale ?? default);
 
     /// <summary>Axes A and B with these counts per millimetre.</summary>
     public static MachineAxes FromScale(double x, double y) => new(Default.X with { CountsPerMillimetre = x }, Default.Y with { CountsPerMillimetre = y });
@@ -36,6 +42,9 @@ public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = 
 /// <param name="MotorType">The controller's number of the type (galil-dmc.md C, MT: 1 servo, 2 stepper); null leaves it unchanged.</param>
 public readonly record struct MachineAxis(char Letter, double CountsPerMillimetre, double? MotorType = null)
 {
+    /// <summary>Converts between its counts and millimetres.</summary>
+    public AxisScale Scale => new(CountsPerMillimetre);
+
     /// <summary>The profile makes it a stepper (galil-dmc.md C, MT: 2, -2, 2.5 or -2.5), whose motion no encoder counts.</summary>
     public bool IsStepper => MotorType is { } type && Math.Abs(type) >= 2.0;
 

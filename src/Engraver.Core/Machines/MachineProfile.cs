@@ -94,7 +94,7 @@ public sealed record MachineProfile
     /// <summary>The settings on which the zero of a homed machine depends: another text is another zero, so values stored under one text are invalid under the
     /// other.</summary>
     public string HomedAs => string.Join(' ', Axes.All.Where(axis => axis.Homing is not null).Select(axis => string.Create(
-        System.Globalization.CultureInfo.InvariantCulture, $"{axis.Letter}{(axis.Homing!.Plus == axis.CountsPerMillimetre > 0.0 ? '+' : '-')}{axis.Homing.By}@{Math.Round(axis.Homing.Zero * axis.CountsPerMillimetre)}")));
+        System.Globalization.CultureInfo.InvariantCulture, $"{axis.Letter}{(axis.Homing!.Plus != axis.Scale.IsMirrored ? '+' : '-')}{axis.Homing.By}@{Math.Round(axis.Scale.Exact(axis.Homing.Zero))}")));
 
     public CountsScale Scale => Axes.Scale;
 
@@ -128,7 +128,7 @@ public sealed record MachineProfile
     public int RetractCounts => Scale.ToHeight(Height?.RetractHeight ?? 0.0);
 
     /// <summary>+1 where the Z axis counts upwards, -1 where downwards; 0 on a machine without one.</summary>
-    public int Up => Math.Sign(Scale.Z);
+    public int Up => Scale.Z.Sign;
 
     /// <summary>Whether one height is below another, counts; false on a machine without a Z axis.</summary>
     public bool IsLower(int z, int other) => z * (long)Up < other * (long)Up;

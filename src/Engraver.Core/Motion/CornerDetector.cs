@@ -72,7 +72,7 @@ public sealed class CornerDetector(MachineProfile profile, double vectorSpeed)
     private double BendOf(in Segment move, double distance) =>
         move.Kind == SegmentKind.Line ? 0.0 : Math.Abs(move.Arc.Sweep.Degrees) * Math.Min(1.0, distance / Counts(move));
 
-    private double Counts(in Segment move) => move.Length * profile.Scale.Largest;
+    private double Counts(in Segment move) => profile.Scale.Finer.CountsOf(move.Length);
 
     private void See(in Segment move) => _sharpest = Math.Max(_sharpest, Turn(_lastSeen, move.StartTangent));
 

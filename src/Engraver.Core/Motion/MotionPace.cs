@@ -67,8 +67,8 @@ public sealed class MotionPace
     /// of these the nearest. The whole sequence where there is none.</summary>
     private VectorSequence UpTo(PaceMove last, VectorSequence sequence)
     {
-        var scale = _program.Profile.Scale;
-        double Away(CountsPoint place) => double.Hypot((last.End.X * scale.X) - place.X, (last.End.Y * scale.Y) - place.Y);
+        var end = _program.Profile.Scale.Exact(last.End);
+        double Away(CountsPoint place) => double.Hypot(end.X - place.X, end.Y - place.Y);
         var heads = Enumerable.Range(1, sequence.Segments.Count)
             .Where(count => Away(sequence.Segments[count - 1].End) <= AtEnd)
             .Select(count => count == sequence.Segments.Count ? sequence : sequence with { Segments = [.. sequence.Segments.Take(count)] })

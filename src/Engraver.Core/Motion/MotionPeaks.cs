@@ -47,7 +47,7 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
                     var fraction = (double)place / Places(segment);
                     var path = travelled + (fraction * segment.Length);
                     var (speed, direction) = (SpeedAt(path), Direction(segment, from, fraction));
-                    peakSpeed = Math.Max(peakSpeed, InMillimetres(direction * speed).Length);
+                    peakSpeed = Math.Max(peakSpeed, scale.ToMillimetres(direction * speed).Length);
                     peakAcceleration = Math.Max(peakAcceleration, LargestAxis((direction * Gain(path)) + Inwards(segment, direction, speed)));
                 }
 
@@ -83,8 +83,6 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
             ? default
             : new Vector2D(-direction.Y, direction.X) * (Math.Sign(segment.DeltaDegrees) * speed * speed / segment.Radius);
 
-        private double LargestAxis(Vector2D counts) => InMillimetres(counts) is var at ? Math.Max(Math.Abs(at.X), Math.Abs(at.Y)) : 0.0;
-
-        private Vector2D InMillimetres(Vector2D counts) => new(counts.X / scale.X, counts.Y / scale.Y);
+        private double LargestAxis(Vector2D counts) => scale.ToMillimetres(counts) is var at ? Math.Max(Math.Abs(at.X), Math.Abs(at.Y)) : 0.0;
     }
 }

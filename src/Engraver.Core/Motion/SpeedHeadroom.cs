@@ -42,7 +42,7 @@ public static class SpeedHeadroom
         var (start, before) = (sequence.Start, default((double X, double Y, double Z)?));
         foreach (var segment in sequence.Segments)
         {
-            var (first, last) = Directions(start, segment, profile.Scale.Largest);
+            var (first, last) = Directions(start, segment, profile.Scale.Finer);
             if (before is { } direction) sharpest = Math.Max(sharpest, HalfTurnSine(direction, first));
             (before, start) = (last, segment.End);
         }
@@ -51,9 +51,9 @@ public static class SpeedHeadroom
     }
 
     /// <summary>Directions of length 1 in which a segment begins and ends, in counts; a line may rise or fall.</summary>
-    private static ((double X, double Y, double Z) First, (double X, double Y, double Z) Last) Directions(CountsPoint start, in VectorSegment segment, double countsPerMillimetre)
+    private static ((double X, double Y, double Z) First, (double X, double Y, double Z) Last) Directions(CountsPoint start, in VectorSegment segment, AxisScale scale)
     {
-        if (segment.Kind == VectorSegmentKind.Arc && Move(new SegmentCourse(start, segment), segment, countsPerMillimetre) is var arc)
+        if (segment.Kind == VectorSegmentKind.Arc && Move(new SegmentCourse(start, segment), segment, scale) is var arc)
             return ((arc.StartTangent.X, arc.StartTangent.Y, 0.0), (arc.EndTangent.X, arc.EndTangent.Y, 0.0));
         var (x, y, z) = ((double)segment.End.X - start.X, (double)segment.End.Y - start.Y, (double)segment.End.Z - start.Z);
         var length = Math.Max(1.0, double.Hypot(double.Hypot(x, y), z));
@@ -71,7 +71,7 @@ public static class SpeedHeadroom
         foreach (var segment in sequence.Segments)
         {
             var course = new SegmentCourse(start, segment);
-            var move = Move(course, segment, profile.Scale.Largest);
+            var move = Move(course, segment, profile.Scale.Finer);
             if (detector.IsCornerBefore(move)) corners++;
             detector.Cut(move);
             start = segment.End;
@@ -80,12 +80,12 @@ public static class SpeedHeadroom
         return corners;
     }
 
-    private static Segment Move(SegmentCourse course, VectorSegment segment, double countsPerMillimetre)
+    private static Segment Move(SegmentCourse course, VectorSegment segment, AxisScale scale)
     {
-        static Point2D Shrunk(Point2D counts, double scale) => new(counts.X / scale, counts.Y / scale);
-        var start = Shrunk(course.At(0.0), countsPerMillimetre);
-        if (segment.Kind == VectorSegmentKind.Line) return Segment.FromLine(start, Shrunk(course.At(segment.Length), countsPerMillimetre));
-        var (theta, radius) = (Angle.FromDegrees(segment.ThetaDegrees), segment.Radius / countsPerMillimetre);
+        Point2D InMillimetres(Point2D counts) => new(scale.ToMillimetres(counts.X), scale.ToMillimetres(counts.Y));
+        var start = InMillimetres(course.At(0.0));
+        if (segment.Kind == VectorSegmentKind.Line) return Segment.FromLine(start, InMillimetres(course.At(segment.Length)));
+        var (theta, radius) = (Angle.FromDegrees(segment.ThetaDegrees), scale.LengthOf(segment.Radius));
         return Segment.FromArc(new ArcSegment(start - Vector2D.FromPolar(radius, theta), radius, theta, Angle.FromDegrees(segment.DeltaDegrees)));
     }
 }

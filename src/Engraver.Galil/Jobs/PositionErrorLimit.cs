@@ -17,5 +17,5 @@ internal static class PositionErrorLimit
         [.. profile.Axes.All.Where(axis => !axis.IsStepper && found.Motion.Any(setting => setting.Operand == $"_ER{axis.Letter}")).Select(axis => Subprograms.Text($"ER{axis.Letter}={Counts(profile, axis)}"))];
 
     private static int Counts(MachineProfile profile, MachineAxis axis) =>
-        (int)Math.Clamp(Math.Round(profile.FollowingErrorAt(profile.FastestMmPerSecond) * Math.Abs(axis.CountsPerMillimetre)), 1.0, Largest);
+        (int)Math.Clamp(Math.Round(axis.Scale.CountsOf(profile.FollowingErrorAt(profile.FastestMmPerSecond))), 1.0, Largest);
 }

@@ -10,25 +10,25 @@ public static class DmcProfile
     public static int VectorSpeed(this MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        return EvenCountsPerSecond(profile.FeedMmPerMinute, profile.Scale.Smallest);
+        return EvenCountsPerSecond(profile.FeedMmPerMinute, profile.Scale.Coarser);
     }
 
     /// <summary>SP of one axis, even counts/s.</summary>
     public static int RapidSpeed(this MachineProfile profile, MachineAxis axis)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        return EvenCountsPerSecond(profile.RapidMmPerMinute, Math.Abs(axis.CountsPerMillimetre));
+        return EvenCountsPerSecond(profile.RapidMmPerMinute, axis.Scale);
     }
 
     /// <summary>SP or JG of one axis for a speed given separately, even counts/s, limited to the controller's maximum.</summary>
     /// <param name="mmPerMinute">At least 0.</param>
-    public static int AxisSpeed(this MachineAxis axis, double mmPerMinute) => Math.Min(DmcLimits.FastestSpeed, EvenCountsPerSecond(mmPerMinute, Math.Abs(axis.CountsPerMillimetre)));
+    public static int AxisSpeed(this MachineAxis axis, double mmPerMinute) => Math.Min(DmcLimits.FastestSpeed, EvenCountsPerSecond(mmPerMinute, axis.Scale));
 
     /// <summary>SP of the Z axis below the retract height, even counts/s.</summary>
     public static int PlungeSpeed(this MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        return EvenCountsPerSecond(profile.Height?.PlungeMmPerMinute ?? 0.0, Math.Abs(profile.Scale.Z));
+        return EvenCountsPerSecond(profile.Height?.PlungeMmPerMinute ?? 0.0, profile.Scale.Z);
     }
 
     /// <summary>The settle time as WT needs it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
@@ -42,6 +42,6 @@ public static class DmcProfile
     /// <summary>A time as WT needs it: an even number of milliseconds, rounded up.</summary>
     public static int EvenMilliseconds(double seconds) => 2 * (int)Math.Ceiling(Math.Round(seconds * 1000.0, 6) / 2.0);
 
-    private static int EvenCountsPerSecond(double mmPerMinute, double countsPerMillimetre) =>
-        Math.Max(DmcLimits.SlowestSpeed, 2 * (int)Math.Round(mmPerMinute / 60.0 * countsPerMillimetre / 2.0, MidpointRounding.AwayFromZero));
+    private static int EvenCountsPerSecond(double mmPerMinute, AxisScale scale) =>
+        Math.Max(DmcLimits.SlowestSpeed, 2 * (int)Math.Round(scale.CountsOf(mmPerMinute / 60.0) / 2.0, MidpointRounding.AwayFromZero));
 }

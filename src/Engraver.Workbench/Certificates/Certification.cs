@@ -38,7 +38,7 @@ public static class Certification
     public static JobIdentity IdentityOf(CertificationRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
-        return JobIdentity.Of(request.Drawing.FileName, request.Settings, request.Target.Post.Name, Program) with { Drawing = request.DrawingHash, Dialect = request.Dialect };
+        return JobIdentity.Of(request.Drawing, request.Settings, request.Target.Post.Name, Program) with { Drawing = request.DrawingHash, Dialect = request.Dialect };
 
         string? Program()
         {
@@ -59,7 +59,7 @@ public static class Certification
 
     private static JobCertificate Certificate(CertificationRequest request, PreparedJob job, MotionProgram? fitted, string text, VerificationReport report, IReadOnlyList<Diagnostic> findings)
     {
-        var (machine, words) = (request.Settings.Machine, SettingWords.Of(request.Settings));
+        var (machine, words) = (request.Settings.Machine, SettingWords.Of(request.Settings.AsOpened(request.Drawing)));
         return new JobCertificate
         {
             Issued = request.Now,
@@ -67,7 +67,7 @@ public static class Certification
             Drawing = new CertifiedDrawing(Path.GetFileName(request.Drawing.FileName), request.DrawingHash, request.Drawing.Bytes),
             Program = new CertifiedProgram(request.Target.Post.Name, request.Program is { } given ? Path.GetFileName(given.File) : null, ContentHash.OfText(text), text.Count(letter => letter == '\n')) { Dialect = request.Dialect },
             Settings = new CertifiedSettings(JobIdentity.OfSettings(words), words),
-            Profile = new CertifiedProfile(JobIdentity.OfProfile(machine), machine.Scale.X, machine.Scale.Y, machine.FeedMmPerMinute, machine.RapidMmPerMinute),
+            Profile = new CertifiedProfile(JobIdentity.OfProfile(machine), machine.Scale.X.CountsPerMillimetre, machine.Scale.Y.CountsPerMillimetre, machine.FeedMmPerMinute, machine.RapidMmPerMinute),
             Ok = report.Ok,
             MaxDeviation = report.MaxDeviationMm,
             Tolerance = report.ToleranceMm,
@@ -86,7 +86,7 @@ public static class Certification
         var (x, y) = (Length(axes.X), Length(axes.Y));
         var limits = new CertifiedLimits(box.MinX, box.MinY, box.MaxX, box.MaxY, x, y, !(box.Width > x) && !(box.Height > y));
         if (!tellsHeights || axes.Z is not { } axis || job.Motion.Program is not { } program || MotionExtents.Of(program).Heights(program.Profile, dryRun: false) is not { } heights) return limits;
-        var (one, other, z) = (heights.Least / axis.CountsPerMillimetre, heights.Most / axis.CountsPerMillimetre, Length(axis));
+        var (one, other, z) = (axis.Scale.ToMillimetres(heights.Least), axis.Scale.ToMillimetres(heights.Most), Length(axis));
         return limits with { MinZ = Math.Min(one, other), MaxZ = Math.Max(one, other), TravelZ = z, Fits = limits.Fits && !(Math.Abs(one - other) > z) };
     }
 

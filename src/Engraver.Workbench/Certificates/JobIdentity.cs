@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Profiles;
 using Engraver.Core.Posts;
@@ -28,17 +29,21 @@ public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, st
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(post);
         var sent = job with { Motion = job.Motion with { Program = program } };
-        return Of(job.Drawing.FileName, job.Settings, post.Name, () => PostedProgram.FromJob(sent, post, PostedProgram.NoOptions).Text is { } text ? ContentHash.OfText(text) : null);
+        return Of(job.Drawing.FileName, job.Followed is null ? job.Recorded : job.Settings, post.Name, () => PostedProgram.FromJob(sent, post, PostedProgram.NoOptions).Text is { } text ? ContentHash.OfText(text) : null);
     }
 
     /// <summary>Identity of a posted program.</summary>
-    /// <param name="drawing">The drawing's file.</param>
+    /// <param name="drawing">As it was read from its file.</param>
     /// <param name="program">Computes the hash of the program.</param>
-    public static JobIdentity Of(string drawing, DrawingSettings settings, string target, Func<string?> program)
+    public static JobIdentity Of(Drawing drawing, DrawingSettings settings, string target, Func<string?> program)
     {
+        ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(settings);
-        return new JobIdentity(ContentHash.OfFile(drawing), SettingWords.Of(settings), OfProfile(settings.Machine), target, new Lazy<string?>(program));
+        return Of(drawing.FileName, settings.AsOpened(drawing), target, program);
     }
+
+    private static JobIdentity Of(string drawing, DrawingSettings settings, string target, Func<string?> program) =>
+        new JobIdentity(ContentHash.OfFile(drawing), SettingWords.Of(settings), OfProfile(settings.Machine), target, new Lazy<string?>(program));
 
     /// <summary>The differences: <c>drawing</c>, keys of settings, <c>profile</c>.</summary>
     public IReadOnlyList<string> Differences(string? drawing, IReadOnlyDictionary<string, string> settings, string? profile)

@@ -8,7 +8,7 @@ public static class PlaceText
 {
     /// <param name="at">Counts.</param>
     /// <param name="scale">Of the machine; without a Z axis the height is left out.</param>
-    public static string Show(CountsPoint at, CountsScale scale) => Show(scale.ToMillimetres(at.X, at.Y), scale.Z == 0.0 ? null : scale.ToMillimetres(at.Z));
+    public static string Show(CountsPoint at, CountsScale scale) => Show(scale.ToMillimetres(at.X, at.Y), scale.Z.IsNone ? null : scale.ToMillimetres(at.Z));
 
     /// <param name="height">Null on a machine without a Z axis, or when unknown.</param>
     public static string Show(Point2D at, double? height) => height is { } z ? $"{PointPrompt.Show(at)},{z.ToString("0.######", System.Globalization.CultureInfo.InvariantCulture)}" : PointPrompt.Show(at);

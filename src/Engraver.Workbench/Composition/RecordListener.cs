@@ -14,7 +14,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
     private readonly Lock _gate = new();
     private readonly OutputSwitch _tool = profile.Tool;
     private readonly int? _z = profile.Height is null || profile.Axes.Z is not { } z ? null : IndexOf(z);
-    private readonly double _count = 1.0 / profile.Scale.Largest;
+    private readonly double _count = profile.Scale.Finer.LengthOf(1.0);
     private readonly int _x = IndexOf(profile.Axes.X);
     private readonly int _y = IndexOf(profile.Axes.Y);
     private (double X, double Y, double Z)? _frame;
@@ -123,7 +123,7 @@ internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[
     /// this program writes such an arc.</summary>
     private void TellArc((double X, double Y, double Z) frame, MotionSpan span, ArcCourse arc)
     {
-        var (radiusX, radiusY) = (arc.RadiusX / profile.Scale.X, arc.RadiusY / profile.Scale.Y);
+        var (radiusX, radiusY) = (profile.Scale.X.ToMillimetres(arc.RadiusX), profile.Scale.Y.ToMillimetres(arc.RadiusY));
         var radius = Math.Max(Math.Abs(radiusX), Math.Abs(radiusY));
         if (Math.Abs(Math.Abs(radiusX) - Math.Abs(radiusY)) <= RoundEnough * radius)
         {

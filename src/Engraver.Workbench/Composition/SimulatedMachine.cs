@@ -26,8 +26,8 @@ internal static class SimulatedMachine
         var switches = new AxisSwitches(axis.Letter - 'A');
         var away = axis.Travel is { } length ? Math.Min(FromMark, (length.Most - length.Least) / 3.0) : FromMark;
         var on = axis.Homing is { } mark ? mark.Zero + (mark.Plus ? -away : away) : 0.0;
-        int At(double machine) => (int)Math.Clamp(Math.Round((machine - on) * axis.CountsPerMillimetre), int.MinValue, int.MaxValue);
-        var mirrored = axis.CountsPerMillimetre < 0.0;
+        int At(double machine) => (int)Math.Clamp(Math.Round(axis.Scale.Exact(machine - on)), int.MinValue, int.MaxValue);
+        var mirrored = axis.Scale.IsMirrored;
         if (axis.Travel is { } travel)
         {
             var (least, most) = (At(travel.Least - OutsideTravel), At(travel.Most + OutsideTravel));

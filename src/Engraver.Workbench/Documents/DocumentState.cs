@@ -16,6 +16,10 @@ public sealed record DocumentState
         init => (field, Edition) = (value, value);
     }
 
+    /// <summary>The scale of the drawing, which it has had since it was opened or created; millimetres while none is open. A unit that is set
+    /// (<see cref="DrawingSettings.Unit"/>) is for the next drawing that is opened.</summary>
+    public DrawingScale Scale => Drawing?.Scale ?? DrawingScale.Millimetres;
+
     /// <summary>The edition of the drawing: changes with every edit, but not when objects are hidden and shown, which is not saved. Set after
     /// <see cref="Drawing"/>.</summary>
     public Drawing? Edition { get; init; }

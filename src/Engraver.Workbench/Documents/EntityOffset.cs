@@ -19,7 +19,7 @@ internal static class EntityOffset
     public static IReadOnlyList<OffsetLoop> Create(Drawing drawing, int entity, Point2D side, double? distance, double maxErrorMm)
     {
         var contour = ContourOf(drawing, entity);
-        var options = OffsetOptions.Round(maxErrorMm / drawing.Unit.ToMillimetres);
+        var options = OffsetOptions.Round(drawing.Scale.ToDrawing(maxErrorMm));
         var away = contour.Segments.Count == 0 ? 0.0 : contour.Segments.Min(segment => SegmentDistance.Measure(segment, side));
         if (!(away > 0.0)) return [];
         var (left, right) = (Through(contour, NearlyThrough * away, OffsetSide.Left, options), Through(contour, NearlyThrough * away, OffsetSide.Right, options));

@@ -29,6 +29,9 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>The document's drawing.</summary>
     public Drawing DocumentDrawing => Followed?.Drawing ?? Drawing;
 
+    /// <summary>The settings that a record of the job states: those with which its drawing is opened again and cut in the same way.</summary>
+    public DrawingSettings Recorded => (Followed?.Settings ?? Settings).AsOpened(DocumentDrawing);
+
     /// <summary>Visible entities on the cut layers that produce no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, JobPreparation.SelectionOf(Settings));
 

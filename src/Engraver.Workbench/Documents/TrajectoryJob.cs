@@ -56,7 +56,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(trajectories);
-        var arcError = CountShare / settings.Machine.Scale.Largest;
+        var arcError = settings.Machine.Scale.Finer.LengthOf(CountShare);
         var rises = trajectories.Any(one => one.IsHelix);
         var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
         if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
@@ -129,7 +129,7 @@ internal static class TrajectorySheet
 
         return like with
         {
-            Unit = LengthUnit.AssumedMillimetres with { Source = "option" },
+            Unit = LengthUnit.AssumedMillimetres with { Source = LengthUnit.Chosen },
             Layers = [new Layer("0", On: true, Frozen: false, Plot: true)],
             Entities = entities,
             Parts = parts,

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Profiles;
 using Engraver.Workbench.Certificates;
@@ -145,17 +146,17 @@ public sealed record HistoryEntry
     /// <summary>Creates the entry of a posted program.</summary>
     /// <param name="options">Options of the post.</param>
     /// <param name="file">Its path; null for standard output.</param>
-    public static HistoryEntry OfPost(string drawing, DrawingSettings settings, string target, IReadOnlyDictionary<string, string> options, string? file, DateTimeOffset date) => new()
+    public static HistoryEntry OfPost(Drawing drawing, DrawingSettings settings, string target, IReadOnlyDictionary<string, string> options, string? file, DateTimeOffset date) => new()
     {
         Date = date.ToUniversalTime(),
         Kind = "post",
-        Drawing = Path.GetFullPath(drawing),
-        DrawingSha256 = ContentHash.OfFile(drawing),
+        Drawing = Path.GetFullPath(drawing.FileName),
+        DrawingSha256 = ContentHash.OfFile(drawing.FileName),
         Target = target,
         Options = options,
         Outcome = "written",
         Program = file is null ? null : Path.GetFullPath(file),
-        Settings = SettingWords.Of(settings),
+        Settings = SettingWords.Of(settings.AsOpened(drawing)),
         Profile = ProfileOf(settings),
     };
 
@@ -163,7 +164,7 @@ public sealed record HistoryEntry
     {
         ArgumentNullException.ThrowIfNull(options);
         var driver = MachineFamilies.DriverOf(job.Settings.Machine);
-        return OfPost(job.Drawing.FileName, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(driver, options.Strategy.Style)?.Post.Name ?? driver.Key, PostedProgram.NoOptions, file: null, date) with
+        return OfPost(job.DocumentDrawing, job.Followed?.Settings ?? job.Settings, PostTable.ForMotion(driver, options.Strategy.Style)?.Post.Name ?? driver.Key, PostedProgram.NoOptions, file: null, date) with
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             RanTrajectories = job.Followed is not null,

@@ -97,7 +97,7 @@ internal sealed record MachineFacts
             MachineHeight = place is { } height && profile.Axes.Z is not null ? profile.Scale.ToMillimetres(height.Z) : null,
             WorkHeight = place is { } tool && Frame is { } zero && profile.Axes.Z is not null ? profile.Scale.ToMillimetres(tool.Z - zero.Z) : null,
             FollowingError = Now is not { } look ? null : Millimetres(profile, look.Error) - default(Point2D),
-            Speed = Now is { Moves: false } ? 0.0 : Now?.Speed / profile.Scale.Largest,
+            Speed = Now is { Moves: false } ? 0.0 : Now?.Speed is { } speed ? profile.Scale.Finer.LengthOf(speed) : null,
             Inputs = Now?.Inputs,
             Outputs = JobRuns ? Told?.Outputs : Now?.Outputs,
             ToolCommanded = JobRuns ? Told?.ToolOn : IsToolOn(profile),

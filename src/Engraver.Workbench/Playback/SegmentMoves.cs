@@ -91,7 +91,7 @@ internal static class SegmentMoves
         }
 
         /// <summary>True if shorter than a count, so that it may have no segment.</summary>
-        private bool IsShort() => _move.Segment.Length * Math.Max(_scale.X, _scale.Y) < 1.0;
+        private bool IsShort() => _scale.Finer.CountsOf(_move.Segment.Length) < 1.0;
 
         private bool EndsWith(in VectorSegment segment) => Math.Abs(_end.X - segment.End.X) <= Near && Math.Abs(_end.Y - segment.End.Y) <= Near;
     }

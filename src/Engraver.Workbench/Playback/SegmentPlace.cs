@@ -41,7 +41,7 @@ internal static class SegmentPlace
     public static double Millimetres(in VectorSegment segment, CountsPoint from, double done, double speed, CountsScale scale)
     {
         var way = Direction(segment, from, segment.Length > 0.0 ? done / segment.Length : 0.0);
-        return speed * double.Hypot(way.X / scale.X, way.Y / scale.Y);
+        return speed * scale.ToMillimetres(way).Length;
     }
 
     private static Vector2D Direction(in VectorSegment segment, CountsPoint from, double fraction)

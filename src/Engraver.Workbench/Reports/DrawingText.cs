@@ -42,9 +42,9 @@ public static class DrawingText
 
     private static string Version(Drawing drawing) => drawing.DxfVersion.Length == 0 ? Wording.Get("DrawingText.Dxf", drawing.Encoding) : Wording.Get("DrawingText.DxfVersion", drawing.Encoding, drawing.DxfVersion);
 
-    private static string Unit(LengthUnit unit) => unit.ToMillimetres == 1.0
+    private static string Unit(LengthUnit unit) => unit.MillimetresPerUnit == 1.0
         ? Wording.Get("DrawingText.Unit", unit.Name, unit.Source)
-        : Wording.Get("DrawingText.UnitInMillimetres", unit.Name, unit.Source, unit.ToMillimetres);
+        : Wording.Get("DrawingText.UnitInMillimetres", unit.Name, unit.Source, unit.MillimetresPerUnit);
 
     private static string Size(Bounds2D? bounds, LengthUnit unit) => bounds is { } box
         ? Wording.Get("DrawingText.Size", box.Width, box.Height, unit.Name, box.MinX, box.MinY, box.MaxX, box.MaxY)

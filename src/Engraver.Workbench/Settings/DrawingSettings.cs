@@ -14,7 +14,8 @@ public sealed record DrawingSettings
 {
     public static DrawingSettings Default { get; } = new();
 
-    /// <summary>Unit to take whatever the drawing says; null: the drawing's own.</summary>
+    /// <summary>Unit of the next drawing that is opened or created, instead of the unit that its file states; null: the file's own. The drawing that is open
+    /// keeps its <see cref="Drawing.Scale"/>.</summary>
     public LengthUnit? Unit { get; init; }
 
     /// <summary>Construction that is cut all the same: hatch boundaries, multilines, leaders, helices, the edges of solids.</summary>
@@ -56,6 +57,14 @@ public sealed record DrawingSettings
 
     /// <summary>The machine, with the feed of the feed option already in it.</summary>
     public MachineProfile Machine { get; init; } = MachineProfile.Default;
+
+    /// <summary>The settings for records of a drawing: with the unit that was chosen when it was opened, so that they open it again with the same
+    /// scale.</summary>
+    public DrawingSettings AsOpened(Drawing drawing)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        return this with { Unit = drawing.Unit.Source == LengthUnit.Chosen ? drawing.Unit : null };
+    }
 }
 
 /// <summary>The entering entity (paper 000, ENTER): named by its handle or by a drawing point, mm.</summary>

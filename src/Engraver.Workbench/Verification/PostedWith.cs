@@ -82,7 +82,7 @@ public sealed record ProgramOrigin(double X, double Y, double? Z)
     }
 
     /// <summary>Position of the controller's zero in the frame of the drawing, counts.</summary>
-    internal CountsPoint Beginning(CountsScale scale) => new(Counts(-X * scale.X), Counts(-Y * scale.Y), (int)Math.Clamp(Counts(-(Z ?? 0.0) * scale.Z), int.MinValue, int.MaxValue));
+    internal CountsPoint Beginning(CountsScale scale) => new(Counts(scale.X.Exact(-X)), Counts(scale.Y.Exact(-Y)), (int)Math.Clamp(Counts(scale.Z.Exact(-(Z ?? 0.0))), int.MinValue, int.MaxValue));
 
     /// <summary>Time of the rapid from the controller's zero to the drawing's.</summary>
     internal TimeSpan Way(MachineProfile machine) => TimeSpan.FromMinutes((Math.Abs(X) + Math.Abs(Y) + Math.Abs(Z ?? 0.0)) / machine.RapidMmPerMinute);

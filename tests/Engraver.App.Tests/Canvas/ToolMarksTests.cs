@@ -1,6 +1,7 @@
 using Avalonia.Media;
 using Engraver.App.Canvas;
 using Engraver.App.Canvas.Colours;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.Settings;
@@ -46,7 +47,7 @@ public sealed class ToolMarksTests(DesktopFixture fixture)
     public Task The_trail_is_brighter_towards_the_machine() => CanvasAlone.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
     {
         canvas.RefineNow();
-        canvas.Machine = new MachineMark(new Point2D(50, 30), [.. Enumerable.Range(0, 101).Select(step => new Point2D(-50 + step, 30))], default, 1.0, "");
+        canvas.Machine = new MachineMark(new Point2D(50, 30), [.. Enumerable.Range(0, 101).Select(step => new Point2D(-50 + step, 30))], default, DrawingScale.Millimetres, "");
         fixture.Desktop.Step();
 
         Assert.True(hands.PixelAt(X - 90, Y).R > hands.PixelAt(X - 90, Y + 8).R);
@@ -71,11 +72,11 @@ public sealed class ToolMarksTests(DesktopFixture fixture)
     public Task Outside_the_canvas_an_arrow_at_its_edge_points_to_the_machine() => CanvasAlone.WithAsync(fixture, s_drawing, (canvas, _, hands, _) =>
     {
         canvas.RefineNow();
-        canvas.Machine = new MachineMark(new Point2D(1000, 0), [], default, 1.0, "");
+        canvas.Machine = new MachineMark(new Point2D(1000, 0), [], default, DrawingScale.Millimetres, "");
         fixture.Desktop.Step();
 
         Assert.Equal(Color.FromUInt32(CanvasTheme.Dark.Tool), hands.PixelAt(385, 150));
     });
 
-    private static MachineMark Mark(string note) => new(new Point2D(60, 50), [], new Vector2D(10, 20), 1.0, note);
+    private static MachineMark Mark(string note) => new(new Point2D(60, 50), [], new Vector2D(10, 20), DrawingScale.Millimetres, note);
 }

@@ -20,7 +20,7 @@ public class HeaderAndLayerTests
         var unit = Reading.Of(new DxfText().Header("AC1015", code).End()).Unit;
 
         Assert.Equal((code, name, "INSUNITS"), (unit.Code, unit.Name, unit.Source));
-        Assert.Equal(1.0, unit.ToMillimetres / factor, 1e-12);
+        Assert.Equal(1.0, unit.MillimetresPerUnit / factor, 1e-12);
     }
 
     [Theory]

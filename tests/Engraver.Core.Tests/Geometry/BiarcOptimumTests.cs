@@ -45,7 +45,7 @@ public class BiarcOptimumTests
         foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal).Where((_, i) => i % every == 0))
         {
             var drawing = DxfReader.Read(File.ReadAllBytes(path), path, DxfReadOptions.Default, CancellationToken.None);
-            foreach (var curve in drawing.Curves.Take(2).Select(curve => curve.Scaled(drawing.Unit.ToMillimetres)))
+            foreach (var curve in drawing.Curves.Take(2).Select(curve => drawing.Scale.ToMillimetres(curve)))
             {
                 if (!(curve.PlanLength is > 0.001 and < 1000.0) || ArcSplineOptimum.Pieces(curve, 0.01) is not { } fewest) continue;
                 judged++;

@@ -56,7 +56,7 @@ public class MachineProfileFileTests
     {
         var read = MachineProfileFile.Read("{ \"axisZ\": \"C\", \"countsPerMillimetreZ\": -400 }", s_limits).Profile!;
 
-        Assert.Equal(("ABC", "AB", -400.0), (read.Axes.Letters, read.Axes.PlaneLetters, read.Scale.Z));
+        Assert.Equal(("ABC", "AB", -400.0), (read.Axes.Letters, read.Axes.PlaneLetters, read.Scale.Z.CountsPerMillimetre));
         Assert.Equal((-1000, 2.5), (read.Scale.ToHeight(2.5), read.Scale.ToMillimetres(-1000)));
         Assert.Equal(read, MachineProfileFile.Read(MachineProfileFile.Write(read), s_limits).Profile);
         Assert.Null(MachineProfile.Default.Axes.Z);

@@ -98,7 +98,7 @@ public class TravelLimitsTests
 
     private static MotionProgram Slope(MachineProfile mill)
     {
-        CountsPoint At(int x, double height) => new(x, 0, (int)Math.Round(height * mill.Scale.Z));
+        CountsPoint At(int x, double height) => new(x, 0, mill.Scale.ToHeight(height));
         var line = new VectorSegment(VectorSegmentKind.Line, At(1000, -2), 0, 0, 0, 0, 1011);
         return new MotionProgram(mill, default, [new MotionStroke(0, At(0, -0.5), [new VectorSequence(At(0, -0.5), 1000, [line])])]);
     }

@@ -53,7 +53,7 @@ public class UnequalAxesFeedTests
             var (from, to) = (record[i - Window], record[i]);
             if ((from.Outputs & to.Outputs & 1) == 0) continue;
             var seconds = to.Seconds - from.Seconds;
-            var (x, y) = (Math.Abs(to.A - from.A) / Math.Abs(profile.Scale.X) / seconds, Math.Abs(to.B - from.B) / Math.Abs(profile.Scale.Y) / seconds);
+            var (x, y) = (profile.Scale.X.LengthOf(Math.Abs(to.A - from.A)) / seconds, profile.Scale.Y.LengthOf(Math.Abs(to.B - from.B)) / seconds);
             yield return (Math.Sqrt((x * x) + (y * y)), x, y);
         }
     }

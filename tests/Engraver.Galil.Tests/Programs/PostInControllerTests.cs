@@ -164,7 +164,7 @@ public class PostInControllerTests
     internal static void AssertCutAsDrawn(Toolpath toolpath, CountsScale scale, IReadOnlyList<MotionSample> record)
     {
         var drawn = toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment).ToList();
-        var cut = record.Where(row => (row.Outputs & Tool) != 0).Select(row => new Point2D(row.A / scale.X, row.B / scale.Y)).Distinct().ToList();
+        var cut = record.Where(row => (row.Outputs & Tool) != 0).Select(row => scale.ToMillimetres(row.A, row.B)).Distinct().ToList();
 
         var at = 0;
         foreach (var place in cut)
@@ -172,10 +172,10 @@ public class PostInControllerTests
             if (Off(at) > MostOff) at = Enumerable.Range(0, drawn.Count).MinBy(Off);
             Assert.InRange(Off(at), 0.0, MostOff);
 
-            double Off(int segment) => scale.Largest * drawn[segment].DistanceTo(place);
+            double Off(int segment) => scale.Finer.CountsOf(drawn[segment].DistanceTo(place));
         }
 
-        var reach = SampleSpacing / Math.Min(Math.Abs(scale.X), Math.Abs(scale.Y));
+        var reach = scale.Coarser.LengthOf(SampleSpacing);
         var cells = cut.ToLookup(place => Cell(place, reach));
         foreach (var place in drawn.SelectMany(segment => Enumerable.Range(0, 101).Select(i => segment.PointAt(i / 100.0))))
         {

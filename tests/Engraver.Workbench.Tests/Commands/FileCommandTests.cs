@@ -89,7 +89,7 @@ public class FileCommandTests
 
         Assert.Equal(before.Parts.Count, after.Parts.Count);
         Assert.Equal(before.Layers, after.Layers);
-        Assert.Equal(before.Unit.ToMillimetres, after.Unit.ToMillimetres);
+        Assert.Equal(before.Unit.MillimetresPerUnit, after.Unit.MillimetresPerUnit);
         foreach (var (old, read) in Segments(before).Zip(Segments(after))) Assert.Equal((old.Kind, 1.0), (read.Kind, Math.Round(read.Length / old.Length, 9)));
     }
 

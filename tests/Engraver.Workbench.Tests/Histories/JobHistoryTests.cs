@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -181,5 +182,5 @@ public sealed class JobHistoryTests : IDisposable
 
     public void Dispose() => _folder.Delete(recursive: true);
 
-    private static HistoryEntry Entry(string name, DateTimeOffset date, DrawingSettings? settings = null) => HistoryEntry.OfPost(Path.Combine(RepositoryFolder.Samples, name), settings ?? new DrawingSettings(), "galil", PostedProgram.NoOptions, null, date);
+    private static HistoryEntry Entry(string name, DateTimeOffset date, DrawingSettings? settings = null) => HistoryEntry.OfPost(new DrawingBuilder { Unit = settings?.Unit ?? LengthUnit.AssumedMillimetres }.Build() with { FileName = Path.Combine(RepositoryFolder.Samples, name) }, settings ?? new DrawingSettings(), "galil", PostedProgram.NoOptions, null, date);
 }

@@ -79,6 +79,23 @@ public class PlannedMotionTests
         Assert.Null(motion.TimeOfMove(moves.Length));
     }
 
+    /// <summary>With unequal axes an arc is cut as many chords, which all are its move.</summary>
+    [Theory]
+    [InlineData(1000.0, 800.0)]
+    [InlineData(-1000.0, 800.0)]
+    [InlineData(-1000.0, -800.0)]
+    public void A_chord_of_an_arc_is_on_the_move_of_the_arc_whatever_axis_is_mirrored(double x, double y)
+    {
+        var arc = new ArcSegment(new Point2D(10.0, 5.0), 5.0, Angle.FromDegrees(-90.0), Angle.FromDegrees(180.0));
+        var drawing = new DrawingBuilder().Curve(CurveType.LwPolyline, Segment.FromLine(new(0, 0), new(10, 0)), Segment.FromArc(arc), Segment.FromLine(new(10, 10), new(0, 10))).Build();
+        var job = JobPreparation.Prepare(drawing, new DrawingSettings { Machine = MachineProfile.Default with { Axes = MachineAxes.FromScale(x, y) } }, MotionStyle.Continuous);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        int[] moves = [.. Enumerable.Range(0, motion.SegmentCount).Select(segment => motion.At(motion.TimeOfSegment(segment) + 1e-6).Move)];
+
+        Assert.Equal([0, .. Enumerable.Repeat(1, moves.Length - 2), 2], moves);
+        Assert.True(moves.Length > 10, $"{moves.Length} segments");
+    }
+
     /// <summary>The picked object on the canvas, the highlighted table row and the rows of the properties are the same object.</summary>
     [Theory]
     [InlineData("gasket.dxf")]

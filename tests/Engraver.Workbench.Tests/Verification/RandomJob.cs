@@ -39,7 +39,7 @@ internal sealed record RandomJob(string Target, Drawing Drawing, DrawingSettings
     public override string ToString()
     {
         var machine = Settings.Machine;
-        return $"{Target} {string.Join(' ', Options.Select(option => $"--{option.Key} {option.Value}"))} of {_shapes} from {Settings.Start.X}, {Settings.Start.Y} by {machine.Scale.X} x {machine.Scale.Y}, feed {machine.FeedMmPerMinute}, rapid {machine.RapidMmPerMinute}, corner {machine.SharpCornerDegrees}, settle {machine.ToolSettleSeconds}, {machine.ToolOffSettleSeconds}, {machine.Spindle}";
+        return $"{Target} {string.Join(' ', Options.Select(option => $"--{option.Key} {option.Value}"))} of {_shapes} from {Settings.Start.X}, {Settings.Start.Y} by {machine.Scale.X.CountsPerMillimetre} x {machine.Scale.Y.CountsPerMillimetre}, feed {machine.FeedMmPerMinute}, rapid {machine.RapidMmPerMinute}, corner {machine.SharpCornerDegrees}, settle {machine.ToolSettleSeconds}, {machine.ToolOffSettleSeconds}, {machine.Spindle}";
     }
 
     private static Dictionary<string, string> OptionsOf(Random random, string target)

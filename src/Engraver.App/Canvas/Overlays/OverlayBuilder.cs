@@ -1,6 +1,7 @@
 using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
@@ -10,8 +11,8 @@ namespace Engraver.App.Canvas.Overlays;
 /// <summary>Converts sequenced strokes and the toolpath (millimetres) to the layers of an overlay (drawing units).</summary>
 internal static class OverlayBuilder
 {
-    /// <param name="scale">Drawing units per millimetre.</param>
-    public static OverlayScene Build(SequencingResult sequence, Toolpath toolpath, double scale, OverlayInputs inputs) => new()
+    /// <param name="scale">Of the drawing.</param>
+    public static OverlayScene Build(SequencingResult sequence, Toolpath toolpath, DrawingScale scale, OverlayInputs inputs) => new()
     {
         MoveCount = toolpath.Strokes.Sum(stroke => stroke.Moves.Count),
         Unseen = new UnseenOverlays(
@@ -29,18 +30,18 @@ internal static class OverlayBuilder
     };
 
     /// <summary>Marks are created on access: a mark takes three times the memory of its point, and there may be millions.</summary>
-    private static MadeList<SceneMark> StartMarks(Toolpath toolpath, double scale)
+    private static MadeList<SceneMark> StartMarks(Toolpath toolpath, DrawingScale scale)
     {
-        Point2D[] places = [.. toolpath.Strokes.Select(stroke => Scaled(stroke.Start, scale))];
+        Point2D[] places = [.. toolpath.Strokes.Select(stroke => scale.ToDrawing(stroke.Start))];
         return new MadeList<SceneMark>(places.Length, index => new SceneMark(places[index], MarkKind.Start));
     }
 
     /// <param name="findings">Points of other findings, drawing units.</param>
-    private static MadeList<SceneMark> FindingMarks(OpenEndList ends, double scale, IReadOnlyList<Point2D> findings) =>
-        new(ends.Count + findings.Count, index => new SceneMark(index < ends.Count ? Scaled(ends.PlaceOf(index), scale) : findings[index - ends.Count], MarkKind.Finding));
+    private static MadeList<SceneMark> FindingMarks(OpenEndList ends, DrawingScale scale, IReadOnlyList<Point2D> findings) =>
+        new(ends.Count + findings.Count, index => new SceneMark(index < ends.Count ? scale.ToDrawing(ends.PlaceOf(index)) : findings[index - ends.Count], MarkKind.Finding));
 
-    private static SceneMark[] OrderMarks(Toolpath toolpath, double scale) =>
-        [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Order, stroke.Moves[0].Segment.StartTangent, stroke.Index + 1))];
+    private static SceneMark[] OrderMarks(Toolpath toolpath, DrawingScale scale) =>
+        [.. toolpath.Strokes.Select(stroke => new SceneMark(scale.ToDrawing(stroke.Start), MarkKind.Order, stroke.Moves[0].Segment.StartTangent, stroke.Index + 1))];
 
     public static IReadOnlyList<SceneMark> OriginMark(Point2D? origin) => origin is { } place ? [new SceneMark(place, MarkKind.Origin)] : [];
 
@@ -52,7 +53,7 @@ internal static class OverlayBuilder
         return store.Build();
     }
 
-    private static Point2D? LastEndOf(Toolpath toolpath, double scale) => toolpath.Strokes is [.., var last] ? Scaled(last.End, scale) : null;
+    private static Point2D? LastEndOf(Toolpath toolpath, DrawingScale scale) => toolpath.Strokes is [.., var last] ? scale.ToDrawing(last.End) : null;
 
     /// <summary>Lines between the polled positions while the tool is on.</summary>
     public static PrimitiveStore RecordedPath(IReadOnlyList<RecordedPlace> places)
@@ -66,37 +67,37 @@ internal static class OverlayBuilder
         return lines.Build();
     }
 
-    private static PrimitiveStore Contours(SequencingResult sequence, double scale)
+    private static PrimitiveStore Contours(SequencingResult sequence, DrawingScale scale)
     {
         var store = new PrimitiveStoreBuilder();
         foreach (var stroke in sequence.Strokes)
         {
             var kind = !stroke.Closed ? OverlayScene.Open : stroke.Inside >= 0 ? OverlayScene.ClosedInside : OverlayScene.ClosedOutside;
-            foreach (var move in stroke.Moves) store.Add(Scaled(move.Segment, scale), stroke.Index, kind);
+            foreach (var move in stroke.Moves) store.Add(scale.ToDrawing(move.Segment), stroke.Index, kind);
         }
 
         return store.Build();
     }
 
-    private static PrimitiveStore Rapids(Toolpath toolpath, double scale)
+    private static PrimitiveStore Rapids(Toolpath toolpath, DrawingScale scale)
     {
         var store = new PrimitiveStoreBuilder();
         var from = toolpath.ToolStart;
         foreach (var stroke in toolpath.Strokes)
         {
-            store.Add(Segment.FromLine(Scaled(from, scale), Scaled(stroke.Start, scale)), stroke.Index, 0);
+            store.Add(Segment.FromLine(scale.ToDrawing(from), scale.ToDrawing(stroke.Start)), stroke.Index, 0);
             from = stroke.End;
         }
 
         return store.Build();
     }
 
-    private static PrimitiveStore CutPath(Toolpath toolpath, double scale, IReadOnlyList<double> speeds)
+    private static PrimitiveStore CutPath(Toolpath toolpath, DrawingScale scale, IReadOnlyList<double> speeds)
     {
         var store = new PrimitiveStoreBuilder();
         foreach (var stroke in toolpath.Strokes)
         {
-            foreach (var move in stroke.Moves) store.Add(Scaled(move.Segment, scale), store.Count, StepOf(store.Count < speeds.Count ? speeds[store.Count] : 1.0));
+            foreach (var move in stroke.Moves) store.Add(scale.ToDrawing(move.Segment), store.Count, StepOf(store.Count < speeds.Count ? speeds[store.Count] : 1.0));
         }
 
         return store.Build();
@@ -112,13 +113,4 @@ internal static class OverlayBuilder
     }
 
     private static ushort StepOf(double fraction) => (ushort)Math.Clamp((int)(fraction * OverlayScene.RampSteps), 0, OverlayScene.RampSteps - 1);
-
-    private static Point2D Scaled(Point2D place, double scale) => new(place.X * scale, place.Y * scale);
-
-    private static Segment Scaled(Segment segment, double scale)
-    {
-        if (segment.Kind == SegmentKind.Line) return Segment.FromLine(Scaled(segment.Start, scale), Scaled(segment.End, scale));
-        if (segment.IsFreeCurve) return Segment.FromCurve(segment.Curve.Scaled(scale));
-        return Segment.FromArc(segment.Arc with { Centre = Scaled(segment.Arc.Centre, scale), Radius = segment.Arc.Radius * scale });
-    }
 }

@@ -1,5 +1,6 @@
 using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
@@ -68,7 +69,7 @@ public sealed class OverlayScene
     public static OverlayScene From(PreparedJob job, OverlayInputs? inputs = null)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return OverlayBuilder.Build(job.Sequence, job.Toolpath, 1.0 / (job.Settings.Unit ?? job.Drawing.Unit).ToMillimetres, inputs ?? OverlayInputs.None);
+        return OverlayBuilder.Build(job.Sequence, job.Toolpath, job.Drawing.Scale, inputs ?? OverlayInputs.None);
     }
 
     /// <summary>The nearest finding within a distance, drawing units; null when there is none.</summary>
@@ -102,8 +103,8 @@ public sealed class OverlayScene
     }
 
     /// <summary>The same scene with other trajectories.</summary>
-    /// <param name="scale">Drawing units per millimetre.</param>
-    public OverlayScene WithTrajectories(IReadOnlyList<DocumentTrajectory> trajectories, double scale)
+    /// <param name="scale">Of the drawing.</param>
+    public OverlayScene WithTrajectories(IReadOnlyList<DocumentTrajectory> trajectories, DrawingScale scale)
     {
         ArgumentNullException.ThrowIfNull(trajectories);
         return new OverlayScene

@@ -1,5 +1,6 @@
 using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Trajectories;
 using Engraver.Workbench.Sidecars;
@@ -15,8 +16,8 @@ internal static class TrajectoryOverlay
     /// <summary>Maximum number of points shown; above it only the curve is shown.</summary>
     private const int MostMarks = 50_000;
 
-    /// <param name="scale">Drawing units per millimetre.</param>
-    public static PrimitiveStore Curves(IReadOnlyList<DocumentTrajectory> trajectories, double scale)
+    /// <param name="scale">Of the drawing.</param>
+    public static PrimitiveStore Curves(IReadOnlyList<DocumentTrajectory> trajectories, DrawingScale scale)
     {
         var store = new PrimitiveStoreBuilder();
         for (var i = 0; i < trajectories.Count; i++)
@@ -24,7 +25,7 @@ internal static class TrajectoryOverlay
             foreach (var part in TrajectoryCurve.Parts(trajectories[i].Curve, Parts))
             {
                 var step = (ushort)Math.Clamp((int)(part.Deviation / trajectories[i].MaxErrorMm * OverlayScene.RampSteps), 0, OverlayScene.RampSteps - 1);
-                store.Add(Segment.FromCurve(part.Curve.Curve.Scaled(scale)), i, step);
+                store.Add(Segment.FromCurve(scale.ToDrawing(part.Curve.Curve)), i, step);
             }
         }
 
@@ -32,9 +33,9 @@ internal static class TrajectoryOverlay
     }
 
     /// <summary>Corners first, because marks that would overlap are omitted.</summary>
-    public static IReadOnlyList<SceneMark> Marks(IReadOnlyList<DocumentTrajectory> trajectories, double scale)
+    public static IReadOnlyList<SceneMark> Marks(IReadOnlyList<DocumentTrajectory> trajectories, DrawingScale scale)
     {
-        SceneMark At(Point2D place, MarkKind kind) => new(new Point2D(place.X * scale, place.Y * scale), kind);
+        SceneMark At(Point2D place, MarkKind kind) => new(scale.ToDrawing(place), kind);
         var corners = trajectories.SelectMany(one => TrajectoryCurve.CornersOf(one.Curve)).Select(place => At(place, MarkKind.Finding));
         var points = trajectories.SelectMany(one => one.Curve.Lines.Skip(1).SkipLast(1)).Take(MostMarks).Select(place => At(place, MarkKind.Start));
         return [.. corners, .. points];

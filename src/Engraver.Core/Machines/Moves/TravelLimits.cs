@@ -20,7 +20,7 @@ public static class TravelLimits
     public static SoftLimit? Of(MachineAxis axis)
     {
         if (axis.Travel is not { } travel) return null;
-        var (one, other) = (travel.Least * axis.CountsPerMillimetre, travel.Most * axis.CountsPerMillimetre);
+        var (one, other) = (axis.Scale.Exact(travel.Least), axis.Scale.Exact(travel.Most));
         return new SoftLimit(axis.Letter, Clamp(Math.Ceiling(Math.Min(one, other))), Clamp(Math.Floor(Math.Max(one, other))));
     }
 
@@ -39,7 +39,7 @@ public static class TravelLimits
             if (Of(axes[i]) is not { } limit || (least[i] >= limit.Least && most[i] <= limit.Most)) continue;
             var outside = least[i] < limit.Least ? least[i] : most[i];
             var travel = axes[i].Travel!;
-            return PreparationRules.OutsideTravel.At(default, profile.Axes.NameOf(axes[i].Letter).ToString(), Number(outside / axes[i].CountsPerMillimetre), Number(travel.Least), Number(travel.Most));
+            return PreparationRules.OutsideTravel.At(default, profile.Axes.NameOf(axes[i].Letter).ToString(), Number(axes[i].Scale.ToMillimetres(outside)), Number(travel.Least), Number(travel.Most));
         }
 
         return null;
@@ -62,7 +62,7 @@ public static class TravelLimits
         var axes = profile.Axes.All;
         for (var i = 0; i < (withHeight ? axes.Count : 2); i++)
         {
-            var length = Math.Abs(step[i] / axes[i].CountsPerMillimetre);
+            var length = Math.Abs(axes[i].Scale.ToMillimetres(step[i]));
             if (axes[i].Travel is { } travel && length > travel.Most - travel.Least) return PreparationRules.StepBeyondTravel.At(default, Number(length), profile.Axes.NameOf(axes[i].Letter).ToString(), Number(travel.Most - travel.Least));
         }
 
@@ -83,10 +83,10 @@ public static class TravelLimits
         if (extents.Heights(program.Profile, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
         var (least, most) = (heights.Least + frame.Z, heights.Most + frame.Z);
         if (least >= limit.Least && most <= limit.Most) return null;
-        var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), Number((least < limit.Least ? least : most) / axis.CountsPerMillimetre));
+        var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), Number(axis.Scale.ToMillimetres(least < limit.Least ? least : most)));
         var (down, up) = (Number(axis.Travel!.Least), Number(axis.Travel.Most));
         return dryRun
-            ? PreparationRules.DryRunOutsideTravel.At(default, Number(DryLift.Of(program.Profile, extents) / axis.CountsPerMillimetre), name, place, down, up)
+            ? PreparationRules.DryRunOutsideTravel.At(default, Number(axis.Scale.ToMillimetres(DryLift.Of(program.Profile, extents))), name, place, down, up)
             : PreparationRules.HeightOutsideTravel.At(default, name, place, down, up);
     }
 

@@ -27,8 +27,8 @@ public static class EdgeTouch
     {
         var inward = edge is WorkEdge.Left or WorkEdge.Bottom ? radiusMm : -radiusMm;
         return edge is WorkEdge.Left or WorkEdge.Right
-            ? (Counts(at.X + (inward * scale.X)), null)
-            : (null, Counts(at.Y + (inward * scale.Y)));
+            ? (Counts(at.X + scale.X.Exact(inward)), null)
+            : (null, Counts(at.Y + scale.Y.Exact(inward)));
     }
 
     /// <summary>The zero is half-way between two touches from opposite sides; the tool's radius then does not matter.</summary>

@@ -40,7 +40,7 @@ public sealed record MachineMemory
         ArgumentNullException.ThrowIfNull(place);
         if (!IsMoving && Rest is null) return "";
         var (then, now) = (Counts(Rest ?? default), Counts(place.Position));
-        var axes = string.Concat("XYZ".Zip(place.Letters).Where((axis, i) => stoppedHard.Contains(axis.Second, StringComparison.Ordinal) && place.Uncounted.Contains(axis.Second, StringComparison.Ordinal) && (Rest is null || then[i] != now[i])).Select(axis => axis.First));
+        var axes = string.Concat(MachineAxes.Names.Zip(place.Letters).Where((axis, i) => stoppedHard.Contains(axis.Second, StringComparison.Ordinal) && place.Uncounted.Contains(axis.Second, StringComparison.Ordinal) && (Rest is null || then[i] != now[i])).Select(axis => axis.First));
         return axes.Length == 0 ? "" : Wording.Get("Origins.StepperStoppedWithoutRamp", axes);
     }
 

@@ -126,7 +126,7 @@ public static class WorkPlacement
 
         if (place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };
         var scale = profile.Scale;
-        var plane = $"{Number(place.Position.X / scale.X)}, {Number(place.Position.Y / scale.Y)}";
+        var plane = $"{Number(scale.X.ToMillimetres(place.Position.X))}, {Number(scale.Y.ToMillimetres(place.Position.Y))}";
         return Refused(PreparationRules.NoOrigin.At(default, memory.Active, profile.Axes.Z is null ? plane : $"{plane}, {Number(scale.ToMillimetres(place.Position.Z))}"));
     }
 

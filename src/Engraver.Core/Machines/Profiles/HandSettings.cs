@@ -13,14 +13,12 @@ internal static class HandSettings
     public static IEnumerable<Diagnostic> Findings(MachineProfile profile, MachineLimits limits)
     {
         if (!IsSpeed(profile.JogMmPerMinute, profile, limits)) yield return Finding("jogMmPerMinute", profile.JogMmPerMinute, AxisSpeeds(limits));
-        var axes = profile.Axes.All;
-        for (var i = 0; i < axes.Count; i++)
+        foreach (var (name, axis) in profile.Axes.Named)
         {
-            var name = HomingDocument.AxisNames[i];
-            if (axes[i].Travel is { } travel && !(travel.Least < travel.Most && double.IsFinite(travel.Least) && double.IsFinite(travel.Most) && IsCountable(travel, axes[i])))
+            if (axis.Travel is { } travel && !(travel.Least < travel.Most && double.IsFinite(travel.Least) && double.IsFinite(travel.Most) && IsCountable(travel, axis)))
                 yield return Text($"travel{name}", $"{Number(travel.Least)}..{Number(travel.Most)}", Wording.Get("MachineProfileValidation.Travel"));
-            if (axes[i].Homing is not { } homing) continue;
-            foreach (var finding in Homing(name, axes[i], homing, limits)) yield return finding;
+            if (axis.Homing is not { } homing) continue;
+            foreach (var finding in Homing(name, axis, homing, limits)) yield return finding;
         }
 
         foreach (var finding in Names("inputs", profile.Inputs)) yield return finding;
@@ -38,18 +36,18 @@ internal static class HandSettings
         if (homing.OnSwitch is not (0 or 1)) yield return Finding($"homing.{name}.onSwitch", homing.OnSwitch, Wording.Get("MachineProfileValidation.HomingOnSwitch"));
         foreach (var (field, speed) in new[] { ("fastMmPerMinute", homing.FastMmPerMinute), ("slowMmPerMinute", homing.SlowMmPerMinute) })
         {
-            if (!IsSpeed(speed / 60.0 * Math.Abs(axis.CountsPerMillimetre), limits)) yield return Finding($"homing.{name}.{field}", speed, AxisSpeeds(limits));
+            if (!IsSpeed(axis.Scale.CountsOf(speed / 60.0), limits)) yield return Finding($"homing.{name}.{field}", speed, AxisSpeeds(limits));
         }
 
         if (homing.SlowMmPerMinute > homing.FastMmPerMinute) yield return Finding($"homing.{name}.slowMmPerMinute", homing.SlowMmPerMinute, Wording.Get("MachineProfileValidation.AtMostHomingFast"));
-        if (!(homing.BackOff >= 0.0 && homing.BackOff < 1e6 && IsScale(axis.CountsPerMillimetre) && homing.BackOff * Math.Abs(axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.backOff", homing.BackOff, Wording.Get("MachineProfileValidation.HomingBackOff"));
+        if (!(homing.BackOff >= 0.0 && homing.BackOff < 1e6 && axis.Scale.IsUsable && axis.Scale.CountsOf(homing.BackOff) < int.MaxValue)) yield return Finding($"homing.{name}.backOff", homing.BackOff, Wording.Get("MachineProfileValidation.HomingBackOff"));
         var rest = homing.Zero + ((homing.Plus ? -1.0 : 1.0) * homing.BackOff);
-        if (!(Math.Abs(homing.Zero * axis.CountsPerMillimetre) < int.MaxValue && Math.Abs(rest * axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.PositionWithinCounters"));
+        if (!(Math.Abs(axis.Scale.Exact(homing.Zero)) < int.MaxValue && Math.Abs(axis.Scale.Exact(rest)) < int.MaxValue)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.PositionWithinCounters"));
         else if (axis.Travel is { } travel && (rest < travel.Least || rest > travel.Most)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.HomingInTravel", Number(rest), Number(travel.Least), Number(travel.Most)));
         if (homing.Seconds is not (> 0.0 and <= LongestHomingSeconds)) yield return Finding($"homing.{name}.seconds", homing.Seconds, Wording.Get("MachineProfileValidation.HomingSeconds", LongestHomingSeconds));
     }
 
-    private static bool IsCountable(AxisTravel travel, MachineAxis axis) => !IsScale(axis.CountsPerMillimetre) || Math.Max(Math.Abs(travel.Least), Math.Abs(travel.Most)) * Math.Abs(axis.CountsPerMillimetre) < int.MaxValue;
+    private static bool IsCountable(AxisTravel travel, MachineAxis axis) => !axis.Scale.IsUsable || axis.Scale.CountsOf(Math.Max(Math.Abs(travel.Least), Math.Abs(travel.Most))) < int.MaxValue;
 
     private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 

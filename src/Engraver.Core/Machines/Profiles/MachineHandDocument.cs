@@ -42,12 +42,9 @@ internal sealed class HomingDocument
 
     public static List<HomingDocument>? From(MachineAxes axes)
     {
-        var homed = axes.All.Select((axis, index) => (axis.Homing, Name: AxisNames[index].ToString())).Where(axis => axis.Homing is not null).OrderBy(axis => axis.Homing!.Order).ToList();
+        var homed = axes.All.Select((axis, index) => (axis.Homing, Name: MachineAxes.Names[index].ToString())).Where(axis => axis.Homing is not null).OrderBy(axis => axis.Homing!.Order).ToList();
         return homed.Count == 0 ? null : [.. homed.Select(axis => From(axis.Homing!, axis.Name))];
     }
-
-    /// <summary>The drawing's names of the axes of <see cref="MachineAxes.All"/>.</summary>
-    internal const string AxisNames = "XYZ";
 
     /// <summary>Invalid text becomes a value that the check of the profile refuses.</summary>
     public AxisHoming ToHoming(int order)

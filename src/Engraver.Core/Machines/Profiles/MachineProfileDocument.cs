@@ -134,7 +134,7 @@ internal sealed class MachineProfileDocument
 
     /// <summary>The entries of the list of homings that do not name an axis of this machine, or name one again.</summary>
     public IEnumerable<string> HomingsWithoutAxis(MachineAxes axes) =>
-        (Homing ?? []).Where((entry, i) => entry?.Axis is not { Length: 1 } name || HomingDocument.AxisNames.IndexOf(name[0], StringComparison.Ordinal) is not (>= 0 and var at) || at >= axes.All.Count || Homing!.FindIndex(other => other?.Axis == name) != i)
+        (Homing ?? []).Where((entry, i) => entry?.Axis is not { Length: 1 } name || MachineAxes.Names.IndexOf(name[0], StringComparison.Ordinal) is not (>= 0 and var at) || at >= axes.All.Count || Homing!.FindIndex(other => other?.Axis == name) != i)
             .Select(entry => entry?.Axis ?? "");
 
     /// <param name="name">X, Y or Z.</param>

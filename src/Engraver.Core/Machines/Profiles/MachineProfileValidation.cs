@@ -20,20 +20,20 @@ public static class MachineProfileValidation
     public static IReadOnlyList<Diagnostic> Check(MachineProfile profile, MachineLimits limits) => [.. Findings(profile, limits)];
 
     /// <summary>Whether the machine can cut at this feed; true with a scale of 0, where the feed is not the error.</summary>
-    public static bool IsFeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) => !profile.Axes.All.All(axis => IsScale(axis.CountsPerMillimetre)) || IsSpeed(mmPerMinute, profile, limits);
+    public static bool IsFeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) => !profile.Axes.All.All(axis => axis.Scale.IsUsable) || IsSpeed(mmPerMinute, profile, limits);
 
     /// <summary>The feeds of this machine, mm/min, as text: from what its slower axis resolves to what its finer axis can count.</summary>
     public static string FeedRange(MachineProfile profile, MachineLimits limits) =>
-        Wording.Get("MachineProfileValidation.FromTo", 60.0 * limits.SlowestSpeed / profile.Scale.Smallest, 60.0 * limits.FastestSpeed / profile.Scale.Largest);
+        Wording.Get("MachineProfileValidation.FromTo", profile.Scale.Coarser.LengthOf(60.0 * limits.SlowestSpeed), profile.Scale.Finer.LengthOf(60.0 * limits.FastestSpeed));
 
     private static IEnumerable<Diagnostic> Findings(MachineProfile p, MachineLimits limits)
     {
         var scale = Wording.Get("MachineProfileValidation.ScaleNotZero");
-        foreach (var (name, axis) in Named(p.Axes).Where(named => !IsScale(named.Axis.CountsPerMillimetre))) yield return Finding("countsPerMillimetre" + name, axis.CountsPerMillimetre, scale);
-        foreach (var (name, axis) in Named(p.Axes))
+        foreach (var (name, axis) in p.Axes.Named.Where(named => !named.Axis.Scale.IsUsable)) yield return Finding("countsPerMillimetre" + name, axis.CountsPerMillimetre, scale);
+        foreach (var (name, axis) in p.Axes.Named)
         {
             if (!limits.Axes.Contains(axis.Letter)) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.OneOfLetters", limits.Axes));
-            else if (Named(p.Axes).TakeWhile(named => named.Name != name).FirstOrDefault(named => named.Axis.Letter == axis.Letter).Name is { } same) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.OtherAxisThan", "axis" + same));
+            else if (p.Axes.Named.TakeWhile(named => named.Name != name).FirstOrDefault(named => named.Axis.Letter == axis.Letter).Name is not '\0' and var same) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.OtherAxisThan", "axis" + same));
         }
 
         if (!IsSpeed(p.FeedMmPerMinute, p, limits)) yield return Finding("feedMmPerMinute", p.FeedMmPerMinute, AxisSpeeds(limits));
@@ -58,7 +58,7 @@ public static class MachineProfileValidation
     private static IEnumerable<Diagnostic> ToolFindings(MachineProfile p, MachineLimits limits)
     {
         if (p.ToolOffSettleSeconds is not (null or (>= 0.0 and <= LongestSettleSeconds))) yield return Finding("toolOffSettleSeconds", p.ToolOffSettleSeconds.Value, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
-        foreach (var (name, axis) in Named(p.Axes).Where(named => named.Axis.MotorType is { } type && !limits.MotorTypes.Contains(type)))
+        foreach (var (name, axis) in p.Axes.Named.Where(named => named.Axis.MotorType is { } type && !limits.MotorTypes.Contains(type)))
             yield return Finding("motorType" + name, axis.MotorType!.Value, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", limits.MotorTypes.Select(Text))));
         if (p.Spindle is { } spindle)
         {
@@ -79,23 +79,18 @@ public static class MachineProfileValidation
         if (!IsHeight(height.ClearanceHeight, p)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.HeightWithinCounters"));
         if (!(height.RetractHeight > 0.0)) yield return Finding("retractHeight", height.RetractHeight, Wording.Get("MachineProfileValidation.AboveWork"));
         if (!(height.CutDepth >= 0.0) || !IsHeight(height.CutDepth, p)) yield return Finding("cutDepth", height.CutDepth, Wording.Get("MachineProfileValidation.DepthNotNegative"));
-        if (height.DepthPerPass is { } step && !(step > 0.0 && Math.Abs(step * z.CountsPerMillimetre) >= 1.0)) yield return Finding("depthPerPass", step, Wording.Get("MachineProfileValidation.AtLeastOneCount"));
-        if (!IsSpeed(height.PlungeMmPerMinute / 60.0 * Math.Abs(z.CountsPerMillimetre), limits)) yield return Finding("plungeMmPerMinute", height.PlungeMmPerMinute, AxisSpeeds(limits));
+        if (height.DepthPerPass is { } step && !(step > 0.0 && Math.Abs(z.Scale.Exact(step)) >= 1.0)) yield return Finding("depthPerPass", step, Wording.Get("MachineProfileValidation.AtLeastOneCount"));
+        if (!IsSpeed(z.Scale.CountsOf(height.PlungeMmPerMinute / 60.0), limits)) yield return Finding("plungeMmPerMinute", height.PlungeMmPerMinute, AxisSpeeds(limits));
     }
 
-    private static bool IsHeight(double millimetres, MachineProfile profile) => Math.Abs(millimetres * profile.Scale.Z) < int.MaxValue / 4.0;
+    private static bool IsHeight(double millimetres, MachineProfile profile) => Math.Abs(profile.Scale.Z.Exact(millimetres)) < int.MaxValue / 4.0;
 
     private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
-    /// <summary>Each axis with the suffix of its settings' names.</summary>
-    private static IEnumerable<(string Name, MachineAxis Axis)> Named(MachineAxes axes) => "XYZ".Select(letter => letter.ToString()).Zip(axes.All);
-
-    private static bool IsCountable(Point2D place, MachineProfile profile) => !IsScale(profile.Scale.X) || !IsScale(profile.Scale.Y) || profile.Scale.Holds(Bounds2D.FromCorners(place, place), default);
-
-    internal static bool IsScale(double countsPerMillimetre) => double.IsFinite(countsPerMillimetre) && countsPerMillimetre != 0.0;
+    private static bool IsCountable(Point2D place, MachineProfile profile) => !profile.Scale.X.IsUsable || !profile.Scale.Y.IsUsable || profile.Scale.Holds(Bounds2D.FromCorners(place, place), default);
 
     internal static bool IsSpeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) =>
-        profile.Axes.All.All(axis => IsSpeed(mmPerMinute / 60.0 * Math.Abs(axis.CountsPerMillimetre), limits));
+        profile.Axes.All.All(axis => IsSpeed(axis.Scale.CountsOf(mmPerMinute / 60.0), limits));
 
     internal static bool IsSpeed(double countsPerSecond, MachineLimits limits) => countsPerSecond >= limits.SlowestSpeed && countsPerSecond <= limits.FastestSpeed;
 

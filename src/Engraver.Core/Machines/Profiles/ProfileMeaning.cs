@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines.Profiles;
@@ -13,20 +14,20 @@ public static class ProfileMeaning
 
     private static IEnumerable<string> Axes(MachineProfile profile)
     {
-        foreach (var (name, axis) in "XYZ".Zip(profile.Axes.All))
+        foreach (var (name, axis) in profile.Axes.Named)
         {
-            var count = 1.0 / Math.Abs(axis.CountsPerMillimetre);
-            yield return Wording.Get(axis.CountsPerMillimetre < 0.0 ? "ProfileMeaning.AxisMirrored" : "ProfileMeaning.Axis", name, axis.Letter, Math.Abs(axis.CountsPerMillimetre), count, count / 25.4);
+            var count = axis.Scale.LengthOf(1.0);
+            yield return Wording.Get(axis.Scale.IsMirrored ? "ProfileMeaning.AxisMirrored" : "ProfileMeaning.Axis", name, axis.Letter, axis.Scale.CountsOf(1.0), count, LengthUnits.InInches(count));
             if (axis.MotorType is { } motor) yield return Wording.Get("ProfileMeaning.Motor", name, motor);
             yield return axis.Travel is { } travel ? Wording.Get("ProfileMeaning.Travel", name, travel.Least, travel.Most) : Wording.Get("ProfileMeaning.NoTravel", name);
         }
 
-        if (Math.Abs(profile.Scale.X) != Math.Abs(profile.Scale.Y)) yield return Wording.Get("ProfileMeaning.Chords");
+        if (!profile.Scale.KeepsCircles) yield return Wording.Get("ProfileMeaning.Chords");
     }
 
     private static IEnumerable<string> Speeds(MachineProfile profile)
     {
-        var (feed, acceleration) = (profile.FeedMmPerMinute / 60.0, profile.AccelerationCounts / profile.Scale.Largest);
+        var (feed, acceleration) = (profile.FeedMmPerMinute / 60.0, profile.Scale.Finer.LengthOf(profile.AccelerationCounts));
         yield return Wording.Get("ProfileMeaning.Feed", profile.FeedMmPerMinute, feed, profile.RapidMmPerMinute, profile.JogMmPerMinute);
         yield return Wording.Get("ProfileMeaning.FollowingError", profile.FollowingErrorAt(feed), profile.FollowingErrorAt(profile.FastestMmPerSecond));
         yield return Wording.Get("ProfileMeaning.Acceleration", acceleration, feed / acceleration, feed * feed / acceleration / 2.0, profile.SharpCornerDegrees);
@@ -45,7 +46,7 @@ public static class ProfileMeaning
 
     private static IEnumerable<string> Places(MachineProfile profile)
     {
-        var homed = "XYZ".Zip(profile.Axes.All).Where(axis => axis.Second.Homing is not null).OrderBy(axis => axis.Second.Homing!.Order).ToList();
+        var homed = profile.Axes.Named.Where(named => named.Axis.Homing is not null).OrderBy(named => named.Axis.Homing!.Order).ToList();
         if (homed.Count == 0) yield return Wording.Get("ProfileMeaning.NotHomed");
         foreach (var (name, axis) in homed) yield return Wording.Get(axis.Homing!.Plus ? "ProfileMeaning.HomedUp" : "ProfileMeaning.HomedDown", name, Mark(axis.Homing), axis.Homing.FastMmPerMinute, axis.Homing.Zero);
         if (profile.Park is { } park) yield return Wording.Get("ProfileMeaning.Park", park.X, park.Y);

@@ -55,7 +55,7 @@ public static class LetterF
     /// <summary>The axis with its counts per millimetre negated, and with them the millimetres that the profile states for it.</summary>
     public static MachineAxis Mirrored(MachineAxis axis) => axis with
     {
-        CountsPerMillimetre = -axis.CountsPerMillimetre,
+        CountsPerMillimetre = axis.Scale.Mirrored().CountsPerMillimetre,
         Travel = axis.Travel is { } travel ? new AxisTravel(-travel.Most, -travel.Least) : null,
         Homing = axis.Homing is { } homing ? homing with { Plus = !homing.Plus, Zero = -homing.Zero } : null,
     };

@@ -59,7 +59,7 @@ public sealed record TrajectoryMotion(double Velocity, double Acceleration)
     public static TrajectoryMotion Of(MachineProfile machine)
     {
         ArgumentNullException.ThrowIfNull(machine);
-        return new TrajectoryMotion(machine.FeedMmPerMinute / 60.0, machine.AccelerationCounts / Math.Max(Math.Abs(machine.Scale.X), Math.Abs(machine.Scale.Y)))
+        return new TrajectoryMotion(machine.FeedMmPerMinute / 60.0, machine.Scale.Finer.LengthOf(machine.AccelerationCounts))
         {
             TravelX = ReachOf(machine.Axes.X),
             TravelY = ReachOf(machine.Axes.Y),

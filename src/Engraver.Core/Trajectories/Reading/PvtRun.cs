@@ -44,7 +44,7 @@ internal sealed class PvtRun : TrajectoryRun
     {
         var (machine, way, after) = (Teller.Request.Machine, _place - from, _velocity);
         var feed = machine.FeedMmPerMinute / 60.0;
-        var most = machine.AccelerationCounts / machine.Scale.Largest;
+        var most = machine.Scale.Finer.LengthOf(machine.AccelerationCounts);
         if (after.Length > feed * (1.0 + Share)) Differ(Wording.Get("Xps.SpeedFound", after.Length), Wording.Get("Xps.MaxSpeed", feed));
         var (first, last) = ((way * (6.0 / (seconds * seconds))) - (before * (4.0 / seconds)) - (after * (2.0 / seconds)), (way * (-6.0 / (seconds * seconds))) + (before * (2.0 / seconds)) + (after * (4.0 / seconds)));
         var needed = new[] { first.X, first.Y, last.X, last.Y }.Max(Math.Abs);

@@ -142,7 +142,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
         {
             if (velocity[i] == 0.0) continue;
             var (axis, speed) = (axes[i], axes[i].AxisSpeed(Math.Abs(velocity[i])));
-            var forward = velocity[i] > 0.0 == axis.CountsPerMillimetre > 0.0;
+            var forward = velocity[i] > 0.0 != axis.Scale.IsMirrored;
             if (EndOf(axis, forward) is not { } end)
             {
                 await machine.Commands.SendAsync(DmcFormat.Text($"JG{axis.Letter}={(forward ? speed : -speed)}")).ConfigureAwait(false);
@@ -172,7 +172,7 @@ internal sealed class JogMove(JobMachine machine, JogControl control, IReadOnlyL
             if (velocity[i] == 0.0 || !_speeds.TryGetValue(axes[i].Letter, out var before)) continue;
             var (axis, speed) = (axes[i], axes[i].AxisSpeed(Math.Abs(velocity[i])));
             if (speed == before) continue;
-            var forward = velocity[i] > 0.0 == axis.CountsPerMillimetre > 0.0;
+            var forward = velocity[i] > 0.0 != axis.Scale.IsMirrored;
             var command = EndOf(axis, forward) is null ? DmcFormat.Text($"JG{axis.Letter}={(forward ? speed : -speed)}") : DmcFormat.Text($"SP{axis.Letter}={speed}");
             await machine.Commands.SendAsync(command).ConfigureAwait(false);
             _speeds[axis.Letter] = speed;

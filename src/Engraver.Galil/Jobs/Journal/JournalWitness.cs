@@ -58,7 +58,7 @@ internal sealed class JournalWitness(InterruptedJob job, MotionProgram program)
     {
         var (start, segment) = program.SegmentBehind(place.Segments) is var (from, next, _) ? (from, next) : (program.SegmentBehind(place.Segments - 1)!.Value.Segment.End, default);
         var there = segment.Length > 0.0 ? new SegmentCourse(start, segment).At(place.Along) : new Point2D(start.X, start.Y);
-        var allowed = Reach + (program.Profile.FollowingErrorAt(program.Profile.FastestMmPerSecond) * program.Profile.Scale.Largest);
+        var allowed = Reach + program.Profile.Scale.Finer.CountsOf(program.Profile.FollowingErrorAt(program.Profile.FastestMmPerSecond));
         return there.DistanceTo(here) <= allowed || IsAhead(place, here);
     }
 

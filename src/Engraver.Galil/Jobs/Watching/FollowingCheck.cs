@@ -40,5 +40,5 @@ internal sealed class FollowingCheck(ControllerSession session, MachineProfile p
         return string.Join(", ", axes.Select((axis, i) => (Axis: axis, Error: reading.Values[i])).Where(one => Math.Abs(one.Error) > Allowed(one.Axis)).Select(one => Wording.Get("JobMachine.AxisError", profile.Axes.NameOf(one.Axis.Letter), one.Error)));
     }
 
-    private static double Allowed(MachineAxis axis) => Math.Max(AllowedCounts, AllowedMm * Math.Abs(axis.CountsPerMillimetre));
+    private static double Allowed(MachineAxis axis) => Math.Max(AllowedCounts, axis.Scale.CountsOf(AllowedMm));
 }

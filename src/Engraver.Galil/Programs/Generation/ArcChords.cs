@@ -10,7 +10,7 @@ internal static class ArcChords
     private const double FinestSagitta = 0.25;
 
     /// <summary>Allowed distance of chords from the arc, millimetres: as requested, but not finer than counts can represent.</summary>
-    public static double ErrorOf(double wantedMm, CountsScale scale) => Math.Max(wantedMm, FinestSagitta / scale.Largest);
+    public static double ErrorOf(double wantedMm, CountsScale scale) => Math.Max(wantedMm, scale.Finer.LengthOf(FinestSagitta));
 
     /// <summary>Inner vertices and end of the chords whose sagitta is at most <paramref name="maxError"/> (same unit as the arc).</summary>
     public static IEnumerable<Point2D> Vertices(ArcSegment arc, double maxError)

@@ -35,7 +35,7 @@ internal static class ChordBudget
         }
 
         if (all <= Most) return null;
-        var arcs = scale.KeepsCircles ? Wording.Get("ChordBudget.ArcsUpToRadius", Text(DmcLimits.LargestRadius / scale.Largest)) : Wording.Get("ChordBudget.NoArcs");
+        var arcs = scale.KeepsCircles ? Wording.Get("ChordBudget.ArcsUpToRadius", Text(scale.Finer.LengthOf(DmcLimits.LargestRadius))) : Wording.Get("ChordBudget.NoArcs");
         return MotionRules.TooManyChords.At(source(worst.EntityIndex), Text(all), Text(Most), Text(worst.Segment.Arc.Radius), Text(most), arcs);
     }
 

@@ -36,7 +36,7 @@ internal static class DrawnHeights
     private static Diagnostic? Finding(in StrokeMove move, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
     {
         var (low, high) = (Math.Min(move.StartZ, move.EndZ) - drive.CutDepth, Math.Max(move.StartZ, move.EndZ) - drive.CutDepth);
-        if (Math.Max(Math.Abs(low), Math.Abs(high)) * Math.Abs(scale.Z) >= int.MaxValue / 4.0) return MotionRules.HeightOutsideCounts.At(source(move.EntityIndex), FactText.Of(Math.Abs(low) > Math.Abs(high) ? low : high), FactText.Of(scale.Z));
+        if (scale.Z.CountsOf(Math.Max(Math.Abs(low), Math.Abs(high))) >= int.MaxValue / 4.0) return MotionRules.HeightOutsideCounts.At(source(move.EntityIndex), FactText.Of(Math.Abs(low) > Math.Abs(high) ? low : high), FactText.Of(scale.Z.CountsPerMillimetre));
         return CutHeights.Finding(move, drive, source(move.EntityIndex));
     }
 }

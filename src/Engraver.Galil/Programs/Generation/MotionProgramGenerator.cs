@@ -76,15 +76,15 @@ public static class MotionProgramGenerator
         if (scale.Holds(box, start)) return null;
         var x = Math.Abs(box.MinX) > Math.Abs(box.MaxX) ? box.MinX : box.MaxX;
         var y = Math.Abs(box.MinY) > Math.Abs(box.MaxY) ? box.MinY : box.MaxY;
-        return MotionRules.OutsideCounts.At(source(move.EntityIndex), FactText.Of(x), FactText.Of(y), FactText.Of(scale.X), FactText.Of(scale.Y));
+        return MotionRules.OutsideCounts.At(source(move.EntityIndex), FactText.Of(x), FactText.Of(y), FactText.Of(scale.X.CountsPerMillimetre), FactText.Of(scale.Y.CountsPerMillimetre));
     }
 
     private static bool IsCountable(Point2D place, CountsScale scale) => place.IsFinite && scale.Counts(place);
 
     private static bool HasArcs(Toolpath toolpath) => toolpath.Strokes.Any(stroke => stroke.Moves.Any(move => move.Segment.Kind != SegmentKind.Line));
 
-    private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) => new TraceTolerances { Count = 1.0 / profile.Scale.Smallest, MaxError = maxErrorMm }.Deviation;
+    private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) => new TraceTolerances { Count = profile.Scale.Coarser.LengthOf(1.0), MaxError = maxErrorMm }.Deviation;
 
     private static Diagnostic ChordsNote(CountsScale scale, double maxErrorMm) =>
-        MotionRules.ArcsBecomeChords.At(default, FactText.Of(scale.X), FactText.Of(scale.Y), FactText.Of(maxErrorMm));
+        MotionRules.ArcsBecomeChords.At(default, FactText.Of(scale.X.CountsPerMillimetre), FactText.Of(scale.Y.CountsPerMillimetre), FactText.Of(maxErrorMm));
 }

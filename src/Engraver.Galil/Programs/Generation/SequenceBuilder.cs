@@ -104,8 +104,8 @@ internal readonly record struct SlopeSpeed(MachineProfile Profile)
     public int Of(Vector2D way, int rise)
     {
         var scale = Profile.Scale;
-        var up = rise / scale.Z;
-        var (millimetres, counts) = (double.Hypot(double.Hypot(way.X / scale.X, way.Y / scale.Y), up), double.Hypot(way.Length, rise));
+        var up = scale.Z.ToMillimetres(rise);
+        var (millimetres, counts) = (double.Hypot(scale.ToMillimetres(way).Length, up), double.Hypot(way.Length, rise));
         var perSecond = Profile.FeedMmPerMinute / 60.0 * counts / millimetres;
         if (up < 0.0 && Profile.Height is { } drive) perSecond = Math.Min(perSecond, drive.PlungeMmPerMinute / 60.0 * counts / -up);
         return Math.Max(DmcLimits.SlowestSpeed, 2 * (int)Math.Floor(Math.Min(perSecond, DmcLimits.FastestSpeed) / 2.0));

@@ -90,7 +90,7 @@ internal sealed class StrokeGenerator
 
     /// <summary>True when the move is shorter than a count and does not add up to a count together with the previous ones.</summary>
     private bool Vanishes(in Segment segment) =>
-        segment.Length * _scale.Largest < 1.0 && _builder.Position.DistanceTo(_scale.Exact(segment.End)) < 1.0;
+        _scale.Finer.CountsOf(segment.Length) < 1.0 && _builder.Position.DistanceTo(_scale.Exact(segment.End)) < 1.0;
 
     /// <summary>Cuts across a gap within the join tolerance. Measured from the drawn end of the previous move, not from the predicted end of its arc.</summary>
     private void BridgeGapTo(CountsPoint start)
@@ -158,7 +158,7 @@ internal sealed class StrokeGenerator
 
     private void Chords(ArcSegment wanted)
     {
-        foreach (var vertex in ArcChords.Vertices(wanted, _maxErrorMm * _scale.Largest)) _builder.Line(CountsScale.Round(vertex) with { Z = _builder.Height }, _entity);
+        foreach (var vertex in ArcChords.Vertices(wanted, _scale.Finer.CountsOf(_maxErrorMm))) _builder.Line(CountsScale.Round(vertex) with { Z = _builder.Height }, _entity);
     }
 
     private static bool CanHalve(ArcSegment wanted, int halvings) => halvings > 0 && wanted.Length >= 2.0 * ShortestPiece;

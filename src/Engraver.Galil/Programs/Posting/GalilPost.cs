@@ -55,7 +55,7 @@ public sealed class GalilPost : IPost
         var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(Memory), CultureInfo.InvariantCulture), Unattended = request.Value(Unattended) == "yes" };
         if (Place(request.Value(Origin)) is { } place)
         {
-            if (OriginOf(program, place) is not { } origin) return new PostText([], [MotionRules.OutsideCounts.At(default, Number(place[0]), Number(place[1]), Number(program.Profile.Scale.X), Number(program.Profile.Scale.Y))]);
+            if (OriginOf(program, place) is not { } origin) return new PostText([], [MotionRules.OutsideCounts.At(default, Number(place[0]), Number(place[1]), Number(program.Profile.Scale.X.CountsPerMillimetre), Number(program.Profile.Scale.Y.CountsPerMillimetre))]);
             options = options with { Origin = origin };
         }
 
@@ -91,7 +91,7 @@ public sealed class GalilPost : IPost
     {
         const double Room = int.MaxValue / 2;
         var scale = program.Profile.Scale;
-        var (at, z) = (new Point2D(place[0], place[1]), place.Length == 3 ? place[2] * scale.Z : 0.0);
+        var (at, z) = (new Point2D(place[0], place[1]), place.Length == 3 ? scale.Z.Exact(place[2]) : 0.0);
         if (!scale.Counts(at) || Math.Abs(z) > Room) return null;
         var origin = scale.ToCounts(at);
         return new ControllerFrame(default, origin).Holds(MotionExtents.Of(program)) ? new PostOrigin(origin.X, origin.Y, place.Length == 3 ? (int)Math.Round(z) : null) : null;

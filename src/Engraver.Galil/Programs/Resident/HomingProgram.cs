@@ -53,7 +53,7 @@ internal static class HomingProgram
     private sealed class AxisSubprogram(ProgramLines lines, MachineAxis axis, int place)
     {
         private readonly AxisHoming _homing = axis.Homing!;
-        private readonly bool _forward = axis.Homing!.Plus == axis.CountsPerMillimetre > 0.0;
+        private readonly bool _forward = axis.Homing!.Plus != axis.Scale.IsMirrored;
         private readonly int _fast = axis.AxisSpeed(axis.Homing!.FastMmPerMinute);
         private readonly int _slow = axis.AxisSpeed(axis.Homing!.SlowMmPerMinute);
         private readonly char _letter = axis.Letter;
@@ -93,8 +93,8 @@ internal static class HomingProgram
         /// <summary>Sets the machine position of the mark; then the axis backs off.</summary>
         private void SetZero()
         {
-            var zero = Counts(_homing.Zero * axis.CountsPerMillimetre);
-            var rest = Counts((_homing.Zero + ((_homing.Plus ? -1.0 : 1.0) * _homing.BackOff)) * axis.CountsPerMillimetre);
+            var zero = Counts(axis.Scale.Exact(_homing.Zero));
+            var rest = Counts(axis.Scale.Exact(_homing.Zero + ((_homing.Plus ? -1.0 : 1.0) * _homing.BackOff)));
             lines.Line("WT 100") // pulses of a stepper lag the profile (galil-dmc.md C, KS)
                 .Line(Text($"DP{_letter}=_RP{_letter}-hp+{zero}"))
                 .Line(Text($"{Shift(place)}={zero}-hp"))

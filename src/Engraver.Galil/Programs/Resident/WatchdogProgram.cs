@@ -73,7 +73,7 @@ public static class WatchdogProgram
 
     /// <summary>Time from the fastest motion of a job to rest, seconds.</summary>
     private static double LongestBrake(MachineProfile profile) =>
-        Math.Max(profile.FeedMmPerMinute, profile.RapidMmPerMinute) / 60.0 * Math.Sqrt(profile.Axes.All.Sum(axis => axis.CountsPerMillimetre * axis.CountsPerMillimetre)) / profile.AccelerationCounts;
+        profile.Scale.Diagonal.CountsOf(Math.Max(profile.FeedMmPerMinute, profile.RapidMmPerMinute) / 60.0) / profile.AccelerationCounts;
 
     /// <summary>While the tool is off the work, standstill has no time limit.</summary>
     private static string ToolIsAway(MachineProfile profile) => profile.Height is null ? Subprograms.Text($"@OUT[{profile.ToolOutput}]={(profile.ToolActiveLow ? 1 : 0)}") : Subprograms.IsUp(profile, Subprograms.ClearanceHeight);

@@ -27,9 +27,9 @@ public static class LinkFeedFitting
     private static Diagnostic Warning(MotionProgram program, SerialLine line, int lowered, VectorSequence worst, int speed, Func<int, SourceRef>? sourceOf)
     {
         var (needed, carried) = LinkFeedLimit.Rates(worst, line);
-        var countsPerMillimetre = program.Profile.Scale.Smallest; // as in the conversion of a feed to a vector speed
+        var scale = program.Profile.Scale.Coarser; // as a feed becomes a vector speed
         string Number(double value) => value.ToString("0", CultureInfo.InvariantCulture);
-        string Feed(int countsPerSecond) => (60.0 * countsPerSecond / countsPerMillimetre).ToString("0.#", CultureInfo.InvariantCulture);
+        string Feed(int countsPerSecond) => scale.LengthOf(60.0 * countsPerSecond).ToString("0.#", CultureInfo.InvariantCulture);
         return MotionRules.WireTooSlow.At(
             sourceOf?.Invoke(worst.Segments[0].EntityIndex) ?? default, Number(needed), Number(line.Baud), Number(carried), Number(lowered), Feed(speed), Feed(worst.Speed));
     }

@@ -55,7 +55,7 @@ internal sealed class DirectionStep : ICommissioningStep
     private static void Turn(CommissionedMachine machine, char letter, bool isPlus)
     {
         var axis = ProfileAxis.Of(machine.Profile, letter);
-        if (axis.CountsPerMillimetre > 0.0 != isPlus) machine.Profile = ProfileAxis.With(machine.Profile, LetterF.Mirrored(axis));
+        if (axis.Scale.IsMirrored == isPlus) machine.Profile = ProfileAxis.With(machine.Profile, LetterF.Mirrored(axis));
         machine.Context.Say(Wording.Get(isPlus ? "Commission.CountsPlus" : "Commission.CountsMinus", letter), MessageKind.Result);
     }
 }
@@ -81,12 +81,12 @@ internal sealed class ScaleStep : ICommissioningStep
     private static async Task<bool> AxisAsync(CommissionedMachine machine, char letter, CancellationToken cancellation)
     {
         var axis = ProfileAxis.Of(machine.Profile, letter);
-        var usual = Math.Clamp(Math.Round((letter == machine.Profile.Axes.Z?.Letter ? UsualHeight : UsualWay) * Math.Abs(axis.CountsPerMillimetre)), 1.0, 1e7);
+        var usual = Math.Clamp(Math.Round(axis.Scale.CountsOf(letter == machine.Profile.Axes.Z?.Letter ? UsualHeight : UsualWay)), 1.0, 1e7);
         var prompt = new NumberPrompt(Wording.Get("Commission.EnterCountsToMeasure", letter)) { Least = 1.0, Most = 1e7, Whole = true, Default = NumberPrompt.Show(usual) };
         var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
         if (!await machine.Moves.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
         if (await machine.Context.AskAsync(new NumberPrompt(Wording.Get("Commission.EnterMeasuredDistance", letter)) { Least = 0.001, Most = 1e5, EnterEnds = true }).ConfigureAwait(false) is Answer<double>.Value { Of: var millimetres })
-            Take(machine, axis with { CountsPerMillimetre = Math.CopySign(counts / millimetres, axis.CountsPerMillimetre) });
+            Take(machine, axis with { CountsPerMillimetre = axis.Scale.Measured(counts, millimetres).CountsPerMillimetre });
         await machine.Moves.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
         return true;
     }
@@ -121,7 +121,7 @@ internal sealed class LetterStep : ICommissioningStep
         await machine.Moves.AskSpeedAsync().ConfigureAwait(false);
         if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return false;
         var drawn = machine.Profile.Axes;
-        if (drawn.Scale.Smallest < Coarsest || drawn.Scale.Largest > Finest)
+        if (drawn.Scale.Coarser.CountsOf(1.0) < Coarsest || drawn.Scale.Finer.CountsOf(1.0) > Finest)
         {
             machine.Context.Say(Wording.Get("Commission.ScaleOutOfRangeForF", Coarsest, Finest), MessageKind.Warning);
             return false;

@@ -14,7 +14,7 @@ internal static class ProfileEnd
     public static async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
     {
         var context = machine.Context;
-        foreach (var (name, axis) in "XYZ".Zip(machine.Profile.Axes.All)) context.Say(Wording.Get("Commission.ProfileAxis", name, axis.Letter, axis.CountsPerMillimetre), MessageKind.Result);
+        foreach (var (name, axis) in machine.Profile.Axes.Named) context.Say(Wording.Get("Commission.ProfileAxis", name, axis.Letter, axis.CountsPerMillimetre), MessageKind.Result);
         context.Say(Wording.Get("Commission.ProfileOutput", machine.Profile.ToolOutput), MessageKind.Result);
         if (await context.ChoiceAsync(Wording.Get("Commission.ConfirmWriteProfile"), s_answers, null).ConfigureAwait(false) == "Yes") await WriteAsync(machine).ConfigureAwait(false);
         else context.Say(Wording.Get("Commission.NothingWritten"));

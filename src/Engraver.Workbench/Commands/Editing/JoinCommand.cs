@@ -12,7 +12,7 @@ internal sealed class JoinCommand : ICommand
     {
         var drawing = context.Drawing;
         var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
-        var tolerance = context.Document.Current.Settings.JoinToleranceMm / drawing.Unit.ToMillimetres;
+        var tolerance = drawing.Scale.ToDrawing(context.Document.Current.Settings.JoinToleranceMm);
         var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
         if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Join.NoCommonEnds"));
         DrawingChange.Take(context, rebuilt, joined);

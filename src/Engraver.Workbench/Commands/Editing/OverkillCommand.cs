@@ -12,7 +12,7 @@ internal sealed class OverkillCommand : ICommand
     {
         var drawing = context.Drawing;
         var selected = await ObjectSelection.TakeToChangeAsync(context).ConfigureAwait(false);
-        var now = NumberPrompt.Show(context.Document.Current.Settings.MaxErrorMm / drawing.Unit.ToMillimetres);
+        var now = NumberPrompt.Show(drawing.Scale.ToDrawing(context.Document.Current.Settings.MaxErrorMm));
         var tolerance = await context.ValueAsync(new NumberPrompt(Wording.Get("Overkill.SpecifyTolerance")) { Default = context.Remembered("OVERKILL", now), Least = 0.0, Most = 1e3 }).ConfigureAwait(false);
         context.Remember("OVERKILL", NumberPrompt.Show(tolerance));
         var duplicates = Duplicates.Find(drawing, selected, tolerance);

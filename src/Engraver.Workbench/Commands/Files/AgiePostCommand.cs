@@ -32,7 +32,7 @@ internal sealed class AgiePostCommand : ICommand
             ProgramStart.Keep(context.FileToWrite(name), posted.Forecast);
         }
 
-        context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, new AgiePost().Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
+        context.Remember(HistoryEntry.OfPost(drawing, context.Document.Current.Settings, new AgiePost().Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
         if (posted.Forecast is { } forecast) context.SayResult(output => ForecastText.WriteSum(output, forecast));
     }
 }

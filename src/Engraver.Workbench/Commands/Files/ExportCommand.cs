@@ -25,7 +25,7 @@ internal sealed class ExportCommand : ICommand
         var (write, forecast) = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.UnknownExtension", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
         ProgramStart.Keep(context.FileToWrite(name), forecast);
-        if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, PostedProgram.NoOptions, context.FileToWrite(name), context.Time.GetUtcNow()));
+        if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing, context.Document.Current.Settings, post.Name, PostedProgram.NoOptions, context.FileToWrite(name), context.Time.GetUtcNow()));
         context.Say(Wording.Get("Export.WrittenFrom", name, Path.GetFileName(drawing.FileName)));
     }
 

@@ -38,15 +38,11 @@ internal sealed class LinkCommand : ICommand
         if (answer is not Answer<string>.Value { Of: var name }) return null;
         var kept = ProgramStart.Find(context.FileToRead(name));
         if (kept.Sentence is { } unused) context.Say(unused, MessageKind.Warning);
-        var start = await context.ValueAsync(new PointPrompt(Wording.Get("Link.SpecifyStart")) { Default = kept.Place is { } place ? PointPrompt.Show(FromMillimetres(context, place)) : null }).ConfigureAwait(false);
+        var start = await context.ValueAsync(new PointPrompt(Wording.Get("Link.SpecifyStart")) { Default = kept.Place is { } place ? PointPrompt.Show(context.Document.Current.Scale.ToDrawing(place)) : null }).ConfigureAwait(false);
         var (text, fault) = ReadBackFile.Open(context.FileToRead(name)).Whole();
-        var contour = text is not null ? AgieContour.Read(text, ToMillimetres(context, start), out fault) : null;
+        var contour = text is not null ? AgieContour.Read(text, context.Document.Current.Scale.ToMillimetres(start), out fault) : null;
         if (contour is not null) return contour;
         FindingMessages.Say(context, name, [fault!], Severity.Warning);
         throw new CommandException(CommandFailure.Drawing, Wording.Get("Link.NotRead", name));
     }
-
-    private static Point2D ToMillimetres(CommandContext context, Point2D point) => context.Document.Current.Drawing is { } drawing ? DrawingUnits.ToMillimetres(drawing, point) : point;
-
-    private static Point2D FromMillimetres(CommandContext context, Point2D point) => context.Document.Current.Drawing is { } drawing ? DrawingUnits.FromMillimetres(drawing, point) : point;
 }

@@ -35,6 +35,6 @@ internal sealed class PostCommand : ICommand
         var name = await ResultFile.WriteAsync(context, "program", post.Ending, output => output.Write(text)).ConfigureAwait(false);
         if (name is not null) ProgramStart.Keep(context.FileToWrite(name), posted.Forecast);
         if (name is not null && entry.Reader is not null) context.Remember(VerifyCommand.Name, name);
-        context.Remember(HistoryEntry.OfPost(drawing.FileName, settings, post.Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
+        context.Remember(HistoryEntry.OfPost(drawing, settings, post.Name, options, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
     }
 }

@@ -115,5 +115,5 @@ internal static class OriginText
         if (before is not null && context.Machine.Runs.Part is null) context.Say(Wording.Get("Origins.ResumeDropped"), MessageKind.Warning);
     }
 
-    private static string Axis(long? counts, double countsPerMillimetre) => counts is { } set ? Wording.Get("Origins.Millimetres", set / countsPerMillimetre) : Wording.Get("Origins.AxisNotSet");
+    private static string Axis(long? counts, AxisScale scale) => counts is { } set ? Wording.Get("Origins.Millimetres", scale.ToMillimetres(set)) : Wording.Get("Origins.AxisNotSet");
 }

@@ -66,6 +66,6 @@ internal static class TouchedZero
     private static string Show(CommandContext context, CountsPoint at)
     {
         var scale = context.Machine.Profile.Scale;
-        return PointPrompt.Show(new Point2D(at.X / scale.X, at.Y / scale.Y));
+        return PointPrompt.Show(scale.ToMillimetres(at.X, at.Y));
     }
 }

@@ -18,7 +18,7 @@ internal sealed class EnterCommand : ICommand
         {
             Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectAtPoint"))),
             Answer<Point2D>.Chosen { Option: "Handle" } => new EnteringPlace.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
-            Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
+            Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(drawing.Scale.ToMillimetres(await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
             _ => null,
         };
         var state = context.Document.Current;
@@ -29,19 +29,11 @@ internal sealed class EnterCommand : ICommand
     private static EnteringPlace AtEntity(Drawing drawing, int entity) =>
         drawing.SourceOf(entity).Handle is { } handle && drawing.IndexOfHandle(handle) == entity
             ? new EnteringPlace.ByHandle(handle)
-            : new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, DrawingPick.Segments(drawing, entity).First().Start));
+            : new EnteringPlace.ByPoint(drawing.Scale.ToMillimetres(DrawingPick.Segments(drawing, entity).First().Start));
 
     private static async Task<string> HandleAsync(CommandContext context)
     {
         var handle = await context.ValueAsync(new TextPrompt(Wording.Get("Common.EnterHandle"))).ConfigureAwait(false);
         return context.Drawing.IndexOfHandle(handle) is null ? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.HandleNotFound", handle)) : handle;
     }
-}
-
-/// <summary>Converts between the drawing units of prompts and the millimetres of settings.</summary>
-internal static class DrawingUnits
-{
-    public static Point2D ToMillimetres(Drawing drawing, Point2D point) => new(point.X * drawing.Unit.ToMillimetres, point.Y * drawing.Unit.ToMillimetres);
-
-    public static Point2D FromMillimetres(Drawing drawing, Point2D point) => new(point.X / drawing.Unit.ToMillimetres, point.Y / drawing.Unit.ToMillimetres);
 }

@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
@@ -35,9 +34,6 @@ internal sealed class KerfCommand : ICommand
     }
 
     /// <summary>The path of the tool's centre, drawing units.</summary>
-    private static GhostOf PathOf(Drawing drawing, DrawingSettings settings)
-    {
-        var scale = Transform2D.ScaleFrom(Point2D.Origin, 1.0 / (settings.Unit ?? drawing.Unit).ToMillimetres);
-        return _ => [.. JobPreparation.ToCut(drawing, settings).Table.ToSegments().Select(segment => segment.Mapped(scale))];
-    }
+    private static GhostOf PathOf(Drawing drawing, DrawingSettings settings) =>
+        _ => [.. JobPreparation.ToCut(drawing, settings).Table.ToSegments().Select(drawing.Scale.ToDrawing)];
 }

@@ -50,7 +50,7 @@ internal sealed class PocketCommand : ICommand
         var rebuilt = new DrawingRebuild(drawing with { Layers = layers });
         for (var index = 0; index < drawing.Entities.Count; index++) rebuilt.Keep(index);
         var like = drawing.Entities[selected[0]] with { Layer = layer, Colour = DrawingColour.ByLayer, Hidden = false };
-        var (added, scale) = (new List<int>(), Transform2D.ScaleFrom(Point2D.Origin, 1.0 / drawing.Unit.ToMillimetres));
+        var (added, scale) = (new List<int>(), drawing.Scale.MapToDrawing);
         foreach (var cut in cuts)
         {
             if (cut.Way.Count > 1)

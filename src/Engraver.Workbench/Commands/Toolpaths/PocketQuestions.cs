@@ -109,8 +109,8 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
     /// <summary>The passes of one level with their links, in drawing units.</summary>
     private GhostOf Preview()
     {
-        var (options, scale) = (Now().Options, Transform2D.ScaleFrom(Point2D.Origin, 1.0 / context.Drawing.Unit.ToMillimetres));
-        return _ => [.. PocketPlanner.Plan(contours, options).Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment.Mapped(scale))];
+        var (options, scale) = (Now().Options, context.Drawing.Scale);
+        return _ => [.. PocketPlanner.Plan(contours, options).Strokes.SelectMany(stroke => stroke.Moves).Select(move => scale.ToDrawing(move.Segment))];
     }
 }
 

@@ -21,8 +21,8 @@ internal sealed class SaceHelicalDrillCommand : ICommand
         var pitch = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.pitch", "Trajectories.Pitch", 0.1).ConfigureAwait(false);
         var sense = await context.ChoiceAsync(Wording.Get("Trajectories.Sense"), Keyword.List("Clockwise", "cOunterclockwise"), "cOunterclockwise").ConfigureAwait(false);
         var making = new TrajectoryMaking(context, cancellation);
-        var unit = making.Unit;
-        var helix = HelixPlanner.Plan(new Point2D(centre.X * unit, centre.Y * unit), (hole - tool) * unit, making.Settings.PlaneZ, depth * unit, pitch * unit, sense == "Clockwise", making.Settings.MaxErrorMm)
+        var scale = making.Scale;
+        var helix = HelixPlanner.Plan(scale.ToMillimetres(centre), scale.ToMillimetres(hole - tool), making.Settings.PlaneZ, scale.ToMillimetres(depth), scale.ToMillimetres(pitch), sense == "Clockwise", making.Settings.MaxErrorMm)
             ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooManyTurns", HelixPlanner.MostTurns));
         making.Add(helix, [], number => $"traj{number}_drill");
         making.Take();

@@ -87,7 +87,7 @@ internal static class SaceOffsets
             var loop = 0;
             foreach (var group in groups)
             {
-                var (sources, distance) = (group.ToList(), distances[pass] * making.Unit);
+                var (sources, distance) = (group.ToList(), making.Scale.ToMillimetres(distances[pass]));
                 var result = ContourOffset.Offset([.. sources.Select(one => one.Contour)], distance, group.Key, OffsetOptions.Round(making.Settings.MaxErrorMm));
                 making.Tell(OffsetDrawing.Findings(result, sources.Count, distance));
                 (OffsetContour, Func<int, string>)[] loops = [.. result.Loops.Select(one => (new OffsetContour(one.Segments, one.Closed), name(pass, loop++)))];

@@ -33,7 +33,7 @@ internal sealed class SaceDeepEngravingCommand : ICommand
         if (depth / step > MostDepths) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooManyDepths", MostDepths));
         var making = new TrajectoryMaking(context, cancellation);
         var count = (int)Math.Ceiling((depth / step) - 1e-9);
-        double[] heights = [.. Enumerable.Range(0, count + 1).Select(i => making.Settings.PlaneZ - (making.Unit * Math.Min(depth, i * step)))];
+        double[] heights = [.. Enumerable.Range(0, count + 1).Select(i => making.Settings.PlaneZ - making.Scale.ToMillimetres(Math.Min(depth, i * step)))];
         foreach (var one in contours.All) making.Add(one, number => $"traj{number}_deep", heights);
         making.Take();
     }

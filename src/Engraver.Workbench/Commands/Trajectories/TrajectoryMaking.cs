@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
@@ -18,8 +19,8 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
     private readonly List<Diagnostic> _findings = [];
     private readonly TrajectoryEdits _edits = new(context.Drawing);
 
-    /// <summary>Millimetres per drawing unit.</summary>
-    public double Unit { get; } = context.Drawing.Unit.ToMillimetres;
+    /// <summary>Lengths and points of the prompts are drawing units.</summary>
+    public DrawingScale Scale { get; } = context.Drawing.Scale;
 
     public TrajectorySettings Settings => _list.Settings;
 

@@ -43,7 +43,7 @@ internal static class TrajectoryPrompts
             return _ => side;
         }
 
-        var (place, unit) = (((Answer<Point2D>.Value)answer).Of, context.Drawing.Unit.ToMillimetres);
-        return contour => contours.SideOf(contour, new Point2D(place.X * unit, place.Y * unit));
+        var place = context.Drawing.Scale.ToMillimetres(((Answer<Point2D>.Value)answer).Of);
+        return contour => contours.SideOf(contour, place);
     }
 }

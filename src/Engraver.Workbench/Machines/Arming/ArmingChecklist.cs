@@ -104,7 +104,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     {
         if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.WorkOriginUnknown"));
         var machine = job.Settings.Machine;
-        var scale = machine.Height is null ? machine.Scale with { Z = 0.0 } : machine.Scale; // Without a tool axis the height is irrelevant for a job.
+        var scale = machine.Height is null ? machine.Scale with { Z = default } : machine.Scale; // without a tool on it the height of an axis means nothing to a job
         return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroPosition", PlaceText.Show(frame, scale)));
     }
 

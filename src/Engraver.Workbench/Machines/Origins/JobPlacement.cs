@@ -91,10 +91,10 @@ public sealed class JobPlacement
 
     /// <summary>The motor type of the profile is set before the job moves; without one the controller's setting applies.</summary>
     private static IReadOnlyList<char> OpenLoopOf(MachineAxes axes, ControllerPlace place) =>
-        [.. axes.All.Zip("XYZ").Where(pair => pair.First.MotorType is null ? place.Uncounted.Contains(pair.First.Letter, StringComparison.Ordinal) : pair.First.IsStepper).Select(pair => pair.Second)];
+        [.. axes.Named.Where(named => named.Axis.MotorType is null ? place.Uncounted.Contains(named.Axis.Letter, StringComparison.Ordinal) : named.Axis.IsStepper).Select(named => named.Name)];
 
     private static IReadOnlyList<char> UntoldOf(MachineAxes axes, ControllerPlace place) =>
-        [.. axes.All.Zip("XYZ").Where(pair => place.Untold.Contains(pair.First.Letter, StringComparison.Ordinal)).Select(pair => pair.Second)];
+        [.. axes.Named.Where(named => place.Untold.Contains(named.Axis.Letter, StringComparison.Ordinal)).Select(named => named.Name)];
 
     private static CountsPoint? FinishOf(MotionProgram program, FinishPlace finish, CountsPoint frame) => finish switch
     {

@@ -17,7 +17,7 @@ internal static class JobWords
     /// <summary>Values by the keys of docs/settings.md and the fields of docs/machine-profile.md.</summary>
     public static IReadOnlyDictionary<string, string> Of(PreparedJob job)
     {
-        var settings = job.Followed?.Settings ?? job.Settings;
+        var settings = job.Recorded;
         var words = new SortedDictionary<string, string>(StringComparer.Ordinal);
         foreach (var (key, word) in SettingWords.Of(settings)) words[key] = word;
         using var profile = JsonDocument.Parse(MachineProfileFile.Write(settings.Machine));

@@ -147,7 +147,7 @@ public static class MachineRun
             SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],
             Polled = polled is null ? null : polled.Add,
             Told = options.Told,
-            FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.All.Zip("XYZ").Where(axis => !placement.OpenLoop.Contains(axis.Second)).Select(axis => axis.First.Letter)) : "", // A stepper has no position error: its position is the commanded one.
+            FollowedAxes = connection.Simulator is null ? string.Concat(placement.Program.Profile.Axes.Named.Where(named => !placement.OpenLoop.Contains(named.Name)).Select(named => named.Axis.Letter)) : "", // a stepper has no position error: its position is what was commanded
         };
         options.Placed?.Invoke(frame);
         if (machine.Identity.UntriedFamily is { } family) options.Told?.Invoke(PreparationRules.FamilyUntried.At(default, machine.Identity.Model, family));

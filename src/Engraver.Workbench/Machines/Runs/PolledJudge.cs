@@ -51,7 +51,7 @@ internal sealed class PolledJudge
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         var tolerances = RunJudge.Tolerances(_job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
-        var missing = Math.Max(0.0, planned - cut) / _job.Settings.Machine.Scale.Largest;
+        var missing = _job.Settings.Machine.Scale.Finer.LengthOf(Math.Max(0.0, planned - cut));
         return RunJudge.WithMotors(new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place }, _motors);
     }
 

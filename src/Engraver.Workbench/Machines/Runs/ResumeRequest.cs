@@ -62,7 +62,7 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
     public static async Task<JobBeginning> FindAsync(IMachineConnection machine, PreparedJob job, MotionProgram program, MachineRunOptions options, MachineMemory memory, CancellationToken cancellation)
     {
         if (options.Resume is not { } request) return new JobBeginning(default, 0.0, options.Origin);
-        var leadIn = request.LeadInMm * program.Profile.Scale.Largest;
+        var leadIn = program.Profile.Scale.Finer.CountsOf(request.LeadInMm);
         if (request.Journal is not { } journal) return new JobBeginning(ToStroke(program, request.Stroke), 0.0, options.Origin);
         var found = await machine.FindResumeAsync(program, options.Strategy, journal, cancellation).ConfigureAwait(false);
         if (JobWords.WhyNotResumed(found, job) is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));

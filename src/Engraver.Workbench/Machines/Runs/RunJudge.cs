@@ -34,7 +34,7 @@ public static class RunJudge
     internal static double AllowedFollowing(MotionProgram program)
     {
         var fastest = program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max();
-        return program.Profile.FollowingErrorAt(fastest / program.Profile.Scale.Smallest);
+        return program.Profile.FollowingErrorAt(program.Profile.Scale.Coarser.LengthOf(fastest));
     }
 
     /// <summary>A judge that compares recorded motion with the drawing.</summary>
@@ -63,7 +63,7 @@ public static class RunJudge
     };
 
     /// <summary>Size of the coarsest count, millimetres; includes Z if the tool axis cuts.</summary>
-    private static double CoarsestCount(MachineProfile profile) => 1.0 / (profile.Height is null ? profile.Scale.Smallest : Math.Min(profile.Scale.Smallest, Math.Abs(profile.Scale.Z)));
+    private static double CoarsestCount(MachineProfile profile) => profile.Height is null ? profile.Scale.Coarser.LengthOf(1.0) : Math.Max(profile.Scale.Coarser.LengthOf(1.0), profile.Scale.Z.LengthOf(1.0));
 
     /// <summary>The motor position: the commanded position minus the position error, if it was polled.</summary>
     internal static TraceSample MotorSample(MachineProfile profile, TracePoint point) => CommandedSample(profile, point.Seconds, point.Place - (point.Error ?? default), point.ToolOn, point.Error);
@@ -76,7 +76,7 @@ public static class RunJudge
 
     /// <summary>Length of the position error, millimetres; includes Z with a tool axis.</summary>
     private static double Following(MachineProfile profile, CountsPoint error) =>
-        double.Hypot(double.Hypot(error.X / profile.Scale.X, error.Y / profile.Scale.Y), profile.Height is null ? 0.0 : error.Z / profile.Scale.Z);
+        double.Hypot(profile.Scale.ToMillimetres(new Vector2D(error.X, error.Y)).Length, profile.Height is null ? 0.0 : profile.Scale.ToMillimetres(error.Z));
 }
 
 /// <summary>Comparison of a run with the drawing from the data of the controller or the simulator's record; null values are unknown.</summary>

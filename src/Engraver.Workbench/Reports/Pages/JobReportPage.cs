@@ -213,13 +213,13 @@ public static class JobReportPage
 
     private static void Settings(JobReport report, PageWriter page)
     {
-        var (settings, machine) = (report.Job.Settings, report.Job.Settings.Machine);
+        var machine = report.Job.Settings.Machine;
         page.Pairs(
         [
-            .. SettingWords.Of(settings).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
+            .. SettingWords.Of(report.Job.Recorded).Select(one => new PagePair(SettingTable.Find(one.Key)!.Name, one.Value, "settings." + one.Key)),
             new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}")),
             new PagePair(Wording.Get("JobReport.Rapid"), string.Create(CultureInfo.InvariantCulture, $"{machine.RapidMmPerMinute:0.###}")),
-            new PagePair(Wording.Get("JobReport.Counts"), string.Create(CultureInfo.InvariantCulture, $"{machine.Scale.X:0.###} × {machine.Scale.Y:0.###}")),
+            new PagePair(Wording.Get("JobReport.Counts"), string.Create(CultureInfo.InvariantCulture, $"{machine.Scale.X.CountsPerMillimetre:0.###} × {machine.Scale.Y.CountsPerMillimetre:0.###}")),
             new PagePair(Wording.Get("JobReport.ProfileHash"), JobIdentity.OfProfile(machine), "profile", Style: "code"),
         ]);
     }

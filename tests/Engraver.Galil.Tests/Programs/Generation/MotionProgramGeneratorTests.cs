@@ -14,7 +14,7 @@ public class MotionProgramGeneratorTests
     [Fact]
     public void Counts_are_rounded_half_away_from_zero()
     {
-        var scale = new CountsScale(1000.0, -1000.0);
+        var scale = CountsScale.From(1000.0, -1000.0);
 
         Assert.Equal(new CountsPoint(1, 1), scale.ToCounts(new Point2D(0.0005, -0.0005)));
         Assert.Equal(new CountsPoint(-1, -1), scale.ToCounts(new Point2D(-0.0005, 0.0005)));
