@@ -51,7 +51,7 @@ public static class SettingTable
         Unit = "mm/min", Argument = "MM/MIN", Min = 1e-6, Max = 1e9, JsonField = "feedMmPerMinute", Command = "CNCFEED", Page = SettingPage.Machine,
     };
 
-    public static MachineNumberSetting VectorSpeed { get; } = new("vector-speed", m => m.FeedMmPerMinute / 60.0 * m.Scale.Smallest, (m, v) => m with { FeedMmPerMinute = v * 60.0 / m.Scale.Smallest })
+    public static MachineNumberSetting VectorSpeed { get; } = new("vector-speed", m => m.Scale.Coarser.CountsOf(m.FeedMmPerMinute / 60.0), (m, v) => m with { FeedMmPerMinute = m.Scale.Coarser.LengthOf(v * 60.0) })
     {
         Unit = "counts/s", HasOption = false, Min = 1e-3, Max = 1e12, Command = "CNCVS", Page = SettingPage.Machine,
     };

@@ -20,15 +20,13 @@ public sealed class UnitSetting : Setting<LengthUnit?>
 
     public override string? OptionDefault => Auto;
 
-    public override Reading<LengthUnit?> ReadOption(string typed) => new Reading<LengthUnit?>.Value(typed switch { "mm" => Of(4), "inch" => Of(1), _ => null });
+    public override Reading<LengthUnit?> ReadOption(string typed) => new Reading<LengthUnit?>.Value(typed switch { "mm" => LengthUnits.ChosenFrom(4), "inch" => LengthUnits.ChosenFrom(1), _ => null });
 
     public override string ToInput(DrawingSettings settings) => ToWord(settings) ?? Unitless;
 
-    public override DrawingSettings FromInput(DrawingSettings settings, string input) => With(settings, Of(TypedNumber.Parse(input)));
+    public override DrawingSettings FromInput(DrawingSettings settings, string input) => With(settings, LengthUnits.ChosenFrom(TypedNumber.Parse(input)));
 
     protected override string? WordOf(LengthUnit? value) => value is null ? null : TypedNumber.Exact(value.Code);
 
-    protected override LengthUnit? ParseWord(string word) => Of(TypedNumber.Parse(word)) ?? throw new FormatException(word);
-
-    private static LengthUnit? Of(double code) => LengthUnits.FromInsUnits(code) is { } unit ? unit with { Source = "option" } : null;
+    protected override LengthUnit? ParseWord(string word) => LengthUnits.ChosenFrom(TypedNumber.Parse(word)) ?? throw new FormatException(word);
 }
