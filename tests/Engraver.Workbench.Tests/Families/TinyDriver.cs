@@ -32,7 +32,7 @@ internal sealed class TinyDriver : IMachineDriver
     /// <summary>Every move becomes a line between whole counts.</summary>
     public MotionGeneration Generate(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style)
     {
-        var (columns, speed) = (new VectorColumns(16), (int)(profile.FeedMmPerMinute / 60.0 * profile.Scale.Largest));
+        var (columns, speed) = (new VectorColumns(16), (int)(profile.Scale.Finer.CountsOf(profile.FeedMmPerMinute / 60.0)));
         foreach (var stroke in toolpath.Strokes)
         {
             var at = profile.Scale.ToCounts(stroke.Start);

@@ -89,7 +89,7 @@ public class PlannedMotionTests
         var arc = new ArcSegment(new Point2D(10.0, 5.0), 5.0, Angle.FromDegrees(-90.0), Angle.FromDegrees(180.0));
         var drawing = new DrawingBuilder().Curve(CurveType.LwPolyline, Segment.FromLine(new(0, 0), new(10, 0)), Segment.FromArc(arc), Segment.FromLine(new(10, 10), new(0, 10))).Build();
         var job = JobPreparation.Prepare(drawing, new DrawingSettings { Machine = MachineProfile.Default with { Axes = MachineAxes.FromScale(x, y) } }, MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.Driver.NetworkTimes, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Toolpath, MachineFamilies.DriverOf(job.Motion.Program!.Profile).NetworkTimes, null, CancellationToken.None);
         int[] moves = [.. Enumerable.Range(0, motion.SegmentCount).Select(segment => motion.At(motion.TimeOfSegment(segment) + 1e-6).Move)];
 
         Assert.Equal([0, .. Enumerable.Repeat(1, moves.Length - 2), 2], moves);
