@@ -13,7 +13,7 @@ public class DrawingScaleTests
         Assert.Equal((50.8, 2.0), (s_inches.ToMillimetres(2.0), s_inches.ToDrawing(50.8)));
         Assert.Equal(new Point2D(25.4, -50.8), s_inches.ToMillimetres(new Point2D(1.0, -2.0)));
         Assert.Equal(new Point2D(1.0, -2.0), s_inches.ToDrawing(new Point2D(25.4, -50.8)));
-        Assert.Equal(new Bounds2D(1.0, -2.0, 3.0, 4.0), s_inches.ToDrawing(s_inches.ToMillimetres(new Bounds2D(1.0, -2.0, 3.0, 4.0))));
+        Assert.Equal(new Bounds2D(1.0, -2.0, 2.0, 4.0), s_inches.ToDrawing(s_inches.ToMillimetres(new Bounds2D(1.0, -2.0, 2.0, 4.0))));
     }
 
     [Fact]
