@@ -18,7 +18,7 @@ internal sealed partial class HandVerbs
 
     private async Task<int> HomeAsync(MachineSession machine, CancellationToken stop)
     {
-        if (!machine.Profile.HasHoming) return NotMoved(Wording.Get("Hand.NoHoming"));
+        if (!machine.Profile.HasHoming) return _host.NotMoved(Wording.Get("Hand.NoHoming"));
         var homed = await machine.HomeAsync(JournalFolder.NewJournal("home", TimeProvider.System), stop).ConfigureAwait(false);
         if (homed.Forgotten.Count > 0) _host.Error.WriteLine(Wording.Get("Hand.OriginsLost", string.Join(", ", homed.Forgotten)));
         return Concluded(homed.Result);
@@ -37,7 +37,7 @@ internal sealed partial class HandVerbs
 
     private async Task<int> HoldAsync(MachineSession machine, JogVelocity way, double? feed, CancellationToken stop)
     {
-        if (way.Z != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (way.Z != 0.0 && machine.Profile.Axes.Z is null) return _host.NotMoved(Wording.Get("Hand.NoZAxis"));
         TellUnhomed(machine);
         using var jog = machine.Presence.Begin(way.At(feed ?? machine.Profile.JogMmPerMinute));
         await using var alive = TimeProvider.System.CreateTimer(_ => machine.Presence.Sign(), null, OperatorPresence.Beat, OperatorPresence.Beat).ConfigureAwait(false); // A console has no window that could hang or lose focus.

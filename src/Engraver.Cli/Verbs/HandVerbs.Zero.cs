@@ -49,15 +49,15 @@ internal sealed partial class HandVerbs
     }
 
     private int Choose(MachineSession machine, string? name) =>
-        name is not null && machine.ChooseOrigin(WorkOriginNames.Find(name)!) is { } failure ? NotMoved(failure) : ExitCode.Done;
+        name is not null && machine.ChooseOrigin(WorkOriginNames.Find(name)!) is { } failure ? _host.NotMoved(failure) : ExitCode.Done;
 
     private static MachinePlace? MachinePlaceOf(string typed) => new MachinePlacePrompt("") { MayHaveHeight = true }.Read(typed, default) is Reading<MachinePlace>.Value { Of: var place } ? place : null;
 
     private async Task<int> TypeAsync(MachineSession machine, string? name, MachinePlace place, CancellationToken stop)
     {
         var axes = machine.Profile.Axes;
-        if (place.Z is not null && axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (!place.IsCountable(axes.Scale)) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (place.Z is not null && axes.Z is null) return _host.NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (!place.IsCountable(axes.Scale)) return _host.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         var chosen = name is null ? machine.Hold!.Memory.Active : WorkOriginNames.Find(name)!;
         return await machine.TypeOriginAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }
@@ -65,8 +65,8 @@ internal sealed partial class HandVerbs
     private async Task<int> ZeroAsync(MachineSession machine, ZeroOptions options, ParseResult parsed, CancellationToken stop)
     {
         var (profile, (touch, name, z)) = (machine.Profile, options.Read(parsed, machine.Profile.Scale));
-        if (z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (touch is null || !touch.IsCountable(profile.Scale)) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (z && profile.Axes.Z is null) return _host.NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (touch is null || !touch.IsCountable(profile.Scale)) return _host.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         var refused = await machine.SetOriginAsync((memory, here) => touch.Set(memory with { Active = name ?? memory.Active }, name ?? memory.Active, here.Position, profile), stop).ConfigureAwait(false);
         return refused is { } refusal ? NotSet(refusal) : ExitCode.Done;
     }

@@ -72,7 +72,7 @@ internal sealed partial class HandVerbs
             (machine, cancellation) => parsed.GetValue(place) switch
             {
                 Clearance => verb.ClearAsync(machine, cancellation),
-                Park => machine.Profile.Park is { } park ? verb.GoToAsync(machine, park, byMachine: true, cancellation) : Task.FromResult(verb.NotMoved(Wording.Get("Hand.NoPark"))),
+                Park => machine.Profile.Park is { } park ? verb.GoToAsync(machine, park, byMachine: true, cancellation) : Task.FromResult(verb._host.NotMoved(Wording.Get("Hand.NoPark"))),
                 var typed => verb.GoToAsync(machine, PlacementOptions.TryPlace(typed!)!.Value, parsed.GetValue(byMachine), cancellation),
             },
             stop));
@@ -129,21 +129,21 @@ internal sealed partial class HandVerbs
         if (!byMachine)
         {
             var found = await machine.FindZeroAsync(stop).ConfigureAwait(false);
-            if (found?.Frame is not { } frame) return NotMoved(WhyUnplaced(found));
+            if (found?.Frame is not { } frame) return _host.NotMoved(WhyUnplaced(found));
             zero = frame;
         }
 
-        if (HandPlace.OfDrawing(place, zero, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (HandPlace.OfDrawing(place, zero, machine.Profile.Scale) is not { } goal) return _host.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         return Concluded(await machine.GoToAsync(goal, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
     /// <summary>Raises the tool axis to the clearance height above the work; X and Y do not move.</summary>
     private async Task<int> ClearAsync(MachineSession machine, CancellationToken stop)
     {
-        if (machine.Profile.Height is null) return NotMoved(Wording.Get("Hand.NoClearance"));
+        if (machine.Profile.Height is null) return _host.NotMoved(Wording.Get("Hand.NoClearance"));
         var found = await machine.FindZeroAsync(stop).ConfigureAwait(false);
-        if (found?.Frame is not { } zero || machine.Status.MachinePosition is not { } here) return NotMoved(WhyUnplaced(found));
-        if (HandPlace.AtClearance(here, zero, machine.Profile) is not { } goal) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (found?.Frame is not { } zero || machine.Status.MachinePosition is not { } here) return _host.NotMoved(WhyUnplaced(found));
+        if (HandPlace.AtClearance(here, zero, machine.Profile) is not { } goal) return _host.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         return Concluded(await machine.StepAsync(goal, withHeight: true, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
@@ -153,9 +153,9 @@ internal sealed partial class HandVerbs
     /// <param name="height">Up or down, mm.</param>
     private async Task<int> JogAsync(MachineSession machine, Vector2D step, double height, double? feed, CancellationToken stop)
     {
-        if (machine.Status.MachinePosition is not { } here) return NotMoved(Wording.Get("Hand.MachinePositionUnknown"));
-        if (height != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        if (HandPlace.Beside(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.BeyondCounterRange"));
+        if (machine.Status.MachinePosition is not { } here) return _host.NotMoved(Wording.Get("Hand.MachinePositionUnknown"));
+        if (height != 0.0 && machine.Profile.Axes.Z is null) return _host.NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (HandPlace.Beside(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return _host.NotMoved(Wording.Get("Hand.BeyondCounterRange"));
         TellUnhomed(machine);
         return Concluded(await machine.StepAsync(goal, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
     }
@@ -163,15 +163,9 @@ internal sealed partial class HandVerbs
     /// <summary>Reports why a move did not finish.</summary>
     private int Concluded(JobResult result)
     {
-        if (result is { Outcome: JobOutcome.Refused, Diagnostics: [{ } refusal, ..], FinalPosition: null }) return NotMoved(SettingWording.OnConsole(refusal).Message);
+        if (result is { Outcome: JobOutcome.Refused, Diagnostics: [{ } refusal, ..], FinalPosition: null }) return _host.NotMoved(SettingWording.OnConsole(refusal).Message);
         if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
         foreach (var left in result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.NotRestored", left));
         return ExitCode.Of(result.Outcome);
-    }
-
-    private int NotMoved(string why)
-    {
-        _host.Error.WriteLine(Wording.Get("Hand.NotMoved", why));
-        return ExitCode.DrawingError;
     }
 }
