@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
@@ -7,7 +8,7 @@ namespace Engraver.Galil.Language;
 public static class DmcFormat
 {
     /// <summary>A number with at most four decimals. The caller takes into account how the controller rounds it (angle quantum).</summary>
-    public static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
+    public static string Number(double value) => NumberText.RoundedWithoutMinusZero(value, 4);
 
     /// <summary>VP or CR for one segment; VP is written relative to the start of its sequence, as the controller expects it (galil-dmc.md B.2).</summary>
     public static string Command(in VectorSegment segment, CountsPoint sequenceStart) => segment.Kind switch

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines.Moves;
 using static Engraver.Core.Machines.Profiles.MachineProfileValidation;
@@ -18,7 +17,7 @@ internal static class HandSettings
         {
             var name = HomingDocument.AxisNames[i];
             if (axes[i].Travel is { } travel && !(travel.Least < travel.Most && double.IsFinite(travel.Least) && double.IsFinite(travel.Most) && IsCountable(travel, axes[i])))
-                yield return Text($"travel{name}", $"{Number(travel.Least)}..{Number(travel.Most)}", Wording.Get("MachineProfileValidation.Travel"));
+                yield return Text($"travel{name}", $"{NumberText.Exact(travel.Least)}..{NumberText.Exact(travel.Most)}", Wording.Get("MachineProfileValidation.Travel"));
             if (axes[i].Homing is not { } homing) continue;
             foreach (var finding in Homing(name, axes[i], homing, limits)) yield return finding;
         }
@@ -45,13 +44,11 @@ internal static class HandSettings
         if (!(homing.BackOff >= 0.0 && homing.BackOff < 1e6 && IsScale(axis.CountsPerMillimetre) && homing.BackOff * Math.Abs(axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.backOff", homing.BackOff, Wording.Get("MachineProfileValidation.HomingBackOff"));
         var rest = homing.Zero + ((homing.Plus ? -1.0 : 1.0) * homing.BackOff);
         if (!(Math.Abs(homing.Zero * axis.CountsPerMillimetre) < int.MaxValue && Math.Abs(rest * axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.PositionWithinCounters"));
-        else if (axis.Travel is { } travel && (rest < travel.Least || rest > travel.Most)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.HomingInTravel", Number(rest), Number(travel.Least), Number(travel.Most)));
+        else if (axis.Travel is { } travel && (rest < travel.Least || rest > travel.Most)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.HomingInTravel", NumberText.Exact(rest), NumberText.Exact(travel.Least), NumberText.Exact(travel.Most)));
         if (homing.Seconds is not (> 0.0 and <= LongestHomingSeconds)) yield return Finding($"homing.{name}.seconds", homing.Seconds, Wording.Get("MachineProfileValidation.HomingSeconds", LongestHomingSeconds));
     }
 
     private static bool IsCountable(AxisTravel travel, MachineAxis axis) => !IsScale(axis.CountsPerMillimetre) || Math.Max(Math.Abs(travel.Least), Math.Abs(travel.Most)) * Math.Abs(axis.CountsPerMillimetre) < int.MaxValue;
-
-    private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
     private static Diagnostic Text(string setting, string value, string limit) => MotionRules.SettingOutOfRange.At(default, setting, value, limit);
 }
