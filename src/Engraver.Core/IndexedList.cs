@@ -12,7 +12,7 @@ public abstract class IndexedList<T> : IReadOnlyList<T>
 
     public IEnumerator<T> GetEnumerator()
     {
-        for (var i = 0; i < Count; i++) yield return ItemAt(i);
+        for (int i = 0, count = Count; i < count; i++) yield return ItemAt(i);
     }
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();

@@ -235,16 +235,10 @@ public sealed class HandMovesModel : Observable, IDisposable
         foreach (var act in new[] { GoOrigin, GoStart, GoPark, GoClearance, Home, ZeroAll, ZeroX, ZeroY, ZeroZ }) act.Reconsider();
     }
 
-    private static string Place(WorkOrigin? origin, MachineProfile profile)
-    {
-        if (origin is null) return Text.Get("Pad.NotSet");
-        var inPlan = $"{Axis(origin.X, profile.Scale.X)}, {Axis(origin.Y, profile.Scale.Y)}";
-        return profile.Axes.Z is null ? inPlan : $"{inPlan}, {Axis(origin.Z, profile.Scale.Z)}";
-    }
+    private static string Place(WorkOrigin? origin, MachineProfile profile) =>
+        origin is null ? Text.Get("Pad.NotSet") : string.Join(", ", origin.ToMillimetres(profile).Select(axis => axis is { } set ? NumberText.Rounded(set, 3) : "–"));
 
     private static string Millimetres(double? height) => height is { } known ? NumberText.Fixed(known, 3) : "–";
-
-    private static string Axis(long? counts, double scale) => counts is { } set ? NumberText.Rounded(set / scale, 3) : "–";
 
     private static IEnumerable<LineRow> Lines(LineNames names, int? bits) =>
         Enumerable.Range(1, 8).Select(line => new LineRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));
