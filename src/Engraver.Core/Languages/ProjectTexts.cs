@@ -1,3 +1,4 @@
+using System.Diagnostics.CodeAnalysis;
 using System.Resources;
 
 namespace Engraver.Core.Languages;
@@ -5,6 +6,7 @@ namespace Engraver.Core.Languages;
 /// <summary>The texts of one project, from its <c>Texts.resx</c>, in the current language. A project declares one class that derives from this one, in the
 /// namespace of its resource: <c>class Wording : ProjectTexts&lt;Wording&gt;</c>.</summary>
 /// <typeparam name="T">That class.</typeparam>
+[SuppressMessage("Design", "CA1000", Justification = "Callers name the class of their project, without a type argument.")]
 public abstract class ProjectTexts<T>
 {
     private static readonly TextCatalogue s_texts = new(typeof(T).Assembly, typeof(T).Namespace + ".Texts");
