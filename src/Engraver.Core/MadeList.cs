@@ -1,20 +1,11 @@
-using System.Collections;
-
 namespace Engraver.Core;
 
-/// <summary>A list whose items are created again on each access: storing a million of them would need many times the memory of their source.</summary>
+/// <summary>A list of a fixed number of items, each created by a function of its index.</summary>
 /// <param name="count">Number of items.</param>
 /// <param name="at">Creates the item of an index; the data that it reads no longer changes.</param>
-public sealed class MadeList<T>(int count, Func<int, T> at) : IReadOnlyList<T>
+public sealed class MadeList<T>(int count, Func<int, T> at) : IndexedList<T>
 {
-    public int Count => count;
+    public override int Count => count;
 
-    public T this[int index] => (uint)index < (uint)count ? at(index) : throw new ArgumentOutOfRangeException(nameof(index));
-
-    public IEnumerator<T> GetEnumerator()
-    {
-        for (var i = 0; i < count; i++) yield return at(i);
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    protected override T ItemAt(int index) => at(index);
 }

@@ -1,14 +1,15 @@
 using System.Collections;
+using Engraver.Core;
 
 namespace Engraver.App.Binding;
 
 /// <summary>A list whose rows are created on access, so that a list of a million rows costs nothing until it is scrolled. Read-only; implements
 /// <see cref="IList"/> because list controls require it.</summary>
 /// <typeparam name="T">A row; two rows of the same index must be equal.</typeparam>
-public sealed class RowList<T>(int count, Func<int, T> make, Func<T, int> placeOf) : IReadOnlyList<T>, IList
+public sealed class RowList<T>(int count, Func<int, T> make, Func<T, int> placeOf) : IndexedList<T>, IList
     where T : class
 {
-    public int Count => count;
+    public override int Count => count;
 
     bool IList.IsFixedSize => true;
 
@@ -17,8 +18,6 @@ public sealed class RowList<T>(int count, Func<int, T> make, Func<T, int> placeO
     bool ICollection.IsSynchronized => false;
 
     object ICollection.SyncRoot => this;
-
-    public T this[int index] => (uint)index < (uint)count ? make(index) : throw new ArgumentOutOfRangeException(nameof(index));
 
     object? IList.this[int index]
     {
@@ -45,10 +44,5 @@ public sealed class RowList<T>(int count, Func<int, T> make, Func<T, int> placeO
         for (var at = 0; at < count; at++) array.SetValue(make(at), index + at);
     }
 
-    public IEnumerator<T> GetEnumerator()
-    {
-        for (var at = 0; at < count; at++) yield return make(at);
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    protected override T ItemAt(int index) => make(index);
 }

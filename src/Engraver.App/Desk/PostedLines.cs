@@ -1,4 +1,4 @@
-using System.Collections;
+using Engraver.Core;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Playback;
@@ -26,7 +26,7 @@ internal sealed record PostedLines(PlannedMotion? Motion, Task<IReadOnlyList<str
 }
 
 /// <summary>The lines of consecutive texts, cut on access: four bytes for each line in addition to the texts.</summary>
-internal sealed class ChunkLines : IReadOnlyList<string>
+internal sealed class ChunkLines : IndexedList<string>
 {
     private readonly IReadOnlyList<string> _chunks;
     private readonly int[] _firstLines;
@@ -46,25 +46,15 @@ internal sealed class ChunkLines : IReadOnlyList<string>
         while (_starts.Count > 0 && this[_starts.Count - 1].Length == 0) _starts.RemoveAt(_starts.Count - 1);
     }
 
-    public int Count => _starts.Count;
+    public override int Count => _starts.Count;
 
-    public string this[int index]
+    protected override string ItemAt(int index)
     {
-        get
-        {
-            var chunk = Array.BinarySearch(_firstLines, index);
-            if (chunk < 0) chunk = ~chunk - 1;
-            var text = _chunks[chunk];
-            return text[_starts[index]..EndOf(text, _starts[index])];
-        }
+        var chunk = Array.BinarySearch(_firstLines, index);
+        if (chunk < 0) chunk = ~chunk - 1;
+        var text = _chunks[chunk];
+        return text[_starts[index]..EndOf(text, _starts[index])];
     }
-
-    public IEnumerator<string> GetEnumerator()
-    {
-        for (var i = 0; i < Count; i++) yield return this[i];
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
     private static int EndOf(string text, int start) => text.IndexOf('\n', start) is >= 0 and var end ? end : text.Length;
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
+using Engraver.Core;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
@@ -167,8 +168,6 @@ public sealed class HandMovesModel : Observable, IDisposable
 
     public void Dispose() => _jog?.Dispose();
 
-    private static string Show(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
-
     private string? WhyNot()
     {
         var machine = _desk.Session.Machine;
@@ -187,8 +186,8 @@ public sealed class HandMovesModel : Observable, IDisposable
 
     private void StepBy(JogVelocity way, double step)
     {
-        if (way.Z != 0.0) _ = _desk.Queue.RunAsync("CNCJOG", way.Z > 0.0 ? "Z+" : "Z-", Show(step));
-        else _ = _desk.Queue.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
+        if (way.Z != 0.0) _ = _desk.Queue.RunAsync("CNCJOG", way.Z > 0.0 ? "Z+" : "Z-", NumberText.Rounded(step, 3));
+        else _ = _desk.Queue.RunAsync("CNCJOG", $"{NumberText.Rounded(way.X * step, 3)},{NumberText.Rounded(way.Y * step, 3)}");
     }
 
     /// <param name="before">The previous jog, which restores the controller first.</param>
@@ -236,16 +235,10 @@ public sealed class HandMovesModel : Observable, IDisposable
         foreach (var act in new[] { GoOrigin, GoStart, GoPark, GoClearance, Home, ZeroAll, ZeroX, ZeroY, ZeroZ }) act.Reconsider();
     }
 
-    private static string Place(WorkOrigin? origin, MachineProfile profile)
-    {
-        if (origin is null) return Text.Get("Pad.NotSet");
-        var inPlan = $"{Axis(origin.X, profile.Scale.X)}, {Axis(origin.Y, profile.Scale.Y)}";
-        return profile.Axes.Z is null ? inPlan : $"{inPlan}, {Axis(origin.Z, profile.Scale.Z)}";
-    }
+    private static string Place(WorkOrigin? origin, MachineProfile profile) =>
+        origin is null ? Text.Get("Pad.NotSet") : string.Join(", ", origin.ToMillimetres(profile).Select(axis => axis is { } set ? NumberText.Rounded(set, 3) : "–"));
 
-    private static string Millimetres(double? height) => height is { } known ? known.ToString("0.000", CultureInfo.InvariantCulture) : "–";
-
-    private static string Axis(long? counts, AxisScale scale) => counts is { } set ? Show(scale.ToMillimetres(set)) : "–";
+    private static string Millimetres(double? height) => height is { } known ? NumberText.Fixed(known, 3) : "–";
 
     private static IEnumerable<LineRow> Lines(LineNames names, int? bits) =>
         Enumerable.Range(1, 8).Select(line => new LineRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));

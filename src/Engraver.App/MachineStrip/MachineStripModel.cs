@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
+using Engraver.Core;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Machines;
 
@@ -164,5 +165,5 @@ public sealed class MachineStripModel : Observable
         RapidsSlower.Reconsider();
     }
 
-    private static string Figure(double? millimetres) => millimetres is { } value ? value.ToString("0.000", CultureInfo.InvariantCulture) : Unknown;
+    private static string Figure(double? millimetres) => millimetres is { } value ? NumberText.Fixed(value, 3) : Unknown;
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
+using Engraver.Core;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Sidecars;
@@ -40,14 +41,14 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
     /// <summary>Requested, millimetres.</summary>
     public string Error
     {
-        get => Number(one.MaxErrorMm);
-        set => Edit("Error", value, Number(one.MaxErrorMm));
+        get => NumberText.Rounded(one.MaxErrorMm, 6);
+        set => Edit("Error", value, NumberText.Rounded(one.MaxErrorMm, 6));
     }
 
     public string Z
     {
-        get => Number(one.Curve.Z);
-        set => Edit("Z", value, Number(one.Curve.Z));
+        get => NumberText.Rounded(one.Curve.Z, 6);
+        set => Edit("Z", value, NumberText.Rounded(one.Curve.Z, 6));
     }
 
     public bool CanRise => index > 0;
@@ -65,8 +66,6 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
 
     /// <summary>Completes when the last edit has been accepted or refused.</summary>
     public Task Edited { get; private set; } = Task.CompletedTask;
-
-    private static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 
     private void Edit(string what, string value, string now)
     {

@@ -173,7 +173,7 @@ internal sealed class RunVerb
         {
             var lines = new LineQueue(_host.Error.WriteLine);
             await using var written = lines.ConfigureAwait(false);
-            report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
+            report = await ProgressBar.OfRunAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, lines, progress), stop)).ConfigureAwait(false);
         }
         catch (ControllerException lost) // The link could not be established.
         {

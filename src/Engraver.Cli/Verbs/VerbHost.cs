@@ -49,6 +49,14 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         foreach (var check in list.Checks.Where(check => !check.Passed || (!global.Quiet(parsed) && !check.IsFinding))) Error.WriteLine(check.Line);
     }
 
+    /// <summary>Reports why the machine was not moved.</summary>
+    /// <returns>The exit code.</returns>
+    public int NotMoved(string why)
+    {
+        Error.WriteLine(Wording.Get("Hand.NotMoved", why));
+        return ExitCode.DrawingError;
+    }
+
     /// <summary>Adds a job to the history; a write failure is only reported.</summary>
     public void Remember(HistoryEntry entry)
     {

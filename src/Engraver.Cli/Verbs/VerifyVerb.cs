@@ -53,7 +53,7 @@ internal sealed class VerifyVerb
         if (parsed.GetValue(_target) is null && ProgramForm.Of(file) is null && !_host.Quiet(parsed)) await _host.Error.WriteLineAsync(Wording.Get("Verify.ReadAs", file, $"{target} {dialect}".TrimEnd())).ConfigureAwait(false);
         var posted = _posted.Of(parsed) with { Start = _host.KeptStart(parsed, file) };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
-        var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
+        var report = await ProgressBar.OfVerificationAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop, posted)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report, target), ContractJson.Default.VerifyJson);
         else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);

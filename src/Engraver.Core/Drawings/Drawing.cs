@@ -51,6 +51,20 @@ public sealed record Drawing(
     /// <param name="name">Its name until it is saved.</param>
     public static Drawing Empty(string name, LengthUnit unit, Layer layer) => Bare(name, unit) with { Layers = [layer], IsNew = true };
 
+    /// <summary>True for a coordinate that is not above the largest; false for NaN.</summary>
+    public static bool Holds(double coordinate) => Math.Abs(coordinate) <= LargestCoordinate;
+
+    /// <summary>True for a box whose corners are not above the largest coordinate.</summary>
+    public static bool Holds(Bounds2D box) => Holds(box.MinX) && Holds(box.MaxX) && Holds(box.MinY) && Holds(box.MaxY);
+
+    /// <summary>The highest handle of an entity; 0 when none has one.</summary>
+    public ulong HighestHandle()
+    {
+        var highest = 0UL;
+        for (var index = 0; index < Entities.Count; index++) highest = Math.Max(highest, Entities[index].Handle);
+        return highest;
+    }
+
     /// <summary>The same drawing; its columns are those of an earlier reading of the file where both are equal, so that a drawing that is opened again does not
     /// use more memory.</summary>
     public Drawing SharingColumnsOf(Drawing earlier)

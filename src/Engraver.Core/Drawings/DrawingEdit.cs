@@ -44,7 +44,7 @@ public static class DrawingEdit
     {
         var copies = new List<DrawingEntity>();
         var parts = new List<DrawingPart>();
-        var handle = HighestHandle(drawing);
+        var handle = drawing.HighestHandle();
         var curves = new EditedCurves(drawing);
         foreach (var index in entities.Distinct())
         {
@@ -82,15 +82,6 @@ public static class DrawingEdit
         for (var part = entity.FirstPart; part < entity.FirstPart + entity.PartCount; part++) parts.Add(drawing.Parts[part] with { Entity = newIndex });
     }
 
-    private static ulong HighestHandle(Drawing drawing)
-    {
-        var highest = 0UL;
-        for (var index = 0; index < drawing.Entities.Count; index++) highest = Math.Max(highest, drawing.Entities[index].Handle);
-        return highest;
-    }
-
     private static bool InRange(in DrawingPart part) =>
-        part.IsFreeCurve || (Fits(part.A) && Fits(part.B) && Fits(part.C) && Fits(part.D) && Fits(part.E) && Fits(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0));
-
-    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= Drawing.LargestCoordinate;
+        part.IsFreeCurve || (Drawing.Holds(part.A) && Drawing.Holds(part.B) && Drawing.Holds(part.C) && Drawing.Holds(part.D) && Drawing.Holds(part.E) && Drawing.Holds(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0));
 }

@@ -33,9 +33,9 @@ public static class CutFindings
 
     private static void AddHeights(List<Diagnostic> findings, Drawing drawing, CutExtent extent)
     {
-        if (extent.Slanted is { Count: > 0 } slanted) findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), Whole(slanted.Count), Number(slanted.Low), Number(slanted.High)));
-        if (extent.Levels > 1) findings.Add(PreparationRules.SeveralHeights.At(default, Whole(extent.Levels), Number(extent.Low), Number(extent.High)));
-        else if (Math.Abs(extent.Low) > extent.Tolerance && extent.Slanted.Count == 0) findings.Add(PreparationRules.OneHeight.At(default, Number(extent.Low)));
+        if (extent.Slanted is { Count: > 0 } slanted) findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), Whole(slanted.Count), FactText.Of(slanted.Low, 3), FactText.Of(slanted.High, 3)));
+        if (extent.Levels > 1) findings.Add(PreparationRules.SeveralHeights.At(default, Whole(extent.Levels), FactText.Of(extent.Low, 3), FactText.Of(extent.High, 3)));
+        else if (Math.Abs(extent.Low) > extent.Tolerance && extent.Slanted.Count == 0) findings.Add(PreparationRules.OneHeight.At(default, FactText.Of(extent.Low, 3)));
     }
 
     private static void AddSize(List<Diagnostic> findings, Drawing drawing, Bounds2D bounds, Point2D toolStart)
@@ -43,7 +43,7 @@ public static class CutFindings
         var (dx, dy) = (Math.Max(Math.Abs(bounds.MinX - toolStart.X), Math.Abs(bounds.MaxX - toolStart.X)), Math.Max(Math.Abs(bounds.MinY - toolStart.Y), Math.Abs(bounds.MaxY - toolStart.Y)));
         var distance = double.Hypot(dx, dy);
         if (bounds.Width <= LargestMm && bounds.Height <= LargestMm && distance <= FarthestMm) return;
-        findings.Add(PreparationRules.TooLarge.At(default, Number(bounds.Width), Number(bounds.Height), Number(distance), Number(LargestMm), Number(FarthestMm), Guess(drawing, bounds)));
+        findings.Add(PreparationRules.TooLarge.At(default, FactText.Of(bounds.Width, 3), FactText.Of(bounds.Height, 3), FactText.Of(distance, 3), FactText.Of(LargestMm, 3), FactText.Of(FarthestMm, 3), Guess(drawing, bounds)));
     }
 
     /// <summary>The probable cause of such numbers in a drawing.</summary>
@@ -55,11 +55,9 @@ public static class CutFindings
         var asNumbers = scale.ToDrawing(size);
         var isStated = unit.Source == "INSUNITS";
         return asNumbers <= LargestMm && unit.MillimetresPerUnit > 1.0
-            ? Wording.Get(isStated ? "CutFindings.StatedUnitTooLarge" : "CutFindings.AssumedUnitTooLarge", unit.Name, Number(scale.ToDrawing(bounds.Width)), Number(scale.ToDrawing(bounds.Height)))
+            ? Wording.Get(isStated ? "CutFindings.StatedUnitTooLarge" : "CutFindings.AssumedUnitTooLarge", unit.Name, FactText.Of(scale.ToDrawing(bounds.Width), 3), FactText.Of(scale.ToDrawing(bounds.Height), 3))
             : Wording.Get(isStated ? "CutFindings.StatedUnitBuilding" : "CutFindings.AssumedUnitBuilding", unit.Name);
     }
 
     private static string Whole(int count) => count.ToString(CultureInfo.InvariantCulture);
-
-    private static string Number(double value) => Math.Round(value, 3).ToString("0.###", CultureInfo.InvariantCulture);
 }

@@ -76,13 +76,13 @@ public sealed class BoxTree
     /// <summary>Adds every shown item whose box overlaps (or touches) <paramref name="box"/> to <paramref name="found"/>, in no particular order.</summary>
     public void Overlapping(Bounds2D box, List<int> found)
     {
-        if (_items.Length > 0) Collect(_boxes.Length - 1, 0, box, found);
+        if (_items.Length > 0) Collect(_boxes.Length - 1, 0, box, isAround: false, found);
     }
 
     /// <summary>Adds every shown item whose box contains <paramref name="box"/> to <paramref name="found"/>, in no particular order.</summary>
     public void Containing(Bounds2D box, List<int> found)
     {
-        if (_items.Length > 0) CollectAround(_boxes.Length - 1, 0, box, found);
+        if (_items.Length > 0) Collect(_boxes.Length - 1, 0, box, isAround: true, found);
     }
 
     private static void AddLevel(List<Bounds2D[]> boxes, List<int[]> lowest)
@@ -168,9 +168,10 @@ public sealed class BoxTree
         return smallest;
     }
 
-    private void Collect(int level, int index, in Bounds2D box, List<int> found)
+    /// <param name="isAround">True for the items whose box contains the box, false for those whose box overlaps it.</param>
+    private void Collect(int level, int index, in Bounds2D box, bool isAround, List<int> found)
     {
-        if (_lowest[level][index] == Nobody || !Overlap(_boxes[level][index], box)) return;
+        if (_lowest[level][index] == Nobody || !(isAround ? _boxes[level][index].Contains(box) : Overlap(_boxes[level][index], box))) return;
         if (level == 0)
         {
             found.Add(_items[index]);
@@ -178,20 +179,7 @@ public sealed class BoxTree
         }
 
         var end = Math.Min((index + 1) * Fanout, _boxes[level - 1].Length);
-        for (var child = index * Fanout; child < end; child++) Collect(level - 1, child, box, found);
-    }
-
-    private void CollectAround(int level, int index, in Bounds2D box, List<int> found)
-    {
-        if (_lowest[level][index] == Nobody || !_boxes[level][index].Contains(box)) return;
-        if (level == 0)
-        {
-            found.Add(_items[index]);
-            return;
-        }
-
-        var end = Math.Min((index + 1) * Fanout, _boxes[level - 1].Length);
-        for (var child = index * Fanout; child < end; child++) CollectAround(level - 1, child, box, found);
+        for (var child = index * Fanout; child < end; child++) Collect(level - 1, child, box, isAround, found);
     }
 
     internal struct Best(int item, double distance)

@@ -1,5 +1,3 @@
-using System.Collections;
-
 namespace Engraver.Core.Machines;
 
 /// <summary>The segments and sequences of a motion program as columns: 40 bytes for a line, 24 more for an arc, 12 for a sequence, 40 for a stroke. Objects are
@@ -103,35 +101,24 @@ public sealed class VectorColumns(int segments)
 }
 
 /// <summary>The sequences of one stroke, read from the columns of its program.</summary>
-internal sealed class StrokeSequences(VectorColumns columns, CountsPoint start, int first, int count, int endOfSegments) : IReadOnlyList<VectorSequence>
+internal sealed class StrokeSequences(VectorColumns columns, CountsPoint start, int first, int count, int endOfSegments) : IndexedList<VectorSequence>
 {
-    public int Count => count;
+    public override int Count => count;
 
     public int SegmentCount => count == 0 ? 0 : endOfSegments - columns.FirstSegmentOf(first);
 
-    public VectorSequence this[int index]
+    protected override VectorSequence ItemAt(int index)
     {
-        get
-        {
-            if ((uint)index >= (uint)count) throw new ArgumentOutOfRangeException(nameof(index));
-            var sequence = first + index;
-            var end = index + 1 < count ? columns.FirstSegmentOf(sequence + 1) : endOfSegments;
-            return columns.Sequence(sequence, index == 0 ? start : columns.EndOf(columns.FirstSegmentOf(sequence) - 1), end);
-        }
+        var sequence = first + index;
+        var end = index + 1 < count ? columns.FirstSegmentOf(sequence + 1) : endOfSegments;
+        return columns.Sequence(sequence, index == 0 ? start : columns.EndOf(columns.FirstSegmentOf(sequence) - 1), end);
     }
-
-    public IEnumerator<VectorSequence> GetEnumerator()
-    {
-        for (var i = 0; i < count; i++) yield return this[i];
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
 
 /// <summary>The segments of one sequence, read from the columns of its program.</summary>
-internal sealed class SequenceSegments(VectorColumns columns, int first, int end) : IReadOnlyList<VectorSegment>
+internal sealed class SequenceSegments(VectorColumns columns, int first, int end) : IndexedList<VectorSegment>
 {
-    public int Count => end - first;
+    public override int Count => end - first;
 
     /// <summary>Path length, counts.</summary>
     public double Length
@@ -144,12 +131,5 @@ internal sealed class SequenceSegments(VectorColumns columns, int first, int end
         }
     }
 
-    public VectorSegment this[int index] => (uint)index < (uint)Count ? columns.Segment(first + index) : throw new ArgumentOutOfRangeException(nameof(index));
-
-    public IEnumerator<VectorSegment> GetEnumerator()
-    {
-        for (var i = first; i < end; i++) yield return columns.Segment(i);
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    protected override VectorSegment ItemAt(int index) => columns.Segment(first + index);
 }

@@ -75,7 +75,6 @@ internal static class ContourDepth
     {
         if (!areNeighbours) return false;
         if (found is { OnFirst: 1.0, OnSecond: 0.0 }) return true;
-        var sine = Math.Abs(before.EndTangent.Cross(after.StartTangent));
-        return sine < 1e-3 && found.Place.IsNear(before.End, 4.0 * Math.Max(sine, 1e-7) * Math.Max(before.Radius, after.Radius));
+        return PieceCrossings.JointError(before.EndTangent, after.StartTangent, Math.Max(before.Radius, after.Radius)) is { } error && found.Place.IsNear(before.End, error);
     }
 }

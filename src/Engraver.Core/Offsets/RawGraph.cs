@@ -98,10 +98,8 @@ internal sealed class RawGraph
 
     private bool IsBeside(Vector2D leaving, Vector2D arriving, in RawPiece a, in RawPiece b, Point2D joint, Point2D place)
     {
-        var sine = Math.Abs(leaving.Cross(arriving));
-        var radius = Math.Max(a.Piece.Radius, b.Piece.Radius);
-        var room = sine < 1e-3 ? 4.0 * Math.Max(sine, 1e-7) * radius : 0.0;
-        return place.IsNear(joint, (NodeTolerances * _tolerance) + room);
+        var error = PieceCrossings.JointError(leaving, arriving, Math.Max(a.Piece.Radius, b.Piece.Radius)) ?? 0.0;
+        return place.IsNear(joint, (NodeTolerances * _tolerance) + error);
     }
 
     private void AddCut(List<RawCut> cuts, int first, int second, in Crossing crossing)

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text;
 using Engraver.Core.Geometry;
 
@@ -51,10 +50,8 @@ internal sealed class PlotInk(double width, double height, double cell)
         _kept = place;
     }
 
-    private void Append(char letter, Point2D place) => _path.Append(letter).Append(Number(place.X)).Append(',').Append(Number(place.Y));
-
     /// <summary>A tenth of a unit is below every resolution.</summary>
-    private static string Number(double value) => value.ToString("0.#", CultureInfo.InvariantCulture);
+    private void Append(char letter, Point2D place) => _path.Append(letter).Append(NumberText.Rounded(place.X, 1)).Append(',').Append(NumberText.Rounded(place.Y, 1));
 
     /// <summary>Inks the cells from one place to the other, in steps of at most one along the longer side.</summary>
     /// <returns>True when one of them was not inked before.</returns>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Verification;
@@ -35,7 +34,7 @@ public static class RunPlot
         var drawn = PlotModel.FromDrawing(analysed, title).Strokes.Select(stroke => stroke with { Heat = Beneath });
         var values = Values(trace, measure);
         var most = trace.Places.Select((place, i) => place.ToolOn ? values[i] : 0.0).DefaultIfEmpty().Max();
-        return new PlotModel(title, [.. drawn, .. Run(trace, values, most)], [], null) { Heat = new PlotHeat(Caption(trace, measure), "0", Number(most)) };
+        return new PlotModel(title, [.. drawn, .. Run(trace, values, most)], [], null) { Heat = new PlotHeat(Caption(trace, measure), "0", NumberText.Rounded(most, 4)) };
     }
 
     /// <summary>Meaning of the colour, and its largest value while the tool was on.</summary>
@@ -44,7 +43,7 @@ public static class RunPlot
         ArgumentNullException.ThrowIfNull(trace);
         var values = Values(trace, measure);
         var most = trace.Places.Select((place, i) => place.ToolOn ? values[i] : 0.0).DefaultIfEmpty().Max();
-        return Wording.Get(measure switch { RunMeasure.Deviation => "Plot.Deviation", RunMeasure.Following => "Plot.Following", _ => "Plot.Speed" }, Number(most), trace.Source, trace.Places.Count(place => place.ToolOn));
+        return Wording.Get(measure switch { RunMeasure.Deviation => "Plot.Deviation", RunMeasure.Following => "Plot.Following", _ => "Plot.Speed" }, NumberText.Rounded(most, 4), trace.Source, trace.Places.Count(place => place.ToolOn));
     }
 
     /// <summary>One value for each place: millimetres, for the speed mm/min. An unknown value is 0.</summary>
@@ -75,6 +74,4 @@ public static class RunPlot
 
         if (segments.Count > 0) yield return new PlotStroke(segments, false, null) { Heat = heat };
     }
-
-    private static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }

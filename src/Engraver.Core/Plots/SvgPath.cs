@@ -32,7 +32,7 @@ internal static class SvgPath
     public static IReadOnlyList<Segment> Drawable(Segment segment, PlotFrame frame) =>
         segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, CurveNearness / frame.Scale) : [segment];
 
-    public static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
+    public static string Number(double value) => NumberText.RoundedWithoutMinusZero(value, 3);
 
     public static string Pair(Point2D place) => $"{Number(place.X)},{Number(place.Y)}";
 

@@ -119,10 +119,10 @@ public static class SvgPlotWriter
         var (top, drawn) = (frame.FieldHeight, plot.Drawn);
         var closed = plot.Strokes.Count(stroke => stroke.Closed);
         Line(output, $"<rect class=\"caption\" y=\"{Number(top)}\" width=\"100%\" height=\"{Number(PlotFrame.CaptionHeight)}\"/>");
-        Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{MarkupText.Escaped(Wording.Get("Plot.Size", plot.Title, Millimetres(drawn.Width), Millimetres(drawn.Height)))}</text>");
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{MarkupText.Escaped(Wording.Get("Plot.Size", plot.Title, NumberText.Rounded(drawn.Width, 2), NumberText.Rounded(drawn.Height, 2)))}</text>");
         var caption = plot.Heat?.Caption ?? (plot.ToolStart is null
-            ? Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength))
-            : Wording.Get("Plot.StrokesAndTravel", plot.Strokes.Count, Millimetres(plot.CutLength), Millimetres(plot.Travel)));
+            ? Wording.Get("Plot.Strokes", plot.Strokes.Count, NumberText.Rounded(plot.CutLength, 2))
+            : Wording.Get("Plot.StrokesAndTravel", plot.Strokes.Count, NumberText.Rounded(plot.CutLength, 2), NumberText.Rounded(plot.Travel, 2)));
         Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{MarkupText.Escaped(caption)}</text>");
         var entries = new List<(string Class, string Text)> { ("cut closed", Wording.Get("Plot.Closed", closed)), ("cut open", Wording.Get("Plot.Open", plot.Strokes.Count - closed)) };
         if (plot.Heat is { } heat) entries = [($"cut {HeatClass(0)}", heat.Least), ($"cut {HeatClass(RunPlot.Steps - 1)}", heat.Most)];
@@ -142,8 +142,6 @@ public static class SvgPlotWriter
         $"<style>.base{{stroke:#4a5460}}{string.Concat(Enumerable.Range(0, RunPlot.Steps).Select(step => $".{HeatClass(step)}{{stroke:{HeatColour((double)step / (RunPlot.Steps - 1))}}}"))}</style>";
 
     private static string HeatColour(double part) => string.Create(CultureInfo.InvariantCulture, $"#{(int)Math.Min(255.0, 510.0 * part):x2}{(int)Math.Min(224.0, 448.0 * (1.0 - part)):x2}50");
-
-    private static string Millimetres(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
 
     private static void Line(TextWriter output, string text)
     {

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Trajectories;
@@ -25,7 +24,7 @@ public static class TrajectoryPlot
         var bound = trajectories.Select(one => one.VerifiedBound).DefaultIfEmpty().Max();
         return new PlotModel(title, [.. drawn, .. parts.SelectMany(one => Strokes(one, most))], [], null)
         {
-            Heat = new PlotHeat(Wording.Get("Plot.Trajectories", trajectories.Count, trajectories.Sum(one => one.Points), Number(most), Number(bound)), "0", Number(most)),
+            Heat = new PlotHeat(Wording.Get("Plot.Trajectories", trajectories.Count, trajectories.Sum(one => one.Points), NumberText.Rounded(most, 6), NumberText.Rounded(bound, 6)), "0", NumberText.Rounded(most, 6)),
             Marks = [.. trajectories.SelectMany(Marks).Take(MostMarks)],
         };
     }
@@ -52,6 +51,4 @@ public static class TrajectoryPlot
 
     private static IEnumerable<PlotMark> Marks(Trajectory one) =>
         [.. TrajectoryCurve.CornersOf(one).Select(place => new PlotMark(place, IsCorner: true)), .. one.Lines.Skip(1).SkipLast(1).Select(place => new PlotMark(place, IsCorner: false))];
-
-    private static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 }

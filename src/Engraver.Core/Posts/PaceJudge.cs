@@ -91,9 +91,7 @@ public sealed class PaceJudge : ITraceJudge
     private static bool IsNear(double found, double asked, double share, double slack) => Math.Abs(found - asked) <= (share * asked) + slack;
 
     private static Diagnostic Other(PaceMove found, PaceMove asked, Point2D end) =>
-        VerificationRules.OtherPace.At(default, Text(end.X), Text(end.Y), Text(found.Seconds), Text(found.Wait), Text(asked.Seconds), Text(asked.Wait)) with { Place = end };
-
-    private static string Text(double value) => FactText.Of(Math.Round(value, 3));
+        VerificationRules.OtherPace.At(default, FactText.Of(end.X, 3), FactText.Of(end.Y, 3), FactText.Of(found.Seconds, 3), FactText.Of(found.Wait, 3), FactText.Of(asked.Seconds, 3), FactText.Of(asked.Wait, 3)) with { Place = end };
 
     /// <summary>A move from the last position to this one, or a rest between them.</summary>
     private void Go(in TraceSample next)

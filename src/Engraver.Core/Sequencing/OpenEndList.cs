@@ -1,4 +1,3 @@
-using System.Collections;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
@@ -9,7 +8,7 @@ namespace Engraver.Core.Sequencing;
 
 /// <summary>The discontinuities of a chained table in the operator's terms. Each is created on demand: there can be two million of them, of which a screen
 /// shows a few.</summary>
-public sealed class OpenEndList : IReadOnlyList<OpenEnd>
+public sealed class OpenEndList : IndexedList<OpenEnd>
 {
     private readonly ContourEnds _ends;
     private readonly Func<int, int> _entityOf;
@@ -19,17 +18,14 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
     internal OpenEndList(ChainedTable chained, SequencingOptions options) =>
         (_ends, _entityOf, _drawing, _joined) = (chained.Chain.Discontinuities, EntitiesOf(chained), chained.Drawing, options.JoinTolerance);
 
-    public int Count => _ends.Count;
+    public override int Count => _ends.Count;
 
-    public OpenEnd this[int index]
+    protected override OpenEnd ItemAt(int index)
     {
-        get
-        {
-            var end = _ends[index];
-            var nearest = end.NearestRow < 0 ? -1 : _entityOf(end.NearestRow);
-            var rule = end.Gap > _joined && end.Gap < ContourEnds.WidestGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
-            return new OpenEnd(end.Place, _entityOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
-        }
+        var end = _ends[index];
+        var nearest = end.NearestRow < 0 ? -1 : _entityOf(end.NearestRow);
+        var rule = end.Gap > _joined && end.Gap < ContourEnds.WidestGap ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
+        return new OpenEnd(end.Place, _entityOf(end.Row), end.Gap, nearest, nearest < 0 ? null : _drawing?.SourceOf(nearest).Handle, rule.Id);
     }
 
     /// <summary>Position of one of the ends, millimetres.</summary>
@@ -43,13 +39,6 @@ public sealed class OpenEndList : IReadOnlyList<OpenEnd>
         for (var row = 0; row < entities.Length; row++) entities[row] = chained.Kept.EntityIndexOf(row);
         return row => entities[row];
     }
-
-    public IEnumerator<OpenEnd> GetEnumerator()
-    {
-        for (var i = 0; i < Count; i++) yield return this[i];
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 }
 
 /// <summary>A discontinuity in the operator's terms: its place, its entity, the distance to the nearest other open end, and its diagnostic.</summary>

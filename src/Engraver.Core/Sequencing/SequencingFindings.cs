@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
@@ -29,7 +28,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         var entity = analysed.EntityIndexOf(first);
         var handle = HandleOf(entity);
         var text = handle is null ? "SequencingFindings.DuplicatesWithoutHandle" : null;
-        Add(SequencingRules.DuplicatesRemoved.At(SourceOf(entity), Number(analysed.Count - kept.Length), handle ?? "") with { TextName = text });
+        Add(SequencingRules.DuplicatesRemoved.At(SourceOf(entity), FactText.Of(analysed.Count - kept.Length, 6), handle ?? "") with { TextName = text });
     }
 
     public void AddArcs(ArcRecoveryResult recovered)
@@ -38,14 +37,14 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         {
             var arc = recovered.Table[row];
             var rule = arc.Kind == SegmentKind.Circle ? SequencingRules.CircleRecovered : SequencingRules.ArcRecovered;
-            Add(rule, arc.EntityIndex, arc.StartPoint, Number(lines), Number(arc.StartPoint.X), Number(arc.StartPoint.Y), Number(arc.Radius), Number(deviation));
+            Add(rule, arc.EntityIndex, arc.StartPoint, FactText.Of(lines, 6), FactText.Of(arc.StartPoint.X, 6), FactText.Of(arc.StartPoint.Y, 6), FactText.Of(arc.Radius, 6), FactText.Of(deviation, 6));
         }
     }
 
     public void AddChain(ChainResult chain, EntityTable table, ReadOnlySpan<Segment> segments)
     {
         if (table.Count == 0 && drawing is not { HasErrors: true, Entities.Count: 0 }) _diagnostics.Add(SequencingRules.NothingToCut.At(default));
-        if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, Number(chain.Branches)));
+        if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, FactText.Of(chain.Branches, 6)));
         AddShortSegments(table, segments);
         var ends = chain.Discontinuities;
         var nearby = ends.FindNearby(options.JoinTolerance, ContourEnds.WidestGap, ShownPerRule);
@@ -53,7 +52,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         if (nearby.Count > nearby.Measured.Count) _counts[SequencingRules.SmallGap] = nearby.Count;
         if (nearby.FirstFar < 0) return;
         var (place, row) = (ends.PlaceOf(nearby.FirstFar), ends.RowOf(nearby.FirstFar));
-        Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, Number(ContourEnds.WidestGap), Number(ends.Count - nearby.Count), Number(place.X), Number(place.Y));
+        Add(SequencingRules.OpenEnds, table.EntityIndexOf(row), place, FactText.Of(ContourEnds.WidestGap, 6), FactText.Of(ends.Count - nearby.Count, 6), FactText.Of(place.X, 6), FactText.Of(place.Y, 6));
     }
 
     /// <summary>Reports the rules that have more findings than are listed. Must be called once, after all findings.</summary>
@@ -61,7 +60,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
     {
         foreach (var (rule, count) in _counts.Where(entry => entry.Value > ShownPerRule).OrderBy(entry => entry.Key.Id, StringComparer.Ordinal))
         {
-            _diagnostics.Add(SequencingRules.MoreOfTheSame.At(default, rule.Id, Number(count), Number(ShownPerRule)));
+            _diagnostics.Add(SequencingRules.MoreOfTheSame.At(default, rule.Id, FactText.Of(count, 6), FactText.Of(ShownPerRule, 6)));
         }
     }
 
@@ -78,7 +77,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         }
 
         var within = inside.Count(found.Contour);
-        if (within > 0) _diagnostics.Add(SequencingRules.EntryWaits.At(default, Number(within)));
+        if (within > 0) _diagnostics.Add(SequencingRules.EntryWaits.At(default, FactText.Of(within, 6)));
     }
 
     private void AddEntryReplaced(int named, string? handle, string? other)
@@ -87,13 +86,11 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         Add(SequencingRules.EntryStandsIn.At(SourceOf(named), handle ?? "", other ?? "") with { TextName = text });
     }
 
-    private static string Number(double value) => Math.Round(value, 6).ToString("0.######", CultureInfo.InvariantCulture);
-
     private void AddSmallGap(Discontinuity end, EntityTable table)
     {
         var nearest = HandleOf(table.EntityIndexOf(end.NearestRow));
         var text = nearest is null ? "SequencingFindings.GapWithoutHandle" : null;
-        Add(SequencingRules.SmallGap.At(SourceOf(table.EntityIndexOf(end.Row)), Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest ?? "") with { Place = end.Place, TextName = text });
+        Add(SequencingRules.SmallGap.At(SourceOf(table.EntityIndexOf(end.Row)), FactText.Of(end.Place.X, 6), FactText.Of(end.Place.Y, 6), FactText.Of(end.Gap ?? 0.0, 6), nearest ?? "") with { Place = end.Place, TextName = text });
     }
 
     private void AddShortSegments(EntityTable table, ReadOnlySpan<Segment> segments)
@@ -107,7 +104,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
         if (count == 0) return;
         var place = segments[first].Start;
-        Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), place, Number(options.JoinTolerance), Number(count), Number(place.X), Number(place.Y));
+        Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), place, FactText.Of(options.JoinTolerance, 6), FactText.Of(count, 6), FactText.Of(place.X, 6), FactText.Of(place.Y, 6));
     }
 
     private void Add(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts) => Add(rule.At(SourceOf(entity), facts) with { Place = place });

@@ -1,11 +1,10 @@
-using System.Collections;
 using Engraver.Core.EntityTables;
 
 namespace Engraver.Core.Sequencing;
 
 /// <summary>Strokes as columns in addition to the sequenced table; each is created on demand. A million stored objects would be moved in memory with every
 /// garbage collection.</summary>
-internal sealed class StrokeList(EntityTable table, int count) : IReadOnlyList<SequencedStroke>
+internal sealed class StrokeList(EntityTable table, int count) : IndexedList<SequencedStroke>
 {
     /// <summary>The first row of each stroke; one element more than there are strokes.</summary>
     private readonly int[] _rows = new int[count + 1];
@@ -13,17 +12,9 @@ internal sealed class StrokeList(EntityTable table, int count) : IReadOnlyList<S
     private readonly int[] _segments = new int[count];
     private readonly int[] _inside = new int[count];
     private readonly double[] _lengths = new double[count];
+    private int _count;
 
-    public int Count { get; private set; }
-
-    public SequencedStroke this[int index]
-    {
-        get
-        {
-            if ((uint)index >= (uint)Count) throw new ArgumentOutOfRangeException(nameof(index));
-            return new SequencedStroke(index, _closed[index], new TableMoves(table, _rows[index], _rows[index + 1] - _rows[index]), _segments[index], _lengths[index], _inside[index]);
-        }
-    }
+    public override int Count => _count;
 
     /// <summary>Adds the next stroke, on the next rows.</summary>
     /// <param name="closed">True when it ends at its start.</param>
@@ -32,16 +23,12 @@ internal sealed class StrokeList(EntityTable table, int count) : IReadOnlyList<S
     /// <param name="curves">Counts lines, arcs and curves.</param>
     public void Add(bool closed, int rows, int inside, CurveCount curves)
     {
-        var moves = new TableMoves(table, _rows[Count], rows);
-        (_closed[Count], _inside[Count], _segments[Count], _lengths[Count]) = (closed, inside, curves.Add(moves), moves.Length);
-        _rows[Count + 1] = _rows[Count] + rows;
-        Count++;
+        var moves = new TableMoves(table, _rows[_count], rows);
+        (_closed[_count], _inside[_count], _segments[_count], _lengths[_count]) = (closed, inside, curves.Add(moves), moves.Length);
+        _rows[_count + 1] = _rows[_count] + rows;
+        _count++;
     }
 
-    public IEnumerator<SequencedStroke> GetEnumerator()
-    {
-        for (var i = 0; i < Count; i++) yield return this[i];
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    protected override SequencedStroke ItemAt(int index) =>
+        new(index, _closed[index], new TableMoves(table, _rows[index], _rows[index + 1] - _rows[index]), _segments[index], _lengths[index], _inside[index]);
 }

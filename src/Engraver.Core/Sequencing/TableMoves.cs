@@ -1,23 +1,12 @@
-using System.Collections;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 
 /// <summary>A range of rows of a sequenced table as a list of moves; rows are not copied, so a million moves need no memory in addition to the table.</summary>
-internal sealed class TableMoves(EntityTable table, int firstRow, int count) : IReadOnlyList<StrokeMove>
+internal sealed class TableMoves(EntityTable table, int firstRow, int count) : IndexedList<StrokeMove>
 {
-    public int Count => count;
-
-    public StrokeMove this[int index]
-    {
-        get
-        {
-            if ((uint)index >= (uint)count) throw new ArgumentOutOfRangeException(nameof(index));
-            var row = table[firstRow + index];
-            return StrokeMove.From(row);
-        }
-    }
+    public override int Count => count;
 
     /// <summary>Length along the path, millimetres.</summary>
     public double Length
@@ -33,12 +22,7 @@ internal sealed class TableMoves(EntityTable table, int firstRow, int count) : I
     /// <summary>The drawing entity of a move.</summary>
     public int EntityOf(int index) => table.EntityIndexOf(firstRow + index);
 
-    public IEnumerator<StrokeMove> GetEnumerator()
-    {
-        for (var i = 0; i < count; i++) yield return this[i];
-    }
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    protected override StrokeMove ItemAt(int index) => StrokeMove.From(table[firstRow + index]);
 }
 
 /// <summary>One cutting move in millimetres with the drawing entity it came from.</summary>

@@ -25,7 +25,7 @@ public static class BridgedGaps
         if (gaps.Count == 0) return null;
         var widest = gaps.MaxBy(gap => gap.Segment.Length);
         var (length, place) = (widest.Segment.Length, widest.Segment.Start);
-        return MotionRules.GapsBridged.At(sourceOf(widest.EntityIndex), gaps.Count.ToString(CultureInfo.InvariantCulture), Text(length / 2.0), Text(length), Text(place.X), Text(place.Y));
+        return MotionRules.GapsBridged.At(sourceOf(widest.EntityIndex), gaps.Count.ToString(CultureInfo.InvariantCulture), NumberText.Rounded(length / 2.0, 5), NumberText.Rounded(length, 5), NumberText.Rounded(place.X, 5), NumberText.Rounded(place.Y, 5));
     }
 
     private static IEnumerable<StrokeMove> All(Toolpath toolpath)
@@ -41,6 +41,4 @@ public static class BridgedGaps
             }
         }
     }
-
-    private static string Text(double value) => value.ToString("0.#####", CultureInfo.InvariantCulture);
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
@@ -7,7 +8,7 @@ namespace Engraver.Galil.Language;
 public static class DmcFormat
 {
     /// <summary>A number with at most four decimals. The caller takes into account how the controller rounds it (angle quantum).</summary>
-    public static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
+    public static string Number(double value) => NumberText.RoundedWithoutMinusZero(value, 4);
 
     /// <summary>DMC text with numbers in it.</summary>
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

@@ -3,19 +3,15 @@ using Avalonia.Platform.Storage;
 namespace Engraver.SoftwarePlatform.Input;
 
 /// <summary>A file on this computer that was dropped onto a window.</summary>
-internal sealed class DroppedFile(FileInfo file) : IStorageFile
+internal sealed class DroppedFile(FileInfo file) : DroppedItem(file), IStorageFile
 {
-    public string Name => file.Name;
-
-    public Uri Path => new UriBuilder { Scheme = Uri.UriSchemeFile, Host = "", Path = file.FullName }.Uri;
-
-    public bool CanBookmark => false;
+    protected override DirectoryInfo? Parent => file.Directory;
 
     public Task<Stream> OpenReadAsync() => Task.FromResult<Stream>(file.OpenRead());
 
     public Task<Stream> OpenWriteAsync() => Task.FromResult<Stream>(file.Create());
 
-    public Task<StorageItemProperties> GetBasicPropertiesAsync()
+    public override Task<StorageItemProperties> GetBasicPropertiesAsync()
     {
         file.Refresh();
         return Task.FromResult(file.Exists
@@ -23,25 +19,11 @@ internal sealed class DroppedFile(FileInfo file) : IStorageFile
             : new StorageItemProperties(null, null, null));
     }
 
-    public Task<string?> SaveBookmarkAsync() => Task.FromResult<string?>(null);
+    protected override void Delete() => file.Delete();
 
-    public Task<IStorageFolder?> GetParentAsync() => Task.FromResult<IStorageFolder?>(file.Directory is { } folder ? new DroppedFolder(folder) : null);
-
-    public Task DeleteAsync()
+    protected override DroppedItem MoveTo(string path)
     {
-        file.Delete();
-        return Task.CompletedTask;
-    }
-
-    public Task<IStorageItem?> MoveAsync(IStorageFolder destination)
-    {
-        ArgumentNullException.ThrowIfNull(destination);
-        var target = System.IO.Path.Combine(destination.Path.LocalPath, file.Name);
-        file.MoveTo(target);
-        return Task.FromResult<IStorageItem?>(new DroppedFile(new FileInfo(target)));
-    }
-
-    public void Dispose()
-    {
+        file.MoveTo(path);
+        return new DroppedFile(new FileInfo(path));
     }
 }

@@ -11,7 +11,7 @@ internal static class DroppedFiles
         foreach (var path in paths)
         {
             var full = Path.GetFullPath(path);
-            data.Add(DataTransferItem.CreateFile(Directory.Exists(full) ? new DroppedFolder(new DirectoryInfo(full)) : new DroppedFile(new FileInfo(full))));
+            data.Add(DataTransferItem.CreateFile(DroppedItem.From(Directory.Exists(full) ? new DirectoryInfo(full) : new FileInfo(full))));
         }
 
         return data;

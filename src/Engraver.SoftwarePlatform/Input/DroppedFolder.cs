@@ -3,17 +3,13 @@ using Avalonia.Platform.Storage;
 namespace Engraver.SoftwarePlatform.Input;
 
 /// <summary>A folder on this computer that was dropped onto a window.</summary>
-internal sealed class DroppedFolder(DirectoryInfo folder) : IStorageFolder
+internal sealed class DroppedFolder(DirectoryInfo folder) : DroppedItem(folder), IStorageFolder
 {
-    public string Name => folder.Name;
-
-    public Uri Path => new UriBuilder { Scheme = Uri.UriSchemeFile, Host = "", Path = folder.FullName }.Uri;
-
-    public bool CanBookmark => false;
+    protected override DirectoryInfo? Parent => folder.Parent;
 
     public async IAsyncEnumerable<IStorageItem> GetItemsAsync()
     {
-        foreach (var item in folder.EnumerateFileSystemInfos()) yield return ItemOf(item);
+        foreach (var item in folder.EnumerateFileSystemInfos()) yield return From(item);
         await Task.CompletedTask.ConfigureAwait(false);
     }
 
@@ -38,30 +34,14 @@ internal sealed class DroppedFolder(DirectoryInfo folder) : IStorageFolder
 
     public Task<IStorageFolder?> CreateFolderAsync(string name) => Task.FromResult<IStorageFolder?>(new DroppedFolder(folder.CreateSubdirectory(name)));
 
-    public Task<StorageItemProperties> GetBasicPropertiesAsync() =>
+    public override Task<StorageItemProperties> GetBasicPropertiesAsync() =>
         Task.FromResult(new StorageItemProperties(null, folder.CreationTimeUtc, folder.LastWriteTimeUtc));
 
-    public Task<string?> SaveBookmarkAsync() => Task.FromResult<string?>(null);
+    protected override void Delete() => folder.Delete(recursive: true);
 
-    public Task<IStorageFolder?> GetParentAsync() => Task.FromResult<IStorageFolder?>(folder.Parent is { } parent ? new DroppedFolder(parent) : null);
-
-    public Task DeleteAsync()
+    protected override DroppedItem MoveTo(string path)
     {
-        folder.Delete(recursive: true);
-        return Task.CompletedTask;
+        folder.MoveTo(path);
+        return new DroppedFolder(new DirectoryInfo(path));
     }
-
-    public Task<IStorageItem?> MoveAsync(IStorageFolder destination)
-    {
-        ArgumentNullException.ThrowIfNull(destination);
-        var target = System.IO.Path.Combine(destination.Path.LocalPath, folder.Name);
-        folder.MoveTo(target);
-        return Task.FromResult<IStorageItem?>(new DroppedFolder(new DirectoryInfo(target)));
-    }
-
-    public void Dispose()
-    {
-    }
-
-    private static IStorageItem ItemOf(FileSystemInfo item) => item is DirectoryInfo child ? new DroppedFolder(child) : new DroppedFile((FileInfo)item);
 }

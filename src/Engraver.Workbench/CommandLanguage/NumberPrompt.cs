@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
@@ -27,5 +28,5 @@ public sealed record NumberPrompt(string Instruction) : ValuePrompt<double>(Inst
     public static bool TryNumber(string typed, out double value) =>
         double.TryParse(typed, NumberStyles.Float & ~NumberStyles.AllowLeadingWhite & ~NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture, out value) && double.IsFinite(value);
 
-    public static string Show(double value) => value.ToString("0.##########", CultureInfo.InvariantCulture);
+    public static string Show(double value) => NumberText.Rounded(value, 10);
 }

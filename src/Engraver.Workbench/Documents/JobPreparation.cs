@@ -17,8 +17,8 @@ namespace Engraver.Workbench.Documents;
 /// <summary>The stages from a drawing to its motion program, with the operator's settings converted to the options of each.</summary>
 public static class JobPreparation
 {
-    /// <summary>Join tolerance of computed contours, millimetres.</summary>
-    private const double ExactJoint = 1e-6;
+    /// <summary>Join tolerance of computed contours, whose ends coincide except for rounding; millimetres.</summary>
+    internal const double ExactJoint = 1e-6;
 
     /// <summary>The fixed-slot table of the selected layers, arcs analysed, file order.</summary>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>

@@ -20,9 +20,6 @@ namespace Engraver.Workbench.Documents;
 /// <param name="Bound">Maximum distance of the path from the source, millimetres: the largest proven bound plus the error of the arcs.</param>
 public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajectory> Trajectories, double Bound)
 {
-    /// <summary>Tolerance for coincident ends of 3D lines, millimetres.</summary>
-    private const double ExactJoint = 1e-6;
-
     /// <summary>Heights below this count as zero, millimetres.</summary>
     private const double NoHeight = 1e-6;
 
@@ -59,7 +56,7 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         var arcError = settings.Machine.Scale.Finer.LengthOf(CountShare);
         var rises = trajectories.Any(one => one.IsHelix);
         var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
-        if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
+        if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, JobPreparation.ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
         var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [Raised(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
         var table = JobPreparation.Analyse(splines, own);
         var sequence = JobPreparation.Sequence(splines, table, own);

@@ -13,7 +13,7 @@ public sealed record ChangedPart(int Index, DrawingPart Part, RationalCurve? Cur
     public Segment Segment => Curve is null ? Part.InPlan() : Segment.FromCurve(Curve);
 
     /// <summary>True if it is within the range of a drawing and did not vanish.</summary>
-    public bool IsSound => Segment.Bounds is var box && Fits(box.MinX) && Fits(box.MaxX) && Fits(box.MinY) && Fits(box.MaxY) && (box.Width > 0.0 || box.Height > 0.0) && Segment.Length > 0.0;
+    public bool IsSound => Segment.Bounds is var box && Drawing.Holds(box) && (box.Width > 0.0 || box.Height > 0.0) && Segment.Length > 0.0;
 
     /// <summary>A moved part.</summary>
     public static ChangedPart Moved(Drawing drawing, int index, Vector2D way)
@@ -41,6 +41,4 @@ public sealed record ChangedPart(int Index, DrawingPart Part, RationalCurve? Cur
 
         return drawing with { Parts = drawing.Parts.With(parts, []), Curves = curves.Count == 0 ? drawing.Curves : [.. drawing.Curves, .. curves] };
     }
-
-    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= Drawing.LargestCoordinate;
 }

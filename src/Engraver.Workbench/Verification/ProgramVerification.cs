@@ -1,4 +1,4 @@
-using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
@@ -48,7 +48,7 @@ public static class ProgramVerification
         var isBounded = double.IsFinite(blends.Largest);
         report = report with { MaxDeviationMm = isBounded ? report.MaxDeviationMm + blends.Largest : null, ToleranceMm = report.ToleranceMm + allowed, BlendMm = isBounded ? blends.Largest : null };
         var finding = !isBounded ? VerificationRules.BlendsWithoutBound.At(new SourceRef(blends.Line), FactText.Of(blends.Line))
-            : report.MaxDeviationMm is { } deviation && deviation > report.ToleranceMm ? VerificationRules.BlendsTooFar.At(new SourceRef(blends.Line), FactText.Of(blends.Largest), FactText.Of(blends.Line), Text(deviation), Text(report.ToleranceMm))
+            : report.MaxDeviationMm is { } deviation && deviation > report.ToleranceMm ? VerificationRules.BlendsTooFar.At(new SourceRef(blends.Line), FactText.Of(blends.Largest), FactText.Of(blends.Line), NumberText.Rounded(deviation, 4), NumberText.Rounded(report.ToleranceMm, 4))
             : null;
         return finding is null ? report : report with { Ok = false, Diagnostics = [.. report.Diagnostics, finding] };
     }
@@ -80,11 +80,9 @@ public static class ProgramVerification
     private static IEnumerable<Diagnostic> Differences(TraceVerdict found, double tolerance)
     {
         if (found.MaxDeviation > tolerance && found.DeviationAt is { } worst)
-            yield return VerificationRules.CutBesideDrawing.At(default, Text(found.MaxDeviation), Text(worst.XMm), Text(worst.YMm), Text(tolerance));
-        if (found.MissingLength > tolerance && found.MissingAt is { } missing) yield return VerificationRules.NotCut.At(default, Text(found.MissingLength), Text(missing.X), Text(missing.Y));
+            yield return VerificationRules.CutBesideDrawing.At(default, NumberText.Rounded(found.MaxDeviation, 4), NumberText.Rounded(worst.XMm, 4), NumberText.Rounded(worst.YMm, 4), NumberText.Rounded(tolerance, 4));
+        if (found.MissingLength > tolerance && found.MissingAt is { } missing) yield return VerificationRules.NotCut.At(default, NumberText.Rounded(found.MissingLength, 4), NumberText.Rounded(missing.X, 4), NumberText.Rounded(missing.Y, 4));
     }
-
-    private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }
 
 /// <summary>Comparison of a posted program with a drawing, millimetres.</summary>

@@ -70,7 +70,7 @@ internal sealed class CertifyVerb
     {
         if (request.DrawingHash is null && !DrawingFile.IsUnreadable(request.Drawing)) throw new UsageException(Wording.Get("Certify.NotRereadable", request.Drawing.FileName));
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
-        var made = await VerifyProgressBar.ShowAsync(quiet, progress => Certification.CertifyAsync(request, progress, stop)).ConfigureAwait(false);
+        var made = await ProgressBar.OfVerificationAsync(quiet, progress => Certification.CertifyAsync(request, progress, stop)).ConfigureAwait(false);
         var code = _host.Report(parsed, request.Drawing.FileName, made.Diagnostics);
         if (made.Certificate is not { } certificate)
         {

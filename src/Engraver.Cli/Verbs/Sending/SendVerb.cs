@@ -65,7 +65,7 @@ internal sealed class SendVerb
         try
         {
             await using var line = ProgramLine.Open(address, pace.LongestHold, TimeProvider.System);
-            return await SendProgressBar.ShowAsync(silent, job.Lines.Count, progress => ProgramSender.SendAsync(line, job, pace, progress, TimeProvider.System, stop)).ConfigureAwait(false);
+            return await ProgressBar.OfSendingAsync(silent, job.Lines.Count, progress => ProgramSender.SendAsync(line, job, pace, progress, TimeProvider.System, stop)).ConfigureAwait(false);
         }
         catch (PlatformNotSupportedException unbuilt)
         {

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines.Moves;
@@ -39,7 +38,7 @@ public static class TravelLimits
             if (Of(axes[i]) is not { } limit || (least[i] >= limit.Least && most[i] <= limit.Most)) continue;
             var outside = least[i] < limit.Least ? least[i] : most[i];
             var travel = axes[i].Travel!;
-            return PreparationRules.OutsideTravel.At(default, profile.Axes.NameOf(axes[i].Letter).ToString(), Number(axes[i].Scale.ToMillimetres(outside)), Number(travel.Least), Number(travel.Most));
+            return PreparationRules.OutsideTravel.At(default, profile.Axes.NameOf(axes[i].Letter).ToString(), NumberText.Rounded(axes[i].Scale.ToMillimetres(outside), 3), NumberText.Rounded(travel.Least, 3), NumberText.Rounded(travel.Most, 3));
         }
 
         return null;
@@ -63,7 +62,7 @@ public static class TravelLimits
         for (var i = 0; i < (withHeight ? axes.Count : 2); i++)
         {
             var length = Math.Abs(axes[i].Scale.ToMillimetres(step[i]));
-            if (axes[i].Travel is { } travel && length > travel.Most - travel.Least) return PreparationRules.StepBeyondTravel.At(default, Number(length), profile.Axes.NameOf(axes[i].Letter).ToString(), Number(travel.Most - travel.Least));
+            if (axes[i].Travel is { } travel && length > travel.Most - travel.Least) return PreparationRules.StepBeyondTravel.At(default, NumberText.Rounded(length, 3), profile.Axes.NameOf(axes[i].Letter).ToString(), NumberText.Rounded(travel.Most - travel.Least, 3));
         }
 
         return null;
@@ -83,16 +82,14 @@ public static class TravelLimits
         if (extents.Heights(program.Profile, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
         var (least, most) = (heights.Least + frame.Z, heights.Most + frame.Z);
         if (least >= limit.Least && most <= limit.Most) return null;
-        var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), Number(axis.Scale.ToMillimetres(least < limit.Least ? least : most)));
-        var (down, up) = (Number(axis.Travel!.Least), Number(axis.Travel.Most));
+        var (name, place) = (profile.Axes.NameOf(axis.Letter).ToString(), NumberText.Rounded(axis.Scale.ToMillimetres(least < limit.Least ? least : most), 3));
+        var (down, up) = (NumberText.Rounded(axis.Travel!.Least, 3), NumberText.Rounded(axis.Travel.Most, 3));
         return dryRun
-            ? PreparationRules.DryRunOutsideTravel.At(default, Number(axis.Scale.ToMillimetres(DryLift.Of(program.Profile, extents))), name, place, down, up)
+            ? PreparationRules.DryRunOutsideTravel.At(default, NumberText.Rounded(axis.Scale.ToMillimetres(DryLift.Of(program.Profile, extents)), 3), name, place, down, up)
             : PreparationRules.HeightOutsideTravel.At(default, name, place, down, up);
     }
 
     private static int Clamp(double counts) => (int)Math.Clamp(counts, int.MinValue, int.MaxValue);
-
-    private static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
 }
 
 /// <summary>The ends of an axis' travel, counts from the controller's own zero; both may be reached.</summary>

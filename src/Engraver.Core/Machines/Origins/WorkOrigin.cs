@@ -15,6 +15,15 @@ public sealed record WorkOrigin(long? X, long? Y, int? Z = null)
 
     /// <summary>The position of both plane axes; null while one of them is not set. A height that is not set counts 0.</summary>
     public CountsPoint? Plane => X is { } x && Y is { } y ? new CountsPoint(x, y, Z ?? 0) : null;
+
+    /// <summary>The machine position of each axis in millimetres: X, Y and, where the machine has one, Z. Null for an axis that is not set.</summary>
+    public IReadOnlyList<double?> ToMillimetres(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        var plane = profile.Scale.ToMillimetres(X ?? 0, Y ?? 0);
+        double?[] inPlan = [X is null ? null : plane.X, Y is null ? null : plane.Y];
+        return profile.Axes.Z is null ? inPlan : [.. inPlan, Z is { } z ? profile.Scale.ToMillimetres(z) : null];
+    }
 }
 
 /// <summary>The names of work origins, as in G-code.</summary>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines.Moves;
@@ -49,7 +48,7 @@ public static class WorkPlacement
         if (memory.IsHomedAt(profile, place)) return null;
         if (place.Doubt.Length > 0) return PreparationRules.PositionDoubted.At(default, place.Doubt);
         return memory.HomedAs == profile.HomedAs && memory.IsSameZero(place) && memory.HomedAxes.DifferenceFrom(profile) is { } other
-            ? PreparationRules.HomedByOtherCounts.At(default, Number(other.Then.Counts), other.Axis, Number(other.Now.Counts))
+            ? PreparationRules.HomedByOtherCounts.At(default, NumberText.Rounded(other.Then.Counts, 3), other.Axis, NumberText.Rounded(other.Now.Counts, 3))
             : PreparationRules.NotHomed.At(default);
     }
 
@@ -58,7 +57,7 @@ public static class WorkPlacement
     {
         null => null,
         { IsOtherLetter: true } other => PreparationRules.SetByOtherAxis.At(default, name, other.Axis, $"{other.Then.Letter}", $"{other.Now.Letter}"),
-        { } other => PreparationRules.SetByOtherCounts.At(default, name, Number(other.Then.Counts), other.Axis, Number(other.Now.Counts)),
+        { } other => PreparationRules.SetByOtherCounts.At(default, name, NumberText.Rounded(other.Then.Counts, 3), other.Axis, NumberText.Rounded(other.Now.Counts, 3)),
     };
 
     /// <summary>Why the controller's position cannot be trusted according to what is stored; null when it can.</summary>
@@ -103,7 +102,7 @@ public static class WorkPlacement
     private static PlacementResult Given(MachineMemory memory, ControllerPlace place, Point2D at, MachineProfile profile)
     {
         if ((place.Doubt.Length > 0 ? place.Doubt : memory.Lost) is { Length: > 0 } doubt) return Refused(PreparationRules.PositionDoubted.At(default, doubt));
-        if (!profile.Scale.Holds(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, Number(at.X), Number(at.Y)));
+        if (!profile.Scale.Holds(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, NumberText.Rounded(at.X, 3), NumberText.Rounded(at.Y, 3)));
         if (profile.Height is null) return Placed(profile.Scale.ToCounts(at), OriginSource.Given);
         if (memory.ActiveOrigin is { Z: not null } origin && (LossOf(memory, place) ?? OtherAxes(memory.Active, origin, profile)) is { } unusable) return Refused(unusable);
         return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
@@ -126,15 +125,13 @@ public static class WorkPlacement
 
         if (place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };
         var scale = profile.Scale;
-        var plane = $"{Number(scale.X.ToMillimetres(place.Position.X))}, {Number(scale.Y.ToMillimetres(place.Position.Y))}";
-        return Refused(PreparationRules.NoOrigin.At(default, memory.Active, profile.Axes.Z is null ? plane : $"{plane}, {Number(scale.ToMillimetres(place.Position.Z))}"));
+        var plane = $"{NumberText.Rounded(scale.X.ToMillimetres(place.Position.X), 3)}, {NumberText.Rounded(scale.Y.ToMillimetres(place.Position.Y), 3)}";
+        return Refused(PreparationRules.NoOrigin.At(default, memory.Active, profile.Axes.Z is null ? plane : $"{plane}, {NumberText.Rounded(scale.ToMillimetres(place.Position.Z), 3)}"));
     }
 
     private static PlacementResult Placed(CountsPoint frame, OriginSource source) => new(frame, source, null);
 
     private static PlacementResult Refused(Diagnostic refusal) => new(null, OriginSource.Work, refusal);
-
-    private static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
 }
 
 /// <summary>Where the drawing's zero is from the controller's own zero, or why it is unknown.</summary>

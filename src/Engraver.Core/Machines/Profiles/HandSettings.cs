@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines.Moves;
 using static Engraver.Core.Machines.Profiles.MachineProfileValidation;
@@ -16,7 +15,7 @@ internal static class HandSettings
         foreach (var (name, axis) in profile.Axes.Named)
         {
             if (axis.Travel is { } travel && !(travel.Least < travel.Most && double.IsFinite(travel.Least) && double.IsFinite(travel.Most) && IsCountable(travel, axis)))
-                yield return Text($"travel{name}", $"{Number(travel.Least)}..{Number(travel.Most)}", Wording.Get("MachineProfileValidation.Travel"));
+                yield return Text($"travel{name}", $"{NumberText.Exact(travel.Least)}..{NumberText.Exact(travel.Most)}", Wording.Get("MachineProfileValidation.Travel"));
             if (axis.Homing is not { } homing) continue;
             foreach (var finding in Homing(name, axis, homing, limits)) yield return finding;
         }
@@ -43,13 +42,11 @@ internal static class HandSettings
         if (!(homing.BackOff >= 0.0 && homing.BackOff < 1e6 && axis.Scale.IsUsable && axis.Scale.CountsOf(homing.BackOff) < int.MaxValue)) yield return Finding($"homing.{name}.backOff", homing.BackOff, Wording.Get("MachineProfileValidation.HomingBackOff"));
         var rest = homing.Zero + ((homing.Plus ? -1.0 : 1.0) * homing.BackOff);
         if (!(Math.Abs(axis.Scale.Exact(homing.Zero)) < int.MaxValue && Math.Abs(axis.Scale.Exact(rest)) < int.MaxValue)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.PositionWithinCounters"));
-        else if (axis.Travel is { } travel && (rest < travel.Least || rest > travel.Most)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.HomingInTravel", Number(rest), Number(travel.Least), Number(travel.Most)));
+        else if (axis.Travel is { } travel && (rest < travel.Least || rest > travel.Most)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.HomingInTravel", NumberText.Exact(rest), NumberText.Exact(travel.Least), NumberText.Exact(travel.Most)));
         if (homing.Seconds is not (> 0.0 and <= LongestHomingSeconds)) yield return Finding($"homing.{name}.seconds", homing.Seconds, Wording.Get("MachineProfileValidation.HomingSeconds", LongestHomingSeconds));
     }
 
     private static bool IsCountable(AxisTravel travel, MachineAxis axis) => !axis.Scale.IsUsable || axis.Scale.CountsOf(Math.Max(Math.Abs(travel.Least), Math.Abs(travel.Most))) < int.MaxValue;
-
-    private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
     private static Diagnostic Text(string setting, string value, string limit) => MotionRules.SettingOutOfRange.At(default, setting, value, limit);
 }

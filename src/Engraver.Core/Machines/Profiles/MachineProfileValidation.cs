@@ -59,7 +59,7 @@ public static class MachineProfileValidation
     {
         if (p.ToolOffSettleSeconds is not (null or (>= 0.0 and <= LongestSettleSeconds))) yield return Finding("toolOffSettleSeconds", p.ToolOffSettleSeconds.Value, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
         foreach (var (name, axis) in p.Axes.Named.Where(named => named.Axis.MotorType is { } type && !limits.MotorTypes.Contains(type)))
-            yield return Finding("motorType" + name, axis.MotorType!.Value, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", limits.MotorTypes.Select(Text))));
+            yield return Finding("motorType" + name, axis.MotorType!.Value, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", limits.MotorTypes.Select(NumberText.Exact))));
         if (p.Spindle is { } spindle)
         {
             if (spindle.Output < 1 || spindle.Output > limits.Outputs || (p.Height is null && spindle.Output == p.ToolOutput)) yield return Finding("spindleOutput", spindle.Output, Wording.Get("MachineProfileValidation.OtherOutputThanTool", limits.Outputs));
@@ -75,7 +75,7 @@ public static class MachineProfileValidation
             yield break;
         }
 
-        if (!(height.ClearanceHeight >= height.RetractHeight)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.AtLeastRetractHeight", Text(height.RetractHeight)));
+        if (!(height.ClearanceHeight >= height.RetractHeight)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.AtLeastRetractHeight", NumberText.Exact(height.RetractHeight)));
         if (!IsHeight(height.ClearanceHeight, p)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.HeightWithinCounters"));
         if (!(height.RetractHeight > 0.0)) yield return Finding("retractHeight", height.RetractHeight, Wording.Get("MachineProfileValidation.AboveWork"));
         if (!(height.CutDepth >= 0.0) || !IsHeight(height.CutDepth, p)) yield return Finding("cutDepth", height.CutDepth, Wording.Get("MachineProfileValidation.DepthNotNegative"));
@@ -84,8 +84,6 @@ public static class MachineProfileValidation
     }
 
     private static bool IsHeight(double millimetres, MachineProfile profile) => Math.Abs(profile.Scale.Z.Exact(millimetres)) < int.MaxValue / 4.0;
-
-    private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
     private static bool IsCountable(Point2D place, MachineProfile profile) => !profile.Scale.X.IsUsable || !profile.Scale.Y.IsUsable || profile.Scale.Holds(Bounds2D.FromCorners(place, place), default);
 

@@ -24,6 +24,17 @@ internal static class PieceCrossings
         return into.Count;
     }
 
+    /// <summary>Distance by which the computed crossing of two neighbours can miss the point that joins them, where they are almost tangent.</summary>
+    /// <param name="leaving">Direction at the end of the first.</param>
+    /// <param name="arriving">Direction at the start of the second.</param>
+    /// <param name="radius">The larger radius of the two; 0 for lines.</param>
+    /// <returns>Null for neighbours that are not almost tangent: their crossing is computed exactly.</returns>
+    public static double? JointError(Vector2D leaving, Vector2D arriving, double radius)
+    {
+        var sine = Math.Abs(leaving.Cross(arriving));
+        return sine < 1e-3 ? 4.0 * Math.Max(sine, 1e-7) * radius : null;
+    }
+
     private static void OfLines(ref CommonPoints into)
     {
         var (first, second) = (into.First, into.Second);

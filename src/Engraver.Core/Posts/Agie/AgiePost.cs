@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Toolpaths;
@@ -39,9 +38,9 @@ public sealed class AgiePost : IPost
         ArgumentNullException.ThrowIfNull(request);
         var (path, isPaper) = (request.Path, request.Value(Style) == PaperStyle);
         if (path.Strokes.Count == 0) return new PostText([], [DocumentRules.NothingToPost.At(default)]);
-        if (isPaper && AgiePaper.Unwritable(path) is { } entity) return Refused(PostRules.RadiusNotWritable.At(request.SourceOf?.Invoke(entity) ?? default, Text(AgieBlock.Largest / 1000.0)));
+        if (isPaper && AgiePaper.Unwritable(path) is { } entity) return Refused(PostRules.RadiusNotWritable.At(request.SourceOf?.Invoke(entity) ?? default, NumberText.Rounded(AgieBlock.Largest / 1000.0, 4)));
         var made = isPaper ? AgiePaper.Write(path) : AgieExact.Write(path);
-        if (made.TooMany) return Refused(PostRules.TooManyBlocks.At(default, Text(AgieSteps.Most)));
+        if (made.TooMany) return Refused(PostRules.TooManyBlocks.At(default, NumberText.Rounded(AgieSteps.Most, 4)));
         if (made.All.Count == 0) return Refused(PostRules.NothingToMove.At(default));
         return Written(path, made.All, request.Value(StartMark) == OwnLine);
     }
@@ -57,10 +56,8 @@ public sealed class AgiePost : IPost
     private static Diagnostic WholeDegrees(PostForecast forecast)
     {
         var worst = forecast.Blocks.MaxBy(block => block.Error ?? 0.0)!;
-        return PostRules.ContourError.At(default, Text(forecast.MaxError), Text(worst.End.X), Text(worst.End.Y), Text(worst.Number), forecast.MaxClosure is { } closure ? Wording.Get("AgiePost.LargestGap", Text(closure)) : Wording.Get("AgiePost.NoClosedContour")) with { Place = worst.End };
+        return PostRules.ContourError.At(default, NumberText.Rounded(forecast.MaxError, 4), NumberText.Rounded(worst.End.X, 4), NumberText.Rounded(worst.End.Y, 4), NumberText.Rounded(worst.Number, 4), forecast.MaxClosure is { } closure ? Wording.Get("AgiePost.LargestGap", NumberText.Rounded(closure, 4)) : Wording.Get("AgiePost.NoClosedContour")) with { Place = worst.End };
     }
 
     private static PostText Refused(Diagnostic why) => new([], [why]);
-
-    private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }

@@ -43,11 +43,11 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
         Line($"(CncEngraver, {choice.Dialect.Name}, mm)");
         Line("G21 G17 G90 G91.1");
         Line("G94 G40 G49 G80");
-        Line($"{choice.WorkOffset} {(choice.Blend > 0.0 ? $"G64 P{Number(choice.Blend)}" : "G61")}");
+        Line($"{choice.WorkOffset} {(choice.Blend > 0.0 ? $"G64 P{NumberText.Rounded(choice.Blend, 4)}" : "G61")}");
         if (_machine.Height is { } drive) Rise(drive);
         else ToolOff();
         if (_machine.Spindle is not { } spindle) return;
-        Line($"M3 S{Number(choice.SpindleSpeed)}");
+        Line($"M3 S{NumberText.Rounded(choice.SpindleSpeed, 4)}");
         Dwell(spindle.SpinUpSeconds);
     }
 
@@ -131,12 +131,12 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
     {
         if (mmPerMinute == _feed) return "";
         _feed = mmPerMinute;
-        return $" F{Number(mmPerMinute)}";
+        return $" F{NumberText.Rounded(mmPerMinute, 4)}";
     }
 
     private void ToolOn() => Line(choice.Switch switch
     {
-        GcodeChoice.BySpindle => $"M3 S{Number(choice.SpindleSpeed)}",
+        GcodeChoice.BySpindle => $"M3 S{NumberText.Rounded(choice.SpindleSpeed, 4)}",
         GcodeChoice.ByCoolant => "M8",
         _ => OutputLine(!_machine.ToolActiveLow),
     });
@@ -153,10 +153,8 @@ internal sealed class GcodeProgram(GcodeChoice choice, PostRequest request)
 
     private void Dwell(double seconds)
     {
-        if (seconds > 0.0) Line($"G4 P{Number(seconds)}");
+        if (seconds > 0.0) Line($"G4 P{NumberText.Rounded(seconds, 4)}");
     }
-
-    private static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 
     private void Line(string text) => _text.Append(text).Append('\n');
 }

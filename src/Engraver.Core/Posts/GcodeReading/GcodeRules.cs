@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Engraver.Core.Posts.GcodeReading;
 
 /// <summary>Checks a line before any part of it is executed.</summary>
@@ -14,7 +12,7 @@ internal static class GcodeRules
         var isGrbl = controller == GcodeController.Grbl;
         var longest = isGrbl ? LongestLineOfGrbl : LongestLine;
         if (block.Length > longest) return Wording.Get("GcodeReader.LineTooLong", longest);
-        if (block['N'] is { } number && !(number >= 0.0 && number <= (isGrbl ? 9_999_999.0 : 99_999.0) && number == Math.Floor(number))) return Wording.Get("GcodeReader.BadLineNumber", Text(number));
+        if (block['N'] is { } number && !(number >= 0.0 && number <= (isGrbl ? 9_999_999.0 : 99_999.0) && number == Math.Floor(number))) return Wording.Get("GcodeReader.BadLineNumber", NumberText.Rounded(number, 3));
         return Codes(block, 'G', controller) ?? Codes(block, 'M', controller) ?? Values(block, isGrbl);
     }
 
@@ -25,8 +23,8 @@ internal static class GcodeRules
         {
             var code = (int)Math.Round(Math.Clamp(word.Value, -1.0, 1000.0) * 10.0);
             var group = Math.Abs((word.Value * 10.0) - code) > 1e-6 ? -1 : GcodeCodes.GroupOf(letter, code, controller);
-            if (group < 0) return Wording.Get("GcodeReader.CodeNotSupported", letter + Text(word.Value));
-            if (!groups.Add(group)) return Wording.Get("GcodeReader.SameGroup", letter + Text(word.Value));
+            if (group < 0) return Wording.Get("GcodeReader.CodeNotSupported", letter + NumberText.Rounded(word.Value, 3));
+            if (!groups.Add(group)) return Wording.Get("GcodeReader.SameGroup", letter + NumberText.Rounded(word.Value, 3));
         }
 
         return null;
@@ -49,6 +47,4 @@ internal static class GcodeRules
         if (dwells && block.Has("XYZIJR")) return Wording.Get("GcodeReader.DwellWithAxisOrArcWords");
         return block.Has("F") && codes.Any(code => code is GcodeCodes.Inch or GcodeCodes.Millimetre) ? Wording.Get("GcodeReader.UnitAndFeed") : null;
     }
-
-    private static string Text(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
 }

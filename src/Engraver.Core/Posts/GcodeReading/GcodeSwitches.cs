@@ -60,7 +60,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
     /// <summary>Called when an axis moves or the program ends: before this, the program must have waited for the last switch, and for nothing else.</summary>
     public void EndWait()
     {
-        if (Math.Abs(_waited - _due) > Decimals) terms?.Differ(_line, $"G4 P{Text(_waited)}", $"G4 P{Text(_due)}");
+        if (Math.Abs(_waited - _due) > Decimals) terms?.Differ(_line, $"G4 P{NumberText.Rounded(_waited, 4)}", $"G4 P{NumberText.Rounded(_due, 4)}");
         (_waited, _due) = (0.0, 0.0);
     }
 
@@ -68,7 +68,7 @@ internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
     public void Cut(int line)
     {
         if (terms is null || !(profile.Spindle is not null || (_isSwitched && AsksFor("m3")))) return;
-        if (!(Math.Abs((_speed ?? double.NaN) - terms.Asked.SpindleSpeed) <= Decimals)) terms.Differ(line, _speed is { } speed ? $"S{Text(speed)}" : Wording.Get("GcodeReader.NoSpeed"), $"S{Text(terms.Asked.SpindleSpeed)}");
+        if (!(Math.Abs((_speed ?? double.NaN) - terms.Asked.SpindleSpeed) <= Decimals)) terms.Differ(line, _speed is { } speed ? $"S{NumberText.Rounded(speed, 4)}" : Wording.Get("GcodeReader.NoSpeed"), $"S{NumberText.Rounded(terms.Asked.SpindleSpeed, 4)}");
     }
 
     private void Await(double seconds, int line)
@@ -97,7 +97,5 @@ internal sealed class GcodeSwitches(MachineProfile profile, TermsJudge? terms)
         return terms.Asked.ToolSwitch switch { "m8" => "M8, M9", "m64" => string.Create(CultureInfo.InvariantCulture, $"M64 P{profile.ToolOutput - 1}, M65 P{profile.ToolOutput - 1}"), _ => "M3, M5" };
     }
 
-    private static string Spelled(int code, double? output) => code is >= 620 and <= OutputOff ? $"M{Text(code / 10.0)} P{Text(output ?? 0.0)}" : $"M{Text(code / 10.0)}";
-
-    private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+    private static string Spelled(int code, double? output) => code is >= 620 and <= OutputOff ? $"M{NumberText.Rounded(code / 10.0, 4)} P{NumberText.Rounded(output ?? 0.0, 4)}" : $"M{NumberText.Rounded(code / 10.0, 4)}";
 }

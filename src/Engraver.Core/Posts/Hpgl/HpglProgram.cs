@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text;
 using Engraver.Core.Geometry;
 using Engraver.Core.Toolpaths;
@@ -37,7 +36,7 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
             Say($"SC0,{100 * sheet.PerMillimetre},0,{100 * sheet.PerMillimetre}");
         }
 
-        Say($"VS{(feedMmPerMinute / 600.0).ToString("0.####", CultureInfo.InvariantCulture)}"); // cm/s
+        Say($"VS{NumberText.Rounded(feedMmPerMinute / 600.0, 4)}"); // cm/s
         foreach (var stroke in path.Strokes) Stroke(stroke);
         Line("SP0");
         return _text.ToString();
@@ -104,7 +103,7 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
         while (chord > FinestChord && Height(arc, chord) > ChordShare * sheet.Unit) chord = Math.Max(FinestChord, chord - FinestChord);
         var apart = sheet.Millimetres(centre).DistanceTo(arc.Centre) + Math.Abs(sheet.Millimetres(centre).DistanceTo(sheet.Millimetres(_place)) - arc.Radius) + Height(arc, chord);
         if (apart > LargestError) (LargestError, ErrorAt) = (apart, segment.Start);
-        Say($"AA{centre.X},{centre.Y},{Number(arc.Sweep.Degrees)},{Number(chord)}");
+        Say($"AA{centre.X},{centre.Y},{NumberText.Rounded(arc.Sweep.Degrees, 4)},{NumberText.Rounded(chord, 4)}");
         if (segment.Kind == SegmentKind.Circle) return;
         _place = sheet.Of(segment.End);
         Measure(segment.End);
@@ -112,8 +111,6 @@ internal sealed class HpglProgram(HpglSheet sheet, bool writesArcs)
     }
 
     private static double Height(ArcSegment arc, double chordDegrees) => arc.Radius * (1.0 - Math.Cos(chordDegrees * Math.PI / 360.0));
-
-    private static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 
     private void Say(FormattableString text) => Line(FormattableString.Invariant(text));
 

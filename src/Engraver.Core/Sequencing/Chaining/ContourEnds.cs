@@ -1,4 +1,3 @@
-using System.Collections;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
@@ -6,7 +5,7 @@ namespace Engraver.Core.Sequencing.Chaining;
 
 /// <summary>The ends of open contours, two for each, start before end, in contour order. The distances of the nearest other ends are computed only on request:
 /// a report shows perhaps a hundred of two million ends.</summary>
-public sealed class ContourEnds : IReadOnlyList<Discontinuity>
+public sealed class ContourEnds : IndexedList<Discontinuity>
 {
     /// <summary>Distance beyond which two ends are not considered an overlooked gap, millimetres.</summary>
     public const double WidestGap = 1.0;
@@ -27,13 +26,7 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
         _measured = new Lazy<Discontinuity[]>(Measure);
     }
 
-    public int Count => _places.Length;
-
-    public Discontinuity this[int index] => _measured.Value[index];
-
-    public IEnumerator<Discontinuity> GetEnumerator() => ((IEnumerable<Discontinuity>)_measured.Value).GetEnumerator();
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+    public override int Count => _places.Length;
 
     /// <summary>Position of one of the ends, millimetres.</summary>
     public Point2D PlaceOf(int index) => _places[index];
@@ -87,6 +80,8 @@ public sealed class ContourEnds : IReadOnlyList<Discontinuity>
 
         return new NearbyEnds(count, measured, firstFar);
     }
+
+    protected override Discontinuity ItemAt(int index) => _measured.Value[index];
 
     private Discontinuity[] Measure()
     {

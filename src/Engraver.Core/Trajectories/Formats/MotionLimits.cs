@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Trajectories.Formats;
@@ -14,8 +13,8 @@ internal static class MotionLimits
     {
         var box = run.Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
         if (box.IsEmpty) yield break;
-        if (box.Width > motion.TravelX) yield return Wording.Get("Xps.TravelExceeded", "X", Fact(box.Width), Fact(motion.TravelX.Value));
-        if (box.Height > motion.TravelY) yield return Wording.Get("Xps.TravelExceeded", "Y", Fact(box.Height), Fact(motion.TravelY.Value));
+        if (box.Width > motion.TravelX) yield return Wording.Get("Xps.TravelExceeded", "X", NumberText.Rounded(box.Width, 4), NumberText.Rounded(motion.TravelX.Value, 4));
+        if (box.Height > motion.TravelY) yield return Wording.Get("Xps.TravelExceeded", "Y", NumberText.Rounded(box.Height, 4), NumberText.Rounded(motion.TravelY.Value, 4));
     }
 
     /// <summary>The largest speed along the path at which no axis exceeds its acceleration: at a constant speed v the acceleration is v^2 times the curvature,
@@ -49,6 +48,4 @@ internal static class MotionLimits
         var curvature = slope.Cross(bend) / (speed * speed * speed);
         return Math.Abs(curvature) * Math.Max(Math.Abs(slope.X), Math.Abs(slope.Y)) / speed;
     }
-
-    private static string Fact(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }

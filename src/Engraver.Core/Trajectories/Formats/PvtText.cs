@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text;
 using Engraver.Core.Geometry;
 
@@ -169,12 +168,10 @@ internal static class PvtText
     private static void AddLimits(List<string> broken, int element, in Station from, in Station to, TrajectoryMotion motion)
     {
         var (most, t) = (MostAcceleration(from, to), to.Seconds);
-        if (most > motion.Acceleration) broken.Add(Wording.Get("Xps.Acceleration", element, Fact(most), Fact(motion.Acceleration)));
-        if (to.Velocity.Length > motion.Velocity * 1.000001) broken.Add(Wording.Get("Xps.Velocity", element, Fact(to.Velocity.Length), Fact(motion.Velocity)));
-        if (t < ShortestSeconds && to.Place != from.Place) broken.Add(Wording.Get("Xps.ElementTooShort", element, Fact(t)));
+        if (most > motion.Acceleration) broken.Add(Wording.Get("Xps.Acceleration", element, NumberText.Rounded(most, 4), NumberText.Rounded(motion.Acceleration, 4)));
+        if (to.Velocity.Length > motion.Velocity * 1.000001) broken.Add(Wording.Get("Xps.Velocity", element, NumberText.Rounded(to.Velocity.Length, 4), NumberText.Rounded(motion.Velocity, 4)));
+        if (t < ShortestSeconds && to.Place != from.Place) broken.Add(Wording.Get("Xps.ElementTooShort", element, NumberText.Rounded(t, 4)));
     }
-
-    private static string Fact(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 
     /// <param name="At">Position as a length of the chain.</param>
     private readonly record struct Station(double Seconds, Point2D Place, Vector2D Velocity, double At);

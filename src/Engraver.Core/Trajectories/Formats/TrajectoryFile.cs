@@ -23,7 +23,7 @@ public sealed record TrajectoryFile(
     public double? MaxSpeed { get; init; }
 
     /// <summary>A number of a file: invariant, without exponent, with the precision of the points.</summary>
-    internal static string Number(double value) => (Math.Round(value, SplineFit.Decimals) + 0.0).ToString("0.#########", CultureInfo.InvariantCulture);
+    internal static string Number(double value) => NumberText.Rounded(Math.Round(value, SplineFit.Decimals) + 0.0, SplineFit.Decimals);
 
     /// <summary>The number with at least six decimals, as in the manuals.</summary>
     internal static string LongNumber(double value) => (Math.Round(value, SplineFit.Decimals) + 0.0).ToString("0.000000###", CultureInfo.InvariantCulture);

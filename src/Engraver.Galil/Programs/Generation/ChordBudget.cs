@@ -1,4 +1,4 @@
-using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
@@ -35,9 +35,7 @@ internal static class ChordBudget
         }
 
         if (all <= Most) return null;
-        var arcs = scale.KeepsCircles ? Wording.Get("ChordBudget.ArcsUpToRadius", Text(scale.Finer.LengthOf(DmcLimits.LargestRadius))) : Wording.Get("ChordBudget.NoArcs");
-        return MotionRules.TooManyChords.At(source(worst.EntityIndex), Text(all), Text(Most), Text(worst.Segment.Arc.Radius), Text(most), arcs);
+        var arcs = scale.KeepsCircles ? Wording.Get("ChordBudget.ArcsUpToRadius", NumberText.Rounded(scale.Finer.LengthOf(DmcLimits.LargestRadius), 3)) : Wording.Get("ChordBudget.NoArcs");
+        return MotionRules.TooManyChords.At(source(worst.EntityIndex), NumberText.Rounded(all, 3), NumberText.Rounded(Most, 3), NumberText.Rounded(worst.Segment.Arc.Radius, 3), NumberText.Rounded(most, 3), arcs);
     }
-
-    private static string Text(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
 }

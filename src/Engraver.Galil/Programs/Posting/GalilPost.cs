@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
@@ -55,7 +56,7 @@ public sealed class GalilPost : IPost
         var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(Memory), CultureInfo.InvariantCulture), Unattended = request.Value(Unattended) == "yes" };
         if (Place(request.Value(Origin)) is { } place)
         {
-            if (OriginOf(program, place) is not { } origin) return new PostText([], [MotionRules.OutsideCounts.At(default, Number(place[0]), Number(place[1]), Number(program.Profile.Scale.X.CountsPerMillimetre), Number(program.Profile.Scale.Y.CountsPerMillimetre))]);
+            if (OriginOf(program, place) is not { } origin) return new PostText([], [MotionRules.OutsideCounts.At(default, NumberText.Exact(place[0]), NumberText.Exact(place[1]), NumberText.Exact(program.Profile.Scale.X.CountsPerMillimetre), NumberText.Exact(program.Profile.Scale.Y.CountsPerMillimetre))]);
             options = options with { Origin = origin };
         }
 
@@ -96,8 +97,6 @@ public sealed class GalilPost : IPost
         var origin = scale.ToCounts(at);
         return new ControllerFrame(default, origin).Holds(MotionExtents.Of(program)) ? new PostOrigin(origin.X, origin.Y, place.Length == 3 ? (int)Math.Round(z) : null) : null;
     }
-
-    private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 
     private static string Text(int lines) => lines.ToString(CultureInfo.InvariantCulture);
 }

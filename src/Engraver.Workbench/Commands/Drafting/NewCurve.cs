@@ -33,7 +33,7 @@ internal static class DrawingAddition
     public static DocumentState Add(DocumentState state, IReadOnlyList<NewCurve> curves)
     {
         var (drawing, layer) = CurrentLayer.In(state);
-        var handle = HighestHandle(drawing);
+        var handle = drawing.HighestHandle();
         var (entities, parts, free) = (new List<DrawingEntity>(), new List<DrawingPart>(), new List<RationalCurve>(drawing.Curves));
         foreach (var curve in curves)
         {
@@ -47,19 +47,10 @@ internal static class DrawingAddition
     private static DrawingPart PartOf(in Segment segment, int entity, List<RationalCurve> free)
     {
         var box = segment.Bounds;
-        if (!Fits(box.MinX) || !Fits(box.MinY) || !Fits(box.MaxX) || !Fits(box.MaxY)) throw new CommandException(CommandFailure.Usage, Wording.Get("Drafting.OutOfRange", Drawing.LargestCoordinate));
+        if (!Drawing.Holds(box)) throw new CommandException(CommandFailure.Usage, Wording.Get("Drafting.OutOfRange", Drawing.LargestCoordinate));
         if (segment.Kind == SegmentKind.Line) return DrawingPart.Line(entity, segment.Start.X, segment.Start.Y, 0.0, segment.End.X, segment.End.Y, 0.0);
         if (!segment.IsFreeCurve) return DrawingPart.Arc(entity, segment.Arc, 0.0);
         free.Add(segment.Curve);
         return DrawingPart.FreeCurve(entity, segment.Kind, free.Count - 1);
-    }
-
-    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= Drawing.LargestCoordinate;
-
-    private static ulong HighestHandle(Drawing drawing)
-    {
-        var highest = 0UL;
-        for (var index = 0; index < drawing.Entities.Count; index++) highest = Math.Max(highest, drawing.Entities[index].Handle);
-        return highest;
     }
 }

@@ -93,8 +93,8 @@ internal static class OriginText
     public static string Sentence(string name, WorkOrigin? origin, MachineProfile profile)
     {
         if (origin is null) return Wording.Get("Origins.NotSet", name);
-        var (x, y) = (Axis(origin.X, profile.Scale.X), Axis(origin.Y, profile.Scale.Y));
-        var place = profile.Axes.Z is null ? Wording.Get("Origins.Place", x, y) : Wording.Get("Origins.PlaceWithZ", x, y, Axis(origin.Z, profile.Scale.Z));
+        string[] axes = [.. origin.ToMillimetres(profile).Select(axis => axis is { } set ? Wording.Get("Origins.Millimetres", set) : Wording.Get("Origins.AxisNotSet"))];
+        var place = axes.Length == 2 ? Wording.Get("Origins.Place", axes[0], axes[1]) : Wording.Get("Origins.PlaceWithZ", axes[0], axes[1], axes[2]);
         return Wording.Get(origin.IsAssumed ? "Origins.Assumed" : "Origins.IsSet", name, place);
     }
 
@@ -114,6 +114,4 @@ internal static class OriginText
     {
         if (before is not null && context.Machine.Runs.Part is null) context.Say(Wording.Get("Origins.ResumeDropped"), MessageKind.Warning);
     }
-
-    private static string Axis(long? counts, AxisScale scale) => counts is { } set ? Wording.Get("Origins.Millimetres", scale.ToMillimetres(set)) : Wording.Get("Origins.AxisNotSet");
 }

@@ -101,5 +101,5 @@ internal static class StretchedParts
         return DrawingPart.Arc(part.Entity, ArcSegment.FromBulge(start, end, bulge), part.C);
     }
 
-    private static bool Fits(Point2D place) => Math.Abs(place.X) <= Drawing.LargestCoordinate && Math.Abs(place.Y) <= Drawing.LargestCoordinate;
+    private static bool Fits(Point2D place) => Drawing.Holds(place.X) && Drawing.Holds(place.Y);
 }

@@ -15,7 +15,7 @@ internal sealed class SaceHelicalDrillCommand : ICommand
         _ = context.Drawing;
         var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Trajectories.HoleCentre"))).ConfigureAwait(false);
         var hole = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.hole", "Trajectories.HoleRadius", 1.0, centre).ConfigureAwait(false);
-        var tool = await TrajectoryPrompts.LengthAsync(context, TrajectoryPrompts.Removal, "Trajectories.RemovalRadius", 0.25).ConfigureAwait(false);
+        var tool = await TrajectoryPrompts.RemovalRadiusAsync(context).ConfigureAwait(false);
         if (!(hole > tool)) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.HoleTooSmall", NumberPrompt.Show(hole), NumberPrompt.Show(tool)));
         var depth = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.depth", "Trajectories.FinalDepth", 1.0).ConfigureAwait(false);
         var pitch = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.pitch", "Trajectories.Pitch", 0.1).ConfigureAwait(false);

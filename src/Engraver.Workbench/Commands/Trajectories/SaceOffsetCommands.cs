@@ -12,7 +12,7 @@ internal sealed class SaceOffsetCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
-        var radius = await TrajectoryPrompts.LengthAsync(context, TrajectoryPrompts.Removal, "Trajectories.RemovalRadius", 0.25).ConfigureAwait(false);
+        var radius = await TrajectoryPrompts.RemovalRadiusAsync(context).ConfigureAwait(false);
         var side = await TrajectoryPrompts.SideAsync(context, contours).ConfigureAwait(false);
         SaceOffsets.Make(context, contours, [radius], side, (_, loop) => number => $"traj{number}_offset-{loop}", cancellation);
     }
@@ -27,8 +27,8 @@ internal sealed class SaceUniformOffsetCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
-        var radius = await TrajectoryPrompts.LengthAsync(context, TrajectoryPrompts.Removal, "Trajectories.RemovalRadius", 0.25).ConfigureAwait(false);
-        var step = await TrajectoryPrompts.LengthAsync(context, "SACE.step", "Trajectories.OffsetStep", 0.25).ConfigureAwait(false);
+        var radius = await TrajectoryPrompts.RemovalRadiusAsync(context).ConfigureAwait(false);
+        var step = await TrajectoryPrompts.OffsetStepAsync(context).ConfigureAwait(false);
         var passes = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.Passes")) { Default = "3", Least = 1, Most = SaceOffsets.MostPasses, Whole = true }).ConfigureAwait(false);
         var side = await TrajectoryPrompts.SideAsync(context, contours).ConfigureAwait(false);
         SaceOffsets.Make(context, contours, [.. Enumerable.Range(0, passes).Select(pass => radius + ((passes - 1 - pass) * step))], side, SaceOffsets.NameOfPass, cancellation);
@@ -45,8 +45,8 @@ internal sealed class SaceConstantOffsetsCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
-        var radius = await TrajectoryPrompts.LengthAsync(context, TrajectoryPrompts.Removal, "Trajectories.RemovalRadius", 0.25).ConfigureAwait(false);
-        var step = await TrajectoryPrompts.LengthAsync(context, "SACE.step", "Trajectories.OffsetStep", 0.25).ConfigureAwait(false);
+        var radius = await TrajectoryPrompts.RemovalRadiusAsync(context).ConfigureAwait(false);
+        var step = await TrajectoryPrompts.OffsetStepAsync(context).ConfigureAwait(false);
         var largest = await TrajectoryPrompts.LengthAsync(context, "SACE.largest", "Trajectories.MaximumOffset", 1.0).ConfigureAwait(false);
         if (largest < radius) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.MaximumOffsetTooSmall", NumberPrompt.Show(largest), NumberPrompt.Show(radius)));
         if ((largest - radius) / step >= SaceOffsets.MostPasses) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooManyOffsets", SaceOffsets.MostPasses));

@@ -8,11 +8,17 @@ namespace Engraver.Workbench.Commands.Trajectories;
 internal static class TrajectoryPrompts
 {
     /// <summary>Name under which all commands remember the removal radius of the tool.</summary>
-    public const string Removal = "SACE.removal";
+    private const string Removal = "SACE.removal";
 
     private const double Least = 1e-6;
 
     private const double Most = 1e6;
+
+    /// <summary>The removal radius of the tool.</summary>
+    public static Task<double> RemovalRadiusAsync(CommandContext context) => LengthAsync(context, Removal, "Trajectories.RemovalRadius", 0.25);
+
+    /// <summary>The distance between two passes.</summary>
+    public static Task<double> OffsetStepAsync(CommandContext context) => LengthAsync(context, "SACE.step", "Trajectories.OffsetStep", 0.25);
 
     /// <summary>A length above 0, typed or given by two points; Enter repeats the last value.</summary>
     /// <param name="memory">The name under which it is remembered.</param>

@@ -1,4 +1,4 @@
-using System.Globalization;
+using Engraver.Core;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Verification;
@@ -20,13 +20,13 @@ internal static class RunVerdict
         var tolerances = RunJudge.Tolerances(job);
         var (allowed, lag) = (AllowedDeviation(job, program, judgement, tolerances), RunJudge.AllowedFollowing(program));
         if ((judgement.CommandedDeviationMm ?? judgement.MaxDeviationMm) is { } commanded && commanded > allowed)
-            return Deviated(result, Wording.Get("RunVerdict.RunDeviated", Millimetres(commanded), Millimetres(allowed)), judgement.DeviationAt);
+            return Deviated(result, Wording.Get("RunVerdict.RunDeviated", NumberText.Rounded(commanded, 4), NumberText.Rounded(allowed, 4)), judgement.DeviationAt);
         if (judgement.CommandedDeviationMm is not null && judgement.MaxDeviationMm is { } deviation && deviation > allowed + lag)
-            return Deviated(result, Wording.Get("RunVerdict.MotorsDeviated", Millimetres(deviation), Millimetres(allowed + lag)), judgement.DeviationAt);
+            return Deviated(result, Wording.Get("RunVerdict.MotorsDeviated", NumberText.Rounded(deviation, 4), NumberText.Rounded(allowed + lag, 4)), judgement.DeviationAt);
         if (judgement.FollowingMm is { } following && following > lag)
-            return Deviated(result, Wording.Get("RunVerdict.FollowingErrorTooLarge", Millimetres(following), Millimetres(lag)), judgement.FollowingAt);
+            return Deviated(result, Wording.Get("RunVerdict.FollowingErrorTooLarge", NumberText.Rounded(following, 4), NumberText.Rounded(lag, 4)), judgement.FollowingAt);
         if (judgement.MissingLengthMm is { } missing && missing > AllowedMissing(judgement, tolerances))
-            return Deviated(result, Wording.Get("RunVerdict.NotCut", Millimetres(missing)), judgement.MissingAt);
+            return Deviated(result, Wording.Get("RunVerdict.NotCut", NumberText.Rounded(missing, 4)), judgement.MissingAt);
         return result;
     }
 
@@ -60,6 +60,4 @@ internal static class RunVerdict
     private static double AllowedMissing(RunJudgement judgement, TraceTolerances tolerances) => judgement.Source == "record" ? tolerances.Deviation : tolerances.LargestStep;
 
     private static string[] At(Point2D? place) => place is { } at ? [Wording.Get("RunVerdict.Position", at.X, at.Y)] : [];
-
-    private static string Millimetres(double length) => length.ToString("0.####", CultureInfo.InvariantCulture);
 }

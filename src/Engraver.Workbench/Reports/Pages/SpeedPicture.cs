@@ -1,6 +1,6 @@
-using System.Globalization;
 using System.Text;
 using System.Xml.Linq;
+using Engraver.Core;
 using Engraver.Workbench.Playback;
 
 namespace Engraver.Workbench.Reports.Pages;
@@ -29,9 +29,9 @@ internal static class SpeedPicture
         var (duration, peak) = (Math.Max(motion.DurationSeconds, 1e-9), Math.Max(samples.Select(sample => sample.Speed * SecondsPerMinute).DefaultIfEmpty().Max(), 1e-9));
         double X(double seconds) => Left + (seconds / duration * (Width - Left - Right));
         double Y(double speed) => Height - Bottom - (speed / peak * (Height - Top - Bottom));
-        var picture = new XElement(s_svg + "svg", new XAttribute("viewBox", $"0 0 {Text(Width)} {Text(Height)}"), new XAttribute("width", Width), new XAttribute("height", Height));
-        foreach (var seconds in Grid(duration)) picture.Add(Line($"M{Text(X(seconds))},{Text(Top)}V{Text(Height - Bottom)}"), Label(X(seconds), Height - Bottom + 16.0, "middle", Text(seconds)));
-        foreach (var speed in Grid(peak)) picture.Add(Line($"M{Text(Left)},{Text(Y(speed))}H{Text(Width - Right)}"), Label(Left - 6.0, Y(speed) + 4.0, "end", Text(speed)));
+        var picture = new XElement(s_svg + "svg", new XAttribute("viewBox", $"0 0 {NumberText.Rounded(Width, 2)} {NumberText.Rounded(Height, 2)}"), new XAttribute("width", Width), new XAttribute("height", Height));
+        foreach (var seconds in Grid(duration)) picture.Add(Line($"M{Pair(X(seconds), Top)}V{NumberText.Rounded(Height - Bottom, 2)}"), Label(X(seconds), Height - Bottom + 16.0, "middle", NumberText.Rounded(seconds, 2)));
+        foreach (var speed in Grid(peak)) picture.Add(Line($"M{Pair(Left, Y(speed))}H{NumberText.Rounded(Width - Right, 2)}"), Label(Left - 6.0, Y(speed) + 4.0, "end", NumberText.Rounded(speed, 2)));
         foreach (var (cutting, path) in Runs(samples, X, Y)) picture.Add(Path(cutting ? "cutting" : "moving", path));
         picture.Add(Label(Width - Right, Height - 6.0, "end", Wording.Get("JobReport.SpeedAxes")));
         output.Write(picture.ToString(SaveOptions.DisableFormatting));
@@ -45,9 +45,9 @@ internal static class SpeedPicture
             var (last, cutting) = (first, samples[first].Cutting);
             while (last + 1 < samples.Count && samples[last + 1].Cutting == cutting) last++;
             var path = new StringBuilder();
-            if (cutting) path.Append('M').Append(Text(x(samples[first].Seconds))).Append(',').Append(Text(y(0.0)));
-            for (var i = first; i <= last; i++) path.Append(path.Length == 0 ? 'M' : 'L').Append(Text(x(samples[i].Seconds))).Append(',').Append(Text(y(samples[i].Speed * SecondsPerMinute)));
-            if (cutting) path.Append('L').Append(Text(x(samples[last].Seconds))).Append(',').Append(Text(y(0.0))).Append('Z');
+            if (cutting) path.Append('M').Append(Pair(x(samples[first].Seconds), y(0.0)));
+            for (var i = first; i <= last; i++) path.Append(path.Length == 0 ? 'M' : 'L').Append(Pair(x(samples[i].Seconds), y(samples[i].Speed * SecondsPerMinute)));
+            if (cutting) path.Append('L').Append(Pair(x(samples[last].Seconds), y(0.0))).Append('Z');
             yield return (cutting, path.ToString());
             first = last + 1;
         }
@@ -66,7 +66,7 @@ internal static class SpeedPicture
 
     private static XElement Path(string style, string path) => new(s_svg + "path", new XAttribute("class", style), new XAttribute("d", path));
 
-    private static XElement Label(double x, double y, string anchor, string text) => new(s_svg + "text", new XAttribute("x", Text(x)), new XAttribute("y", Text(y)), new XAttribute("text-anchor", anchor), text);
+    private static XElement Label(double x, double y, string anchor, string text) => new(s_svg + "text", new XAttribute("x", NumberText.Rounded(x, 2)), new XAttribute("y", NumberText.Rounded(y, 2)), new XAttribute("text-anchor", anchor), text);
 
-    private static string Text(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
+    private static string Pair(double x, double y) => $"{NumberText.Rounded(x, 2)},{NumberText.Rounded(y, 2)}";
 }
