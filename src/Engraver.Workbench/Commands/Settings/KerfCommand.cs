@@ -4,6 +4,7 @@ using Engraver.Core.Kerf;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Commands.Settings;
 
@@ -38,6 +39,6 @@ internal sealed class KerfCommand : ICommand
     private static GhostOf PathOf(Drawing drawing, DrawingSettings settings)
     {
         var scale = Transform2D.ScaleFrom(Point2D.Origin, 1.0 / (settings.Unit ?? drawing.Unit).ToMillimetres);
-        return _ => [.. JobPreparation.ToCut(drawing, settings).Table.ToSegments().Select(segment => segment.Mapped(scale))];
+        return _ => [.. JobPreparation.To<CompensatedJob>(drawing, settings).Cut.Table.ToSegments().Select(segment => segment.Mapped(scale))];
     }
 }
