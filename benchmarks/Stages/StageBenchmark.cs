@@ -5,14 +5,13 @@ using Engraver.Core.Dxf;
 using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Core.Posts;
-using Engraver.Core.Sequencing;
-using Engraver.Core.Toolpaths;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Benchmarks.Stages;
@@ -22,7 +21,9 @@ public static class StageBenchmark
 {
     private const int Repetitions = 5;
     private const ulong Seed = 1;
-    private static readonly DrawingSettings s_settings = new();
+
+    /// <summary>The measured run ends with the last stroke.</summary>
+    private static readonly DrawingSettings s_settings = new() { Finish = FinishPlace.Stay };
 
     /// <summary>Runs everything once on a small drawing, so that the first row does not include the just-in-time compiler.</summary>
     public static Task WarmUpAsync(CancellationToken stop) => RunAsync(500, stop);
@@ -52,22 +53,30 @@ public static class StageBenchmark
     {
         var (read, drawing) = await StageClock.MeasureAsync(
             entities, "read", Repetitions, () => DxfReader.Read(bytes, "bench.dxf", new DxfReadOptions(), stop), _ => $"{bytes.Length / 1e6:0.0} MB").ConfigureAwait(false);
-        var (table, analysed) = await StageClock.MeasureAsync(
-            entities, "table and analysis", Repetitions, () => JobPreparation.Analyse(drawing, s_settings), rows => $"{rows.Count} rows").ConfigureAwait(false);
-        var options = JobPreparation.SequencingFor(drawing, s_settings);
-        var (chain, chained) = await StageClock.MeasureAsync(
-            entities, "chain", Repetitions, () => Sequencer.Chain(analysed, drawing, options), found => $"{found.Chain.Contours.Count} contours").ConfigureAwait(false);
-        var (order, sequence) = await StageClock.MeasureAsync(
-            entities, "order", Repetitions, () => Sequencer.Order(chained, options), found => $"travel {found.Travel / 1000:0.0} m").ConfigureAwait(false);
-        var toolpath = ToolpathPlanner.Plan(sequence, s_settings.Start, s_settings.MaxErrorMm);
-        var (generate, motion) = await StageClock.MeasureAsync(
-            entities, "generate", Repetitions, () => MotionProgramGenerator.Generate(toolpath, s_settings.Machine, s_settings.MaxErrorMm, drawing.SourceOf), made => $"{made.Program!.SegmentCount} segments").ConfigureAwait(false);
-        var (check, _) = await StageClock.MeasureAsync(
-            entities, "toolpath check", Repetitions, () => JobPreparation.FaultsOf(drawing, s_settings, analysed, toolpath), found => $"{found.Count} faults").ConfigureAwait(false);
-        var job = new PreparedJob(drawing, s_settings, analysed, sequence, toolpath, motion);
-        var simulate = await SimulateAsync(entities, job, motion.Program!, stop).ConfigureAwait(false);
+        var (stages, job) = await StagesAsync(entities, new DrawnJob(drawing, s_settings), stop).ConfigureAwait(false);
+        var simulate = await SimulateAsync(entities, job, job.Motion.Program!, stop).ConfigureAwait(false);
         var verify = await VerifyAsync(entities, drawing, job, stop).ConfigureAwait(false);
-        return [read, table, chain, order, generate, check, simulate, verify];
+        return [read, .. stages, simulate, verify];
+    }
+
+    /// <summary>Executes the stages up to the checked program and measures those that have a row.</summary>
+    private static async Task<(IReadOnlyList<StageFigure> Rows, PreparedJob Job)> StagesAsync(int entities, DrawnJob job, CancellationToken stop)
+    {
+        var rows = new List<StageFigure>();
+        foreach (var stage in JobStages.To<CheckedJob>())
+        {
+            var input = job;
+            if (!stage.IsMeasured)
+            {
+                job = stage.Run(input, stop);
+                continue;
+            }
+
+            (var figure, job) = await StageClock.MeasureAsync(entities, stage.Work, Repetitions, () => stage.Run(input, stop), stage.Figure).ConfigureAwait(false);
+            rows.Add(figure);
+        }
+
+        return (rows, PreparedJob.From((CheckedJob)job));
     }
 
     /// <summary>Runs the job once on the simulated controller: it is by far the longest stage, and its result is also verified.</summary>

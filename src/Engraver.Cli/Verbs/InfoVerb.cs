@@ -6,6 +6,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Cli.Verbs;
 
@@ -25,7 +26,7 @@ internal static class InfoVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            JobPreparation.CheckLayers(read, settings);
+            StageOptions.CheckLayers(read, settings);
             var summary = DrawingSummary.From(read);
             IReadOnlyList<Diagnostic> found = [.. read.Diagnostics, .. JobPreparation.Findings(read, settings)];
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary, found), ContractJson.Default.InfoJson);

@@ -7,6 +7,7 @@ using Engraver.Core.Languages;
 using Engraver.Tools.Minimising;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Cli.Verbs;
 
@@ -59,8 +60,8 @@ internal static class MinimiseVerb
     {
         var drawing = DxfReader.Read(candidate, "candidate.dxf", DxfReadOptions.Default, stop);
         if (fault.StartsWith("DXF", StringComparison.Ordinal)) return drawing.Diagnostics;
-        var settings = new DrawingSettings();
-        return [.. drawing.Diagnostics, .. JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings).Diagnostics];
+        var ordered = JobPreparation.To<OrderedJob>(drawing, new DrawingSettings());
+        return [.. ordered.Drawing.Diagnostics, .. ordered.Sequence.Diagnostics];
     }
 
     /// <summary>The reader and the first stages should throw no exception, so every exception except the operator's stop counts as a crash.</summary>

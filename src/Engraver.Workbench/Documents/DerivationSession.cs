@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -191,53 +192,31 @@ public sealed class DerivationSession : IDisposable
 /// <summary>Progress of the derivation. Any thread.</summary>
 public sealed class DerivationProgress
 {
-    private volatile DerivationStage? _stage;
+    private volatile JobStage? _stage;
 
     /// <summary>Raised with each stage and at the end, on the computing thread.</summary>
     public event EventHandler? Changed;
 
     /// <summary>The stage being computed; null while idle.</summary>
-    public DerivationStage? Stage => _stage;
+    public JobStage? Stage => _stage;
 
     /// <summary>Creates the reporter of one computation; its reports after cancellation are ignored.</summary>
-    internal IProgress<DerivationStage> For(CancellationToken cancellation) => new Work(this, cancellation);
+    internal IProgress<JobStage> For(CancellationToken cancellation) => new Work(this, cancellation);
 
     internal void End() => Take(null);
 
-    private void Take(DerivationStage? stage)
+    private void Take(JobStage? stage)
     {
         if (ReferenceEquals(_stage, stage)) return;
         _stage = stage;
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    private sealed class Work(DerivationProgress owner, CancellationToken cancellation) : IProgress<DerivationStage>
+    private sealed class Work(DerivationProgress owner, CancellationToken cancellation) : IProgress<JobStage>
     {
-        public void Report(DerivationStage value)
+        public void Report(JobStage value)
         {
             if (!cancellation.IsCancellationRequested) owner.Take(value);
         }
     }
-}
-
-/// <summary>One stage of the derivation.</summary>
-/// <param name="Key">Key of its text, <c>Derivation.KEY</c>.</param>
-/// <param name="Before">Estimated fraction of the work before this stage, 0 to 1, for a progress bar.</param>
-public sealed record DerivationStage(string Key, double Before)
-{
-    /// <summary>Entity table: units, layers and arcs.</summary>
-    public static DerivationStage Table { get; } = new("Table", 0.0);
-
-    /// <summary>Contours and their order.</summary>
-    public static DerivationStage Order { get; } = new("Order", 0.10);
-
-    public static DerivationStage Path { get; } = new("Path", 0.50);
-
-    public static DerivationStage Motion { get; } = new("Motion", 0.60);
-
-    /// <summary>The program text and its times.</summary>
-    public static DerivationStage Program { get; } = new("Program", 0.80);
-
-    /// <summary>Displayed name.</summary>
-    public string Name => Wording.Get("Derivation." + Key);
 }

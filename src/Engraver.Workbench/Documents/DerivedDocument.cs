@@ -5,9 +5,9 @@ using Engraver.Core.Motion;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Composition;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -53,16 +53,22 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
 
     /// <summary>Runs all stages. Cancellation is checked between stages.</summary>
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
-    public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<DerivationStage>? progress = null)
+    public static DerivedDocument Create(DocumentState state, ExecutionStrategy strategy, CancellationToken cancellation, IProgress<JobStage>? progress = null)
     {
         var derived = new DerivedDocument(state, strategy);
         if (state.Drawing is not { } drawing) return derived;
         try
         {
-            cancellation.ThrowIfCancellationRequested();
-            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, strategy.Style, cancellation, progress);
-            progress?.Report(DerivationStage.Program);
-            return (derived with { Job = job }).WithMotion(job, cancellation);
+            var planned = new StageRun(new DrawnJob(drawing, state.Settings, strategy.Style), cancellation, progress).To<PlannedJob>();
+            var job = PreparedJob.From(planned);
+            return derived with
+            {
+                Job = job,
+                Plan = job.Motion.Program is { SegmentCount: > 0 } program ? JobPlan.NetworkTimes(program) : null,
+                Posted = planned.Posted,
+                Motion = planned.Planned,
+                Findings = Sorted([.. job.Diagnostics, .. planned.PostFindings]),
+            };
         }
         catch (SettingException unfit)
         {
@@ -77,23 +83,6 @@ public sealed record DerivedDocument(DocumentState State, ExecutionStrategy Stra
         if (Job is not { Motion.Program: { SegmentCount: > 0 } program, Drawing: var drawing }) return this with { Line = line };
         var fit = JobPlan.FitToLink(program, line, Strategy, drawing).Program;
         return this with { Line = line, Plan = line is null ? JobPlan.NetworkTimes(program) : JobPlan.PlannedTimes(fit, line, Strategy) };
-    }
-
-    private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)
-    {
-        if (job.Motion.Program is not { SegmentCount: > 0 } program) return this with { Findings = Sorted(job.Diagnostics) };
-        var driver = MachineFamilies.DriverOf(program.Profile);
-        var (post, request) = (PostTable.ForMotion(driver, program.Style)?.Post, new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions) { Machine = job.Settings.Machine, MaxErrorMm = job.Settings.MaxErrorMm });
-        var posted = new Lazy<PostText?>(() => post?.Write(request));
-        var findings = post?.Findings(request) ?? [];
-        cancellation.ThrowIfCancellationRequested();
-        return this with
-        {
-            Plan = JobPlan.NetworkTimes(program),
-            Posted = posted,
-            Motion = PlannedMotion.Create(program, job.Toolpath, driver.NetworkTimes, post is null ? null : () => posted.Value!.SegmentLines, cancellation),
-            Findings = Sorted([.. job.Diagnostics, .. findings]),
-        };
     }
 
     private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity).Select(SettingWording.AtCommandLine)];

@@ -3,6 +3,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
@@ -16,7 +17,7 @@ public static class DrawingPlot
     {
         var title = Path.GetFileName(drawing.FileName);
         if (asDrawn) return PlotModel.FromDrawing(JobPreparation.Analyse(drawing, settings), title);
-        return PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, JobPreparation.ToCut(drawing, settings), settings), settings), title);
+        return PlotModel.FromPath(JobPreparation.To<PathJob>(drawing, settings).Toolpath, title);
     }
 
     /// <summary>Trajectories over the drawing: those of the document or of the sidecar, otherwise one along each contour.</summary>
@@ -35,7 +36,7 @@ public static class DrawingPlot
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(trace);
-        var (analysed, name) = (JobPreparation.ToCut(drawing, settings).Table, Path.GetFileName(drawing.FileName));
+        var (analysed, name) = (JobPreparation.To<CompensatedJob>(drawing, settings).Cut.Table, Path.GetFileName(drawing.FileName));
         if (!trace.CanBeOf(DrawnFingerprint.Of(analysed.ToSegments()))) throw new FormatException(Wording.Get("Trace.OtherDrawing", name));
         if (measure == RunMeasure.Following && !trace.KnowsFollowing) throw new FormatException(Wording.Get("Trace.NoFollowingError"));
         return RunPlot.Create(analysed, trace, measure, name);

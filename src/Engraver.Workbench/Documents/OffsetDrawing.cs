@@ -7,6 +7,7 @@ using Engraver.Core.Offsets;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Chaining;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -25,7 +26,7 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static OffsetDrawing Create(Drawing drawing, DrawingSettings settings, double distance, OffsetSide side, OffsetOptions options)
     {
-        var chained = Sequencer.Chain(JobPreparation.Analyse(drawing, settings), drawing, JobPreparation.SequencingFor(drawing, settings));
+        var chained = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off }).Chained;
         var contours = ContoursOf(chained);
         var result = ContourOffset.Offset(contours, distance, side, options);
         return new OffsetDrawing(result, [.. drawing.Diagnostics, .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);

@@ -2,9 +2,11 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
 using Engraver.Core.Pockets;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -23,7 +25,7 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static PocketDrawing Create(Drawing drawing, DrawingSettings settings, PocketOptions options, PocketDepths depths)
     {
-        var chained = Sequencer.Chain(JobPreparation.Analyse(drawing, settings), drawing, JobPreparation.SequencingFor(drawing, settings));
+        var chained = JobPreparation.To<ChainedJob>(drawing, settings with { Kerf = KerfSide.Off }).Chained;
         var result = PocketPlanner.Plan(OffsetDrawing.ContoursOf(chained), options);
         var cuts = PocketLevels.Of(result, options, depths);
         return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, options), .. Findings(cuts, depths)]);

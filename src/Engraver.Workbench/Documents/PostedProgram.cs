@@ -6,6 +6,7 @@ using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -31,10 +32,9 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         if (drawing.Entities.Count == 0) return NothingCut(drawing, settings, drawing.Diagnostics);
         if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style), post, options);
-        var cut = JobPreparation.ToCut(drawing, settings);
-        var sequence = JobPreparation.Sequence(drawing, cut, settings);
-        var posted = FromSequence(drawing, cut.Table, sequence, settings, post, options);
-        return posted with { Diagnostics = [.. posted.Diagnostics, .. cut.FindingsBeside(sequence)] };
+        var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
+        var posted = FromSequence(ordered, post, options);
+        return posted with { Diagnostics = [.. posted.Diagnostics, .. ordered.Cut.FindingsBeside(ordered.Sequence)] };
     }
 
     /// <summary>The program of a job that was prepared in the style of the post.</summary>
@@ -49,16 +49,15 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     }
 
     /// <summary>The program of a post that writes the path in millimetres.</summary>
-    /// <param name="analysed">The table that was sequenced.</param>
-    /// <param name="sequence">Sequence of <paramref name="drawing"/> with <paramref name="settings"/>.</param>
-    public static PostedProgram FromSequence(Drawing drawing, EntityTable analysed, SequencingResult sequence, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
+    public static PostedProgram FromSequence(OrderedJob job, IPost post, IReadOnlyDictionary<string, string> options)
     {
-        ArgumentNullException.ThrowIfNull(sequence);
+        ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(post);
+        var (drawing, settings, sequence) = (job.Drawing, job.Settings, job.Sequence);
         IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return NothingCut(drawing, settings, found);
-        var path = post.Geometry == PostGeometry.LinesAndArcs ? JobPreparation.PathOf(sequence, settings) : ToolpathPlanner.WithCurves(sequence, settings.Start);
-        if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.NotAsDrawn(faults) };
+        var path = post.Geometry == PostGeometry.LinesAndArcs ? PathStage.ToolpathOf(job) : ToolpathPlanner.WithCurves(sequence, settings.Start);
+        if (CheckStage.FaultsOf(job, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.NotAsDrawn(faults) };
         var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options) { Machine = settings.Machine, MaxErrorMm = settings.MaxErrorMm });
         return Written(written, found);
     }
@@ -71,5 +70,5 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     }
 
     private static PostedProgram NothingCut(Drawing drawing, DrawingSettings settings, IReadOnlyList<Diagnostic> found) =>
-        new(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = PreparedJob.NothingCut(NotCutFindings.From(drawing, JobPreparation.SelectionOf(settings))) };
+        new(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = PreparedJob.NothingCut(NotCutFindings.From(drawing, StageOptions.SelectionOf(settings))) };
 }

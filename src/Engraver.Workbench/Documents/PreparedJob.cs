@@ -6,6 +6,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -22,18 +23,21 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>The compensation for the tool radius; null without one.</summary>
     public KerfResult? Kerf { get; init; }
 
+    /// <summary>The drawing from which the stages started; <see cref="Drawing"/> unless a stage replaced it.</summary>
+    public Drawing Source { get; init; } = Drawing;
+
     /// <summary>The trajectories that replace the drawing, and their document; null for a job of the drawing. <see cref="Drawing"/> then contains their
     /// curves.</summary>
     public FollowedTrajectories? Followed { get; init; }
 
     /// <summary>The document's drawing.</summary>
-    public Drawing DocumentDrawing => Followed?.Drawing ?? Drawing;
+    public Drawing DocumentDrawing => Followed?.Drawing ?? Source;
 
     /// <summary>The settings that a record of the job states: those with which its drawing is opened again and cut in the same way.</summary>
     public DrawingSettings Recorded => (Followed?.Settings ?? Settings).AsOpened(DocumentDrawing);
 
     /// <summary>Visible entities on the cut layers that produce no cut.</summary>
-    public NotCutFindings NotCut => NotCutFindings.From(Drawing, JobPreparation.SelectionOf(Settings));
+    public NotCutFindings NotCut => NotCutFindings.From(Drawing, StageOptions.SelectionOf(Settings));
 
     /// <summary>Differences between toolpath and drawing (VER0020 to VER0022), which cannot be accepted; empty for every job that may be run or
     /// posted.</summary>
@@ -48,6 +52,13 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
         (_, null) => Wording.Get("PreparedJob.MachineCannotCut", Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))),
         _ => NothingCut(NotCut),
     };
+
+    /// <summary>The results of the stages up to the checked motion program.</summary>
+    public static PreparedJob From(CheckedJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return new PreparedJob(job.Drawing, job.Settings, job.Cut.Table, job.Sequence, job.Toolpath, job.Motion) { Source = job.Source, Kerf = job.Cut.Kerf, Findings = job.Findings, Faults = job.Faults };
+    }
 
     /// <summary>True if this is the job of a document: same drawing and settings, and same trajectories if these are run.</summary>
     public bool IsOf(DocumentState state)

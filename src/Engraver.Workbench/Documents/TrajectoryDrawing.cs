@@ -8,6 +8,7 @@ using Engraver.Core.Sequencing;
 using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -23,13 +24,13 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(request);
-        var cut = JobPreparation.ToCut(drawing, settings);
-        var sequence = JobPreparation.Sequence(drawing, cut, settings);
+        var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
+        (drawing, var sequence) = (ordered.Drawing, ordered.Sequence);
         var work = new TrajectoryCollector(drawing, settings, request);
         if (request.Offset is { } offset) work.AddOffsets(sequence, offset);
         else work.AddPaths(sequence);
         if (sequence.Contours == 0 && !DrawingFile.IsUnreadable(drawing)) work.Findings.Add(DocumentRules.NothingToPost.At(default));
-        return new TrajectoryDrawing(work.Made, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. cut.FindingsBeside(sequence), .. work.Findings]);
+        return new TrajectoryDrawing(work.Made, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. ordered.Cut.FindingsBeside(sequence), .. work.Findings]);
     }
 
     private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)

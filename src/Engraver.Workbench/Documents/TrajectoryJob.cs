@@ -9,6 +9,7 @@ using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Sidecars;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Documents;
 
@@ -56,11 +57,9 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         var arcError = settings.Machine.Scale.Finer.LengthOf(CountShare);
         var rises = trajectories.Any(one => one.IsHelix);
         var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
-        if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, JobPreparation.ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
+        if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, StageOptions.ExactJoint) }; // A chord of a helix may be shorter than the join tolerance of a drawing.
         var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [Raised(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
-        var table = JobPreparation.Analyse(splines, own);
-        var sequence = JobPreparation.Sequence(splines, table, own);
-        var job = JobPreparation.FromPath(splines, own, table, sequence, JobPreparation.PathOf(sequence, own), style);
+        var job = JobPreparation.Prepare(splines, own, style);
         var bound = trajectories.Select(one => one.Curve.VerifiedBound).DefaultIfEmpty().Max() + (rises ? 2.0 * arcError : arcError);
         var source = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfSource(one.Curve, arcError) : one.Curve.Source.Select(segment => Raised(segment, one.Curve.Z))).Select(AtHeight)]);
         return new TrajectoryJob(
@@ -90,9 +89,9 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
     private static List<DocumentTrajectory> Planned(Drawing drawing, DrawingSettings settings, List<Diagnostic> findings)
     {
         var made = new List<DocumentTrajectory>();
-        var cut = JobPreparation.ToCut(drawing, settings);
-        findings.AddRange(cut.Kerf?.Diagnostics ?? []);
-        foreach (var stroke in JobPreparation.Sequence(drawing, cut, settings).Strokes)
+        var ordered = JobPreparation.To<OrderedJob>(drawing, settings);
+        findings.AddRange(ordered.Cut.Kerf?.Diagnostics ?? []);
+        foreach (var stroke in ordered.Sequence.Strokes)
         {
             var planned = TrajectoryPlanner.Plan([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed, new TrajectoryOptions(settings.MaxErrorMm));
             made.AddRange(planned.Trajectories.Select((one, i) => new DocumentTrajectory($"traj{made.Count + i}_path", one, settings.MaxErrorMm)));

@@ -48,7 +48,7 @@ public sealed class LongWorkTests(DesktopFixture fixture)
 
             void Hold(object? sender, EventArgs e)
             {
-                if (here.Commands.Derivation.Progress.Stage?.Key == "Order") goOn.Wait(TimeSpan.FromSeconds(60));
+                if (here.Commands.Derivation.Progress.Stage?.Key == "Chain") goOn.Wait(TimeSpan.FromSeconds(60));
             }
         }, clock: clock);
     }
@@ -64,7 +64,7 @@ public sealed class LongWorkTests(DesktopFixture fixture)
         here.Commands.Document.Select([0], []);
         here.Commands.Derivation.Progress.Changed += Hold;
         here.Hands.Type("cncmaxerr 0.02 ");
-        here.Until(() => here.Commands.Derivation.Progress.Stage?.Key == "Order");
+        here.Until(() => here.Commands.Derivation.Progress.Stage?.Key == "Chain");
         here.Commands.Document.Select([0], []);
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Commands.Document.Current.Selection.Count == 0);
@@ -77,7 +77,7 @@ public sealed class LongWorkTests(DesktopFixture fixture)
 
         void Hold(object? sender, EventArgs e)
         {
-            if (here.Commands.Derivation.Progress.Stage?.Key == "Order") goOn.Wait(TimeSpan.FromSeconds(60));
+            if (here.Commands.Derivation.Progress.Stage?.Key == "Chain") goOn.Wait(TimeSpan.FromSeconds(60));
         }
     });
 

@@ -3,6 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Tests.Documents;
 
@@ -25,7 +26,7 @@ public class JobPreparationTests
     {
         var drawing = Open("nameplate");
         var layer = Assert.Throws<SettingException>(() => JobPreparation.Analyse(drawing, new DrawingSettings { SkippedLayers = ["Frame"] }));
-        var handle = Assert.Throws<SettingException>(() => JobPreparation.SequencingFor(drawing, new DrawingSettings { Enter = new EnteringPlace.ByHandle("FFFF") }));
+        var handle = Assert.Throws<SettingException>(() => StageOptions.SequencingFor(drawing, new DrawingSettings { Enter = new EnteringPlace.ByHandle("FFFF") }));
 
         Assert.Contains("'Frame'", layer.Message, StringComparison.Ordinal);
         Assert.Contains("FFFF", handle.Message, StringComparison.Ordinal);

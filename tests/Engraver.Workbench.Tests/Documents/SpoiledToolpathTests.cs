@@ -10,6 +10,7 @@ using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 using Engraver.Workbench.Tests.Machines;
 
 namespace Engraver.Workbench.Tests.Documents;
@@ -56,12 +57,10 @@ public class SpoiledToolpathTests
     [Fact]
     public void A_sequence_that_lost_a_stroke_is_not_written_as_drawing()
     {
-        var drawing = Drawing();
-        var analysed = JobPreparation.Analyse(drawing, s_settings);
-        var sequence = JobPreparation.Sequence(drawing, analysed, s_settings);
+        var ordered = JobPreparation.To<OrderedJob>(Drawing(), s_settings);
 
-        Assert.NotNull(PostedProgram.FromSequence(drawing, analysed, sequence, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions).Text);
-        var lost = PostedProgram.FromSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions);
+        Assert.NotNull(PostedProgram.FromSequence(ordered, PostTable.Find("cldata").Post, PostedProgram.NoOptions).Text);
+        var lost = PostedProgram.FromSequence(ordered with { Sequence = ordered.Sequence with { Strokes = [.. ordered.Sequence.Strokes.Skip(1)] } }, PostTable.Find("cldata").Post, PostedProgram.NoOptions);
         Assert.Null(lost.Text);
         Assert.Contains(lost.Diagnostics, finding => finding.Id == "VER0021");
         Assert.Equal("The toolpath deviates from the drawing (VER0021)", lost.WithoutProgram);
@@ -93,10 +92,10 @@ public class SpoiledToolpathTests
 
     private static PreparedJob Spoiled(string how, int entity)
     {
-        var drawing = Drawing();
-        var analysed = JobPreparation.Analyse(drawing, s_settings);
-        var sequence = JobPreparation.Sequence(drawing, analysed, s_settings);
-        return JobPreparation.FromPath(drawing, s_settings, analysed, sequence, Spoil(JobPreparation.PathOf(sequence, s_settings), how, entity), MotionStyle.Continuous);
+        var path = JobPreparation.To<PathJob>(Drawing(), s_settings);
+        DrawnJob spoiled = path with { Toolpath = Spoil(path.Toolpath, how, entity) };
+        foreach (var stage in JobStages.To<CheckedJob>().Skip(JobStages.To<PathJob>().Count())) spoiled = stage.Run(spoiled, CancellationToken.None);
+        return PreparedJob.From((CheckedJob)spoiled);
     }
 
     private static Toolpath Spoil(Toolpath path, string how, int entity)

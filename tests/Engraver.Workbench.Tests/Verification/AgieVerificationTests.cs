@@ -5,6 +5,7 @@ using Engraver.TestKit;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
@@ -89,7 +90,7 @@ public class AgieVerificationTests
     {
         var (random, drawing) = (new Random(200), Parts());
         var settings = new DrawingSettings();
-        var (text, start) = (Post(drawing), JobPreparation.PathOf(JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings), settings).Strokes[0].Start);
+        var (text, start) = (Post(drawing), JobPreparation.To<PathJob>(drawing, settings).Toolpath.Strokes[0].Start);
         var drawn = JobPreparation.Analyse(drawing, settings).ToSegments();
         Assert.True(DoesNoHarm(text, start, drawn));
         var (cases, unnoticed) = (TestExtent.Cases(perCommit: 60, full: 200, "ENGRAVER_AGIE_CASES"), 0);

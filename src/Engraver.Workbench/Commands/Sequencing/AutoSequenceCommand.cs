@@ -3,6 +3,7 @@ using Engraver.Core.Sequencing.Ordering;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
@@ -16,14 +17,15 @@ internal sealed class AutoSequenceCommand : ICommand
         var drawing = context.Drawing;
         var state = context.Document.Current;
         var settings = state.Settings with { Order = StrokeOrder.Nearest };
-        var cut = JobPreparation.ToCut(drawing, settings);
-        var result = JobPreparation.Sequence(drawing, cut, settings);
-        FindingMessages.Say(context, drawing.FileName, [.. result.Diagnostics, .. cut.FindingsBeside(result)], Severity.Warning);
+        var run = new StageRun(new DrawnJob(drawing, settings), cancellation);
+        var ordered = run.To<OrderedJob>();
+        var result = ordered.Sequence;
+        FindingMessages.Say(context, drawing.FileName, [.. result.Diagnostics, .. ordered.Cut.FindingsBeside(result)], Severity.Warning);
         context.SayResult(output => SequenceText.Write(output, result));
         context.Take(state with { Settings = settings });
         var asks = context.Settings.Current.Variable(SystemVariables.AutoWalk) != 0.0;
         if (!asks && !context.IsWatched) return;
         if (context.Derivation.KeepsUp) await context.Derivation.ForCurrentAsync(cancellation).ConfigureAwait(false);
-        await ContourWalk.WalkAsync(context, result, JobPreparation.PathOf(result, settings), asks, cancellation).ConfigureAwait(false);
+        await ContourWalk.WalkAsync(context, result, run.To<PathJob>().Toolpath, asks, cancellation).ConfigureAwait(false);
     }
 }

@@ -1,5 +1,7 @@
+using Engraver.Core.Kerf;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
@@ -10,9 +12,7 @@ internal sealed class DiscontinuitiesCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var drawing = context.Drawing;
-        var settings = context.Document.Current.Settings;
-        var result = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
+        var result = JobPreparation.To<OrderedJob>(context.Drawing, context.Document.Current.Settings with { Kerf = KerfSide.Off }).Sequence;
         context.SayResult(output => SequenceText.WriteOpenEnds(output, result));
         return Task.CompletedTask;
     }

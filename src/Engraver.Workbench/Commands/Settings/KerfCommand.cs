@@ -3,6 +3,7 @@ using Engraver.Core.Kerf;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Commands.Settings;
 
@@ -35,5 +36,5 @@ internal sealed class KerfCommand : ICommand
 
     /// <summary>The path of the tool's centre, drawing units.</summary>
     private static GhostOf PathOf(Drawing drawing, DrawingSettings settings) =>
-        _ => [.. JobPreparation.ToCut(drawing, settings).Table.ToSegments().Select(drawing.Scale.ToDrawing)];
+        _ => [.. JobPreparation.To<CompensatedJob>(drawing, settings).Cut.Table.ToSegments().Select(drawing.Scale.ToDrawing)];
 }

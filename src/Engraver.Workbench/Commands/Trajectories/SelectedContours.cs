@@ -9,6 +9,7 @@ using Engraver.Core.Sequencing.Chaining;
 using Engraver.Core.Sequencing.Nesting;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Stages;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
@@ -34,7 +35,7 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
     public static (SelectedContours Contours, IReadOnlyList<Diagnostic> Findings) Of(Drawing drawing, DrawingSettings settings, IReadOnlyList<int> entities)
     {
         var table = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, entities));
-        var chained = Sequencer.Chain(table, drawing, JobPreparation.SequencingFor(drawing, settings with { Enter = null }));
+        var chained = Sequencer.Chain(table, drawing, StageOptions.SequencingFor(drawing, settings with { Enter = null }));
         var contours = OffsetDrawing.ContoursOf(chained).Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)));
         return (new SelectedContours([.. contours], entities), chained.Diagnostics);
     }

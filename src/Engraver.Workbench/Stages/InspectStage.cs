@@ -1,0 +1,23 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Stages;
+
+/// <summary>Adds the findings about the drawing (<see cref="CutFindings"/>) and about the tool radius compensation.</summary>
+internal sealed class InspectStage() : JobStage<CheckedJob, CheckedJob>("Inspect", share: 0)
+{
+    public override IReadOnlyList<Setting> Settings =>
+        [SettingTable.Layers, SettingTable.SkippedLayers, SettingTable.Start, SettingTable.JoinTolerance, SettingTable.Machine];
+
+    public override bool StartsStep => false;
+
+    public override bool IsMeasured => false; // One pass over the entities.
+
+    public static IReadOnlyList<Diagnostic> FindingsOf(Drawing drawing, DrawingSettings settings) =>
+        CutFindings.Find(drawing, StageOptions.SelectionOf(settings), settings.Start, settings.JoinToleranceMm, cutsHeights: settings.Machine.Height is not null);
+
+    protected override CheckedJob Execute(CheckedJob job, CancellationToken cancellation) =>
+        job with { Findings = [.. job.Findings, .. FindingsOf(job.Drawing, job.Settings), .. job.Cut.FindingsBeside(job.Sequence)] };
+}

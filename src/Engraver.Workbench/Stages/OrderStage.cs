@@ -1,0 +1,17 @@
+using Engraver.Core.Sequencing;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Stages;
+
+/// <summary>Orders, reverses and rotates the contours.</summary>
+internal sealed class OrderStage() : JobStage<ChainedJob, OrderedJob>("Order", share: 13)
+{
+    public override IReadOnlyList<Setting> Settings =>
+        [SettingTable.Order, SettingTable.Enter, SettingTable.Start, SettingTable.JoinTolerance, SettingTable.MaxError, SettingTable.Machine];
+
+    public override bool StartsStep => false;
+
+    protected override OrderedJob Execute(ChainedJob job, CancellationToken cancellation) => new(job, Sequencer.Order(job.Chained, StageOptions.SequencingFor(job)));
+
+    protected override string SizeOf(OrderedJob job) => Wording.Get("Stage.Order.Figure", job.Sequence.Travel / 1000);
+}

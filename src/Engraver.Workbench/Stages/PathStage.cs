@@ -1,0 +1,17 @@
+using Engraver.Core.Toolpaths;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Stages;
+
+/// <summary>Plans the moves from the start point of the tool; ellipses and splines become arcs.</summary>
+internal sealed class PathStage() : JobStage<OrderedJob, PathJob>("Path", share: 10)
+{
+    public override IReadOnlyList<Setting> Settings => [SettingTable.Start, SettingTable.MaxError];
+
+    public override bool IsMeasured => false; // The lines of the measured drawing are moves already.
+
+    /// <summary>The path of lines and arcs from the start point of the tool.</summary>
+    public static Toolpath ToolpathOf(OrderedJob job) => ToolpathPlanner.Plan(job.Sequence, job.Settings.Start, job.Settings.MaxErrorMm);
+
+    protected override PathJob Execute(OrderedJob job, CancellationToken cancellation) => new(job, ToolpathOf(job));
+}
