@@ -5,6 +5,7 @@ using Engraver.Core.Motion;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Stages;

@@ -30,11 +30,11 @@ public class StageSettingsTests
         s_drawn with { Kerf = KerfSide.Nesting, ToolDiameterMm = 1.0 },
     ];
 
-    private static readonly Dictionary<SettingDescription, Func<DrawingSettings, DrawingSettings>> s_changes = new()
+    private static readonly Dictionary<Setting, Func<DrawingSettings, DrawingSettings>> s_changes = new()
     {
         [SettingTable.Layers] = settings => settings with { Layers = ["B"] },
         [SettingTable.SkippedLayers] = settings => settings with { SkippedLayers = ["B"] },
-        [SettingTable.Units] = settings => settings with { Unit = LengthUnit.AssumedMillimetres with { ToMillimetres = 25.4 } },
+        [SettingTable.Units] = settings => settings with { Unit = LengthUnit.AssumedMillimetres with { MillimetresPerUnit = 25.4 } },
         [SettingTable.Cut] = settings => settings with { Cut = (CutChoice)31 },
         [SettingTable.JoinTolerance] = settings => settings with { JoinToleranceMm = settings.JoinToleranceMm > 0.1 ? 0.01 : 0.5 },
         [SettingTable.MaxError] = settings => settings with { MaxErrorMm = settings.MaxErrorMm > 0.01 ? 0.0001 : 0.05 },
@@ -99,7 +99,7 @@ public class StageSettingsTests
     {
         PlannedJob { Planned: { } planned } of => Join([of.Posted.Value!.Text, planned.DurationSeconds, .. Sentences(of.PostFindings)]),
         CheckedJob of => Join([of.Motion.Program is null, .. Sentences([.. of.Faults, .. of.Findings])]),
-        MotionJob { Motion.Program: { } program } => Join([ProgramFingerprint.Of(program), program.Start, program.Finish, program.Profile, MotionTime.Calculate(program, MachineFamilies.Driver.NetworkTimes).Total]),
+        MotionJob { Motion.Program: { } program } => Join([ProgramFingerprint.Of(program), program.Start, program.Finish, program.Profile, MotionTime.Calculate(program, MachineFamilies.DriverOf(program.Profile).NetworkTimes).Total]),
         PathJob { Toolpath: var path } => Join([path.ToolStart, .. path.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Print(move.Segment))]),
         OrderedJob { Sequence: var sequence } => Join([sequence.Travel, .. Print(sequence.Table.ToSegments()), .. sequence.Discontinuities.Select(end => end.DiagnosticId), .. Sentences(sequence.Diagnostics)]),
         ChainedJob { Chained: var chained } => Join([.. Print(chained.Segments), chained.Chain.Contours.Count, chained.DuplicatesRemoved, .. Sentences(chained.Diagnostics)]),
